@@ -1,0 +1,69 @@
+#pragma once
+#include <rayscope/ray.h>
+#include <rayscope/settings.h>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stop_token>
+
+namespace rayscope {
+
+/// Geometry to be searched by rays. The caller keeps the memory alive and unchanged as long as the Accel is
+/// used.
+struct AccelInput {
+    std::span<const glm::vec3> vertices;
+    std::span<const glm::uvec3> triangles;
+    std::span<const Sphere> spheres;
+};
+
+struct BuildSettings {
+    BvhBuilder builder = BvhBuilder::SahBinned;
+    int bins = 32;           ///< candidate planes per axis of SahBinned, 2 … 4096
+    int maxLevel = 64;       ///< deepest level of the binary tree, the root is level 0; 0 … 64
+    int leafSize = 4;        ///< most primitives in a leaf above the deepest level, ≥ 1
+    std::stop_token stop{};  ///< build() throws Stopped within 20 ms of a request
+};
+
+struct BinaryTree;
+
+/// A bounding volume hierarchy over triangles and spheres. Immutable after build(); all queries may run
+/// concurrently. A default-constructed Accel is empty: every ray misses it.
+///
+/// A hit is a function of ray and geometry alone: of all primitives with the smallest t the one with the
+/// smallest number is returned, by every query, whatever the builder or the number of threads. Closed meshes
+/// are watertight, and a ray through a shared edge or vertex of a mesh crosses it exactly once.
+class Accel {
+  public:
+    Accel();
+    ~Accel();
+    Accel(Accel&&) noexcept;
+    Accel& operator=(Accel&&) noexcept;
+
+    /// Builds in parallel with the same result for any number of threads. Throws std::invalid_argument if a
+    /// triangle names a vertex that does not exist. Primitives with NaN or infinite coordinates are left out
+    /// and never hit.
+    static Accel build(const AccelInput& input, const BuildSettings& settings = {});
+
+    /// Finds the hit with the smallest t in (tMin, tMax]. Returns false, and leaves `hit` at its default, on
+    /// a miss.
+    bool closestHit(const Ray& ray, Hit& hit) const;
+
+    /// Whether anything lies in (tMin, tMax].
+    bool anyHit(const Ray& ray) const;
+
+    /// The same answers for many rays at once; both spans have the same length.
+    void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
+    void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
+
+    /// The binary tree that queries walk; null when empty.
+    const BinaryTree* binaryTree() const;
+    const AccelInput& input() const;
+    std::size_t bytes() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace rayscope

@@ -1,0 +1,53 @@
+#pragma once
+#include <rayscope/vector.h>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rayscope {
+
+/// A rectangle of pixels, row by row from the top left corner.
+template <class Pixel>
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<Pixel> pixels;
+
+    Image() = default;
+    Image(int w, int h, Pixel fill = Pixel{})
+        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+
+    bool empty() const { return pixels.empty(); }
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
+    Pixel& at(int x, int y) { return pixels[index(x, y)]; }
+    const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
+};
+
+using RgbImage = Image<Rgb>;
+
+/// Name and value pairs that travel inside the file: settings, seed, version.
+using ImageMetadata = std::map<std::string, std::string>;
+
+/// How linear values become the bytes of an 8-bit file.
+enum class ToneCurve {
+    Srgb,   ///< the piecewise curve of IEC 61966-2-1
+    Course  ///< none: clamp and truncate, to compare with pictures of programs that do no colour management
+};
+
+/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; 8-bit files are decoded with the sRGB curve.
+/// Throws InputError if the file is missing, empty, damaged or larger than 2^26 pixels.
+RgbImage readImage(const std::string& path);
+
+/// Writes by suffix: .png (8 bit, with `curve`), .exr, .pfm, .hdr (linear). The file appears whole or not at
+/// all. Throws InputError if it cannot be written or the suffix is unknown.
+void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
+                ToneCurve curve = ToneCurve::Srgb);
+
+/// Throws InputError unless writeImage(path, …) could write there: the suffix is known and the folder is
+/// writable.
+void checkImageDestination(const std::string& path);
+
+}  // namespace rayscope

@@ -1,0 +1,72 @@
+#pragma once
+#include <rayscope/ray.h>
+#include <rayscope/render_session.h>
+#include <rayscope/vector.h>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rayscope {
+
+/// With a scene, settings and a seed this names a sample; its radiance is a pure function of the name.
+struct SampleName {
+    int x = 0, y = 0;
+    int index = 0;
+};
+
+enum class RayKind { Camera, Reflection, Glossy, Transparent };
+enum class RayEnd { Missed, NoReflection, DepthLimit, BelowSurface, Opaque, Transmitted, Vanished };
+enum class Visibility { Visible, Blocked, Attenuated, FacingAway };
+
+/// A segment of the path tree and the surface that it met.
+struct RayNode {
+    int parent = -1;  ///< index into RayTree::nodes; -1 for camera rays
+    RayKind kind = RayKind::Camera;
+    int depth = 0;  ///< reflections before this segment
+    Ray ray;
+    glm::dvec3 throughput{1.0};  ///< what the radiance along this segment is multiplied with
+    bool hit = false;
+    Hit primitiveHit;  ///< t, primitive, u, v
+    int object = -1;   ///< mesh or sphere number: meshes first
+    int material = -1;
+    glm::vec3 position{0.0f}, geometricNormal{0.0f}, normal{0.0f};
+    Rgb kd{0.0f};
+    RgbSum contribution{0.0};  ///< sum of what this vertex added to the sample's radiance
+    RayEnd end = RayEnd::Missed;
+};
+
+/// A ray from a surface to a position on a light.
+struct ShadowRay {
+    int node = 0;  ///< the vertex it belongs to
+    int light = 0, sample = 0;
+    glm::vec3 from{0.0f}, to{0.0f};
+    Rgb color{0.0f};  ///< of the light there
+    Visibility visibility = Visibility::Visible;
+    RgbSum contribution{0.0};
+};
+
+/// All rays of one sample, in the order in which they were traced.
+struct RayTree {
+    SampleName name;
+    std::vector<RayNode> nodes;
+    std::vector<ShadowRay> shadowRays;
+    std::vector<RgbSum> addends;  ///< their left fold is `radiance`, bit for bit
+    RgbSum radiance{0.0};
+};
+
+/// Traces one sample again with a recorder. Same code, same bits as the render.
+RayTree probe(const World& world, std::uint64_t seed, SampleName name);
+
+/// Whether replaying a pixel gives what the film holds, and whether each tree adds up.
+struct ReplayVerdict {
+    bool matchesFilm = false, addsUp = false;
+    RgbSum film{0.0}, replayed{0.0};
+    int samples = 0;
+};
+ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, int x, int y);
+
+/// The tree as an indented text for people, and as JSON for programs.
+std::string toText(const RayTree& tree, const World& world);
+std::string toJson(const RayTree& tree, const World& world);
+
+}  // namespace rayscope

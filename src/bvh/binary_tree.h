@@ -1,0 +1,27 @@
+#pragma once
+#include <rayscope/vector.h>
+#include <cstdint>
+#include <vector>
+
+namespace rayscope {
+
+/// Children of an inner node stand side by side at `first` and `first + 1`; a leaf holds the primitives
+/// primitives[first … first + count).
+struct BinaryNode {
+    glm::vec3 lower;
+    std::uint32_t first;
+    glm::vec3 upper;
+    std::uint32_t count;  ///< 0: inner node
+    bool isLeaf() const { return count > 0; }
+};
+static_assert(sizeof(BinaryNode) == 32);
+
+/// A binary bounding volume hierarchy; node 0 is the root. Empty if there is nothing to hit.
+struct BinaryTree {
+    std::vector<BinaryNode> nodes;
+    std::vector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive
+    int levels = 0;                         ///< including the root
+    std::uint32_t droppedPrimitives = 0;    ///< left out because of NaN or infinite coordinates
+};
+
+}  // namespace rayscope

@@ -1,0 +1,171 @@
+#pragma once
+// The one place where a setting is written: parsing, printing, the window, the documentation and the decision
+// what to recompute are visitors over this table.
+#include <tuple>
+
+#include "settings/descriptor.h"
+
+namespace rayscope {
+
+namespace idle {
+constexpr std::string_view unless(bool active, std::string_view reason) {
+    return active ? std::string_view{} : reason;
+}
+constexpr std::string_view recursion(const Settings& s) { return unless(s.recursion, "recursion is off"); }
+constexpr std::string_view glossy(const Settings& s) {
+    return unless(s.recursion && s.glossy, "glossy reflection is off");
+}
+constexpr std::string_view softShadows(const Settings& s) {
+    return unless(s.softShadows, "soft shadows are off");
+}
+constexpr std::string_view anyShadows(const Settings& s) {
+    return unless(s.transparency && (s.hardShadows || s.softShadows), "transparency or shadows are off");
+}
+constexpr std::string_view texture(const Settings& s) {
+    return unless(s.textureMapping, "texture mapping is off");
+}
+constexpr std::string_view environment(const Settings& s) {
+    return unless(s.environment, "the environment is off");
+}
+constexpr std::string_view lens(const Settings& s) { return unless(s.depthOfField, "depth of field is off"); }
+constexpr std::string_view bvh(const Settings& s) { return unless(s.bvh, "the BVH is off"); }
+constexpr std::string_view bins(const Settings& s) {
+    return unless(s.bvh && s.bvhBuilder == BvhBuilder::SahBinned, "only the binned SAH builder uses bins");
+}
+constexpr std::string_view bloom(const Settings& s) { return unless(s.bloom, "bloom is off"); }
+constexpr std::string_view bloomSigma(const Settings& s) {
+    return unless(s.bloom && s.bloomFilter == BloomFilter::Gaussian, "only the Gaussian filter has a sigma");
+}
+constexpr std::string_view bloomStage(const Settings& s) {
+    return unless(s.bloom && s.bloomDebug, "the bloom debug view is off");
+}
+}  // namespace idle
+
+// clang-format off
+inline constexpr std::tuple kSettingsTable{
+    Toggle{{"shading", "Light", "Shading", "Phong shading; off shows the diffuse colour."},
+           &Settings::shading, Invalidates::Film},
+    Toggle{{"hard_shadows", "Light", "Hard shadows", "Point lights are blocked by geometry."},
+           &Settings::hardShadows, Invalidates::Film},
+    Toggle{{"soft_shadows", "Light", "Soft shadows", "Segment and parallelogram lights are blocked by geometry."},
+           &Settings::softShadows, Invalidates::Film},
+    Range<int>{{"segment_samples", "Light", "Segment samples", "Samples on each segment light.", "samples"},
+           &Settings::segmentSamples, 1, 4096, Invalidates::Film, alwaysActive, true},
+    Range<int>{{"parallelogram_samples", "Light", "Parallelogram samples",
+           "Samples along each side of a parallelogram light; the light gets the square of it.", "samples per side"},
+           &Settings::parallelogramSamples, 1, 100, Invalidates::Film, alwaysActive, true},
+    Choice<LightSampleCount, 2>{{"light_sample_count", "Light", "Light sample count",
+           "Whether the two numbers above hold per light or per unit of length."},
+           &Settings::lightSampleCount, {"fixed", "per_length"}, Invalidates::Film},
+    Toggle{{"transparent_shadows", "Light", "Transparent shadows",
+           "Transparent surfaces let through their share of the light instead of blocking it."},
+           &Settings::transparentShadows, Invalidates::Film, idle::anyShadows},
+
+    Toggle{{"recursion", "Reflection", "Recursion", "Specular surfaces mirror the scene."},
+           &Settings::recursion, Invalidates::Film},
+    Range<int>{{"max_depth", "Reflection", "Max depth", "Most reflections along a path.", "reflections"},
+           &Settings::maxDepth, 0, 16, Invalidates::Film, idle::recursion},
+    Choice<ReflectWhen, 2>{{"reflect_when", "Reflection", "Reflect when",
+           "Which materials mirror: those with ks above zero, or those whose MTL illum is 3 or more."},
+           &Settings::reflectWhen, {"ks", "illum"}, Invalidates::Film, idle::recursion},
+    Toggle{{"glossy", "Reflection", "Glossy", "Reflections are blurred by a Gaussian lobe."},
+           &Settings::glossy, Invalidates::Film, idle::recursion},
+    Range<float>{{"glossy_sigma", "Reflection", "Glossy sigma",
+           "Width of the lobe: the standard deviation is sigma / (3 shininess); 0 is a mirror."},
+           &Settings::glossySigma, 0.0f, 100.0f, Invalidates::Film, idle::glossy},
+    Range<int>{{"glossy_samples", "Reflection", "Glossy samples",
+           "Rays per first glossy reflection; deeper ones take one each.", "rays"},
+           &Settings::glossySamples, 1, 4096, Invalidates::Film, idle::glossy, true},
+
+    Toggle{{"normal_interpolation", "Surface", "Normal interpolation",
+           "Shading normals are interpolated between vertex normals."},
+           &Settings::normalInterpolation, Invalidates::Film},
+    Toggle{{"transparency", "Surface", "Transparency", "Surfaces with opacity below 1 let the scene behind show."},
+           &Settings::transparency, Invalidates::Film},
+    Toggle{{"texture_mapping", "Surface", "Texture mapping", "Textures replace the diffuse colour."},
+           &Settings::textureMapping, Invalidates::Film},
+    Choice<TextureFilter, 3>{{"texture_filter", "Surface", "Texture filter", "How texels become a colour."},
+           &Settings::textureFilter, {"nearest", "bilinear", "mipmap"}, Invalidates::Film, idle::texture},
+    Toggle{{"environment", "Surface", "Environment", "Rays that leave the scene see the environment map."},
+           &Settings::environment, Invalidates::Film},
+    Toggle{{"reflection_map", "Surface", "Reflection map",
+           "Surfaces show the environment along the reflected direction."},
+           &Settings::reflectionMap, Invalidates::Film, idle::environment},
+
+    Toggle{{"depth_of_field", "Camera", "Depth of field", "The lens of the camera blurs what is out of focus."},
+           &Settings::depthOfField, Invalidates::Film},
+    Range<int>{{"lens_samples", "Camera", "Lens samples", "Rays through the lens per pixel sample.", "rays"},
+           &Settings::lensSamples, 1, 512, Invalidates::Film, idle::lens, true},
+    Choice<LensShape, 3>{{"lens_shape", "Camera", "Lens shape", "Outline of the aperture."},
+           &Settings::lensShape, {"disk", "square", "hexagon"}, Invalidates::Film, idle::lens},
+    Range<float>{{"sharp_zone", "Camera", "Sharp zone",
+           "What lies within this distance before or behind the focus plane stays sharp.", "scene units"},
+           &Settings::sharpZone, 0.0f, 1e9f, Invalidates::Film, idle::lens},
+    Toggle{{"motion_blur", "Camera", "Motion blur", "Moving objects are sampled over the time of the shutter."},
+           &Settings::motionBlur, Invalidates::Film},
+
+    Range<int>{{"spp", "Sampling", "Samples per pixel", "Camera rays per pixel.", "samples"},
+           &Settings::spp, 1, 1 << 20, Invalidates::Film, alwaysActive, true},
+    Choice<SamplePattern, 3>{{"sampler", "Sampling", "Sampler",
+           "Pattern of random numbers: independent, jittered grid, or Owen-scrambled Sobol points."},
+           &Settings::sampler, {"independent", "jittered", "sobol"}, Invalidates::Film},
+
+    Toggle{{"bvh", "Acceleration", "BVH", "Rays search a bounding volume hierarchy; off tests every primitive."},
+           &Settings::bvh, Invalidates::Film},
+    Choice<BvhBuilder, 3>{{"bvh_builder", "Acceleration", "BVH builder",
+           "Median split with revolving axes, surface area heuristic over all centroids, or over bins."},
+           &Settings::bvhBuilder, {"median", "sah", "sah_binned"}, Invalidates::Accel, idle::bvh},
+    Range<int>{{"bvh_bins", "Acceleration", "BVH bins", "Bins per axis of the binned builder.", "bins"},
+           &Settings::bvhBins, 2, 4096, Invalidates::Accel, idle::bins, true},
+    Range<int>{{"bvh_max_level", "Acceleration", "BVH max level", "Deepest level of the tree; the root is level 0."},
+           &Settings::bvhMaxLevel, 0, 64, Invalidates::Accel, idle::bvh},
+    Range<int>{{"bvh_leaf_size", "Acceleration", "BVH leaf size",
+           "Most primitives in a leaf above the deepest level.", "primitives"},
+           &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, idle::bvh},
+
+    Toggle{{"bloom", "Display", "Bloom", "Bright parts of the image glow."}, &Settings::bloom, Invalidates::Display},
+    Choice<BloomFilter, 2>{{"bloom_filter", "Display", "Bloom filter", "Shape of the glow."},
+           &Settings::bloomFilter, {"box", "gaussian"}, Invalidates::Display, idle::bloom},
+    Range<float>{{"bloom_sigma", "Display", "Bloom sigma", "Standard deviation of the Gaussian.", "pixels"},
+           &Settings::bloomSigma, 0.0f, 100.0f, Invalidates::Display, idle::bloomSigma},
+    Range<float>{{"bloom_threshold", "Display", "Bloom threshold", "Pixels with a channel above this glow."},
+           &Settings::bloomThreshold, 0.0f, 1000.0f, Invalidates::Display, idle::bloom},
+    Range<int>{{"bloom_size", "Display", "Bloom size", "Radius of the filter; it is 2 size + 1 pixels wide.", "pixels"},
+           &Settings::bloomSize, 0, 500, Invalidates::Display, idle::bloom},
+    Range<float>{{"bloom_scale", "Display", "Bloom scale", "Factor on the glow before it is added."},
+           &Settings::bloomScale, 0.0f, 100.0f, Invalidates::Display, idle::bloom},
+    Toggle{{"bloom_debug", "Display", "Bloom debug", "Shows one stage of the bloom instead of the image."},
+           &Settings::bloomDebug, Invalidates::Display, idle::bloom},
+    Choice<BloomStage, 3>{{"bloom_stage", "Display", "Bloom stage", "Which stage the debug view shows."},
+           &Settings::bloomStage, {"thresholded", "filtered", "added"}, Invalidates::Display, idle::bloomStage},
+    Range<float>{{"exposure", "Display", "Exposure", "Brightness of the picture: 1 more doubles it.", "stops"},
+           &Settings::exposure, -20.0f, 20.0f, Invalidates::Display},
+    Choice<ToneCurve, 2>{{"tone", "Display", "Tone curve",
+           "The sRGB curve, or none, as course programs have it, to compare with old pictures."},
+           &Settings::tone, {"srgb", "course"}, Invalidates::Display},
+};
+// clang-format on
+
+/// Calls visit(descriptor) for each row, in order.
+template <class Visit>
+constexpr void forEachSetting(Visit&& visit) {
+    std::apply([&](const auto&... row) { (visit(row), ...); }, kSettingsTable);
+}
+
+namespace detail {
+struct AnyField {
+    template <class T>
+    constexpr operator T() const;
+};
+template <class T, class... Fields>
+consteval std::size_t countFields() {
+    if constexpr (requires { T{Fields{}..., AnyField{}}; })
+        return countFields<T, Fields..., AnyField>();
+    else
+        return sizeof...(Fields);
+}
+}  // namespace detail
+static_assert(detail::countFields<Settings>() == std::tuple_size_v<decltype(kSettingsTable)>,
+              "every field of Settings needs a row in the table, and only one");
+
+}  // namespace rayscope
