@@ -1,5 +1,7 @@
 #include <ImfChannelList.h>
+#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
@@ -61,14 +63,18 @@ using ChannelNames = std::array<const char*, 3>;
 constexpr ChannelNames kColour{"R", "G", "B"};
 constexpr ChannelNames kLuminance{"Y", "Y", "Y"};
 
-/// Describes to OpenEXR where the pixel with the coordinates 0, 0 of the file lies, and the way to the
-/// others.
-Imf::FrameBuffer describeMemory(const Rgb* origin, int width, const ChannelNames& names) {
+/// Describes to OpenEXR where the pixels lie. Its slices begin at the pixel with the coordinates 0, 0, which
+/// need not be in memory when the first pixel is `left`, `top`; hence an address that is a number, not a
+/// pointer.
+Imf::FrameBuffer describeMemory(const RgbImage& image, int left, int top, const ChannelNames& names) {
+    const std::intptr_t first = static_cast<std::intptr_t>(top) * image.width + left;
+    const std::intptr_t pixelSize = sizeof(Rgb);
+    const std::intptr_t origin = reinterpret_cast<std::intptr_t>(image.pixels.data()) - first * pixelSize;
+    const std::size_t rowSize = sizeof(Rgb) * static_cast<std::size_t>(image.width);
     Imf::FrameBuffer buffer;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const char* base = reinterpret_cast<const char*>(origin) + i * sizeof(float);
-        buffer.insert(names[i], Imf::Slice(Imf::FLOAT, const_cast<char*>(base), sizeof(Rgb),
-                                           sizeof(Rgb) * static_cast<std::size_t>(width)));
+        char* base = reinterpret_cast<char*>(origin + static_cast<std::intptr_t>(i * sizeof(float)));
+        buffer.insert(names[i], Imf::Slice(Imf::FLOAT, base, sizeof(Rgb), rowSize));
     }
     return buffer;
 }
@@ -85,9 +91,7 @@ RgbImage readPixels(Imf::InputFile& input, const std::string& name) {
         throw InputError("the EXR image has no channels R, G, B or Y; export it with one of these", {name});
 
     RgbImage image(static_cast<int>(width), static_cast<int>(height));
-    const Rgb* origin =
-        image.pixels.data() - (window.min.x + window.min.y * static_cast<std::ptrdiff_t>(width));
-    input.setFrameBuffer(describeMemory(origin, image.width, coloured ? kColour : kLuminance));
+    input.setFrameBuffer(describeMemory(image, window.min.x, window.min.y, coloured ? kColour : kLuminance));
     input.readPixels(window.min.y, window.max.y);
     if (!coloured)
         for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.z);
@@ -120,7 +124,7 @@ std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
     MemoryOutput stream;
     {
         Imf::OutputFile output(stream, header);
-        output.setFrameBuffer(describeMemory(image.pixels.data(), image.width, kColour));
+        output.setFrameBuffer(describeMemory(image, 0, 0, kColour));
         output.writePixels(image.height);
     }  // the destructor writes the table of line offsets
     return std::move(stream.bytes);
