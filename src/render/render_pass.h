@@ -1,0 +1,15 @@
+#pragma once
+#include <stop_token>
+
+#include "render/film.h"
+#include "render/render_tile.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+/// Brings every tile of the film to `targetSamples` on the threads of the calling arena. Returns false if it
+/// was stopped; the film is valid either way and a later pass goes on from it.
+bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
+                const std::stop_token& stop, RenderCounters& counters);
+
+}  // namespace rayscope
