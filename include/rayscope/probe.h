@@ -15,7 +15,8 @@ struct SampleName {
 };
 
 enum class RayKind { Camera, Reflection, Glossy, Transparent };
-enum class RayEnd { Missed, NoReflection, DepthLimit, BelowSurface, Opaque, Transmitted, Vanished };
+/// What became of a path after a segment. A surface that both reflects and transmits ends as Transmitted.
+enum class RayEnd { Missed, Absorbed, Reflected, Transmitted, DepthLimit, BelowSurface, Vanished };
 enum class Visibility { Visible, Blocked, Attenuated, FacingAway };
 
 /// A segment of the path tree and the surface that it met.

@@ -1,0 +1,20 @@
+#pragma once
+#include <rayscope/vector.h>
+#include <cmath>
+
+namespace rayscope {
+
+/// Two unit vectors that make a right-handed orthonormal frame with a unit vector.
+struct Frame {
+    glm::dvec3 u, v;
+};
+
+/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no branch, no loss near any axis.
+inline Frame frameAround(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
+}
+
+}  // namespace rayscope

@@ -1,0 +1,34 @@
+#include "math/spawn.h"
+
+#include <cmath>
+#include <limits>
+
+namespace rayscope {
+
+namespace {
+glm::dvec3 errorBox(const glm::dvec3& point, const glm::dvec3& magnitude) {
+    return 0x1p-24 * glm::abs(point) + 0x1p-50 * magnitude + glm::dvec3(0x1p-149);
+}
+}  // namespace
+
+double spawnDistance(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal) {
+    return glm::dot(glm::abs(normal), errorBox(point, magnitude));
+}
+
+glm::vec3 spawnOrigin(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal) {
+    const glm::dvec3 offset = spawnDistance(point, magnitude, normal) * normal;
+    glm::vec3 origin;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wanted = point[axis] + offset[axis];
+        float rounded = static_cast<float>(wanted);
+        // Round away from the surface: never back towards it.
+        if (offset[axis] > 0.0 && static_cast<double>(rounded) < wanted)
+            rounded = std::nextafter(rounded, std::numeric_limits<float>::infinity());
+        if (offset[axis] < 0.0 && static_cast<double>(rounded) > wanted)
+            rounded = std::nextafter(rounded, -std::numeric_limits<float>::infinity());
+        origin[axis] = rounded;
+    }
+    return origin;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,15 @@
+#pragma once
+#include <rayscope/probe.h>
+#include <string>
+#include <string_view>
+
+namespace rayscope {
+
+std::string_view nameOf(RayKind kind);
+std::string_view nameOf(RayEnd end);
+std::string_view nameOf(Visibility visibility);
+
+/// "mesh 0 'dragon'" or "sphere 2", as the scene calls the object with this number.
+std::string objectName(const World& world, int object);
+
+}  // namespace rayscope

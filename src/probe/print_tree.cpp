@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <rayscope/probe.h>
+#include <nlohmann/json.hpp>
+
+#include "probe/names.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+namespace {
+
+template <class V>
+std::string text(const V& v) {
+    return fmt::format("({:.6g} {:.6g} {:.6g})", v.x, v.y, v.z);
+}
+template <class V>
+nlohmann::json json(const V& v) {
+    return nlohmann::json::array({v.x, v.y, v.z});
+}
+
+std::string describe(const RayNode& node, const World& world) {
+    std::string line = fmt::format("{} ray, throughput {}", nameOf(node.kind), text(node.throughput));
+    if (!node.hit) return line + fmt::format(": {}, adds {}", nameOf(node.end), text(node.contribution));
+    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+    return line +
+           fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}', normal {}, adds {}, {}",
+                       node.primitiveHit.t, objectName(world, node.object),
+                       name.range->mesh ? "triangle" : "number", name.inObject, node.primitiveHit.u,
+                       node.primitiveHit.v,
+                       world.description->materials[static_cast<std::size_t>(node.material)].name,
+                       text(node.normal), text(node.contribution), nameOf(node.end));
+}
+
+nlohmann::json nodeJson(const RayNode& node, const World& world) {
+    nlohmann::json j = {{"parent", node.parent},
+                        {"kind", nameOf(node.kind)},
+                        {"depth", node.depth},
+                        {"origin", json(node.ray.origin)},
+                        {"direction", json(node.ray.direction)},
+                        {"throughput", json(node.throughput)},
+                        {"contribution", json(node.contribution)},
+                        {"end", nameOf(node.end)},
+                        {"hit", nullptr}};
+    if (!node.hit) return j;
+    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+    j["hit"] = {{"t", node.primitiveHit.t},
+                {"primitive", node.primitiveHit.primitive},
+                {"object", objectName(world, node.object)},
+                {"triangle", name.inObject},
+                {"u", node.primitiveHit.u},
+                {"v", node.primitiveHit.v},
+                {"material", world.description->materials[static_cast<std::size_t>(node.material)].name},
+                {"position", json(node.position)},
+                {"geometric_normal", json(node.geometricNormal)},
+                {"normal", json(node.normal)},
+                {"kd", json(node.kd)}};
+    return j;
+}
+
+}  // namespace
+
+std::string toText(const RayTree& tree, const World& world) {
+    std::string out = fmt::format("pixel {},{} sample {}: radiance {}\n", tree.name.x, tree.name.y,
+                                  tree.name.index, text(tree.radiance));
+    // Shadow rays are recorded in the order of the nodes they belong to.
+    std::size_t shadow = 0;
+    std::vector<int> level(tree.nodes.size(), 0);
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const RayNode& node = tree.nodes[i];
+        if (node.parent >= 0) level[i] = level[static_cast<std::size_t>(node.parent)] + 1;
+        const std::string indent(static_cast<std::size_t>(2 * (level[i] + 1)), ' ');
+        out += fmt::format("{}[{}] {}\n", indent, i, describe(node, world));
+        for (; shadow < tree.shadowRays.size() && tree.shadowRays[shadow].node == static_cast<int>(i);
+             ++shadow) {
+            const ShadowRay& ray = tree.shadowRays[shadow];
+            out += fmt::format("{}  light {} sample {} at {}: {}, adds {}\n", indent, ray.light, ray.sample,
+                               text(ray.to), nameOf(ray.visibility), text(ray.contribution));
+        }
+    }
+    return out;
+}
+
+std::string toJson(const RayTree& tree, const World& world) {
+    nlohmann::json j = {{"pixel", {tree.name.x, tree.name.y}},
+                        {"sample", tree.name.index},
+                        {"radiance", json(tree.radiance)},
+                        {"nodes", nlohmann::json::array()},
+                        {"shadow_rays", nlohmann::json::array()}};
+    for (const RayNode& node : tree.nodes) j["nodes"].push_back(nodeJson(node, world));
+    for (const ShadowRay& ray : tree.shadowRays)
+        j["shadow_rays"].push_back({{"node", ray.node},
+                                    {"light", ray.light},
+                                    {"sample", ray.sample},
+                                    {"from", json(ray.from)},
+                                    {"to", json(ray.to)},
+                                    {"color", json(ray.color)},
+                                    {"visibility", nameOf(ray.visibility)},
+                                    {"contribution", json(ray.contribution)}});
+    return j.dump(2) + "\n";
+}
+
+}  // namespace rayscope

@@ -1,0 +1,16 @@
+#include <rayscope/probe.h>
+
+#include "probe/ray_tree_recorder.h"
+#include "trace/radiance.inl"
+
+namespace rayscope {
+
+RayTree probe(const World& world, std::uint64_t seed, SampleName name) {
+    RayTree tree;
+    tree.name = name;
+    RayTreeRecorder recorder(tree);
+    tree.radiance = radiance(world, seed, name, recorder).radiance;
+    return tree;
+}
+
+}  // namespace rayscope

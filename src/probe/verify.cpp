@@ -1,0 +1,29 @@
+#include <rayscope/probe.h>
+#include <bit>
+#include <cstring>
+
+#include "render/film.h"
+
+namespace rayscope {
+
+namespace {
+/// Bit for bit: unlike ==, this tells 0 from −0 and finds a NaN equal to itself.
+bool sameBits(const RgbSum& a, const RgbSum& b) { return std::memcmp(&a, &b, sizeof(RgbSum)) == 0; }
+}  // namespace
+
+ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, int x, int y) {
+    ReplayVerdict verdict;
+    verdict.film = film.sums(x, y, verdict.samples).radiance;
+    verdict.addsUp = true;
+    for (int index = 0; index < verdict.samples; ++index) {
+        const RayTree tree = probe(world, seed, {x, y, index});
+        RgbSum sum(0.0);
+        for (const RgbSum& addend : tree.addends) sum += addend;
+        verdict.addsUp = verdict.addsUp && sameBits(sum, tree.radiance);
+        verdict.replayed += tree.radiance;
+    }
+    verdict.matchesFilm = sameBits(verdict.film, verdict.replayed);
+    return verdict;
+}
+
+}  // namespace rayscope

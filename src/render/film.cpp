@@ -1,0 +1,85 @@
+#include "render/film.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rayscope {
+
+namespace {
+int tilesAcross(int pixels) { return (pixels + Film::kTileSize - 1) / Film::kTileSize; }
+int areaOf(const PixelBounds& b) { return (b.x1 - b.x0) * (b.y1 - b.y0); }
+}  // namespace
+
+Film::Film(int width, int height, PixelBounds region)
+    : width_(width), height_(height), region_(region), columns_(tilesAcross(region.x1 - region.x0)) {
+    const int rows = tilesAcross(region.y1 - region.y0);
+    for (int i = 0; i < columns_ * rows; ++i) {
+        tiles_.push_back(std::make_unique<Tile>());
+        tiles_.back()->pixels.resize(static_cast<std::size_t>(areaOf(tileBounds(i))));
+    }
+}
+
+PixelBounds Film::tileBounds(int tile) const {
+    const int x0 = region_.x0 + tile % columns_ * kTileSize, y0 = region_.y0 + tile / columns_ * kTileSize;
+    return {x0, std::min(x0 + kTileSize, region_.x1), y0, std::min(y0 + kTileSize, region_.y1)};
+}
+
+void Film::read(int tile, TileCopy& copy) const {
+    const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
+    const std::scoped_lock guard(from.lock);
+    copy.pixels = from.pixels;
+    copy.samples = from.samples;
+    copy.version = from.version;
+}
+
+void Film::commit(int tile, const TileCopy& copy) {
+    Tile& to = *tiles_[static_cast<std::size_t>(tile)];
+    const std::scoped_lock guard(to.lock);
+    to.pixels = copy.pixels;
+    to.samples = copy.samples;
+    ++to.version;
+}
+
+std::uint32_t Film::version(int tile) const { return tiles_[static_cast<std::size_t>(tile)]->version; }
+
+int Film::samples(int tile) const {
+    const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
+    const std::scoped_lock guard(from.lock);
+    return from.samples;
+}
+
+int Film::completeSamples() const {
+    int least = std::numeric_limits<int>::max();
+    for (int i = 0; i < tileCount(); ++i) least = std::min(least, samples(i));
+    return tiles_.empty() ? 0 : least;
+}
+
+int Film::tileAt(int x, int y) const {
+    return (y - region_.y0) / kTileSize * columns_ + (x - region_.x0) / kTileSize;
+}
+
+PixelSums Film::sums(int x, int y, int& samples) const {
+    const int tile = tileAt(x, y);
+    const PixelBounds bounds = tileBounds(tile);
+    const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
+    const std::scoped_lock guard(from.lock);
+    samples = from.samples;
+    return from.pixels[static_cast<std::size_t>((y - bounds.y0) * (bounds.x1 - bounds.x0) + x - bounds.x0)];
+}
+
+RgbImage Film::mean() const {
+    RgbImage image(width_, height_, Rgb(0.0f));
+    TileCopy copy;
+    for (int tile = 0; tile < tileCount(); ++tile) {
+        read(tile, copy);
+        if (copy.samples == 0) continue;
+        const PixelBounds bounds = tileBounds(tile);
+        const PixelSums* pixel = copy.pixels.data();
+        for (int y = bounds.y0; y < bounds.y1; ++y)
+            for (int x = bounds.x0; x < bounds.x1; ++x)
+                image.at(x, y) = Rgb((pixel++)->radiance / static_cast<double>(copy.samples));
+    }
+    return image;
+}
+
+}  // namespace rayscope

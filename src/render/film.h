@@ -1,0 +1,70 @@
+#pragma once
+#include <rayscope/image.h>
+#include <rayscope/render_session.h>
+#include <rayscope/vector.h>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace rayscope {
+
+/// What the film keeps of a pixel: sums over its samples 0 … n − 1 in this order.
+struct PixelSums {
+    RgbSum radiance{0.0};
+    double squaredLuminance = 0.0;
+};
+
+/// Luminance of a linear colour (ITU-R BT.709).
+inline double luminance(const RgbSum& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+/// Sums of all pixels, in square tiles. A tile is only ever replaced as a whole, so whatever is read from it
+/// is the left fold over the first `samples` samples of each of its pixels.
+class Film {
+  public:
+    static constexpr int kTileSize = 32;
+
+    Film(int width, int height, PixelBounds region);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    const PixelBounds& region() const { return region_; }
+
+    int tileCount() const { return static_cast<int>(tiles_.size()); }
+    PixelBounds tileBounds(int tile) const;  ///< cut to the region
+
+    /// A consistent copy of a tile.
+    struct TileCopy {
+        std::vector<PixelSums> pixels;  ///< row by row within tileBounds()
+        int samples = 0;
+        std::uint32_t version = 0;  ///< grows with each commit
+    };
+    void read(int tile, TileCopy& copy) const;
+    void commit(int tile, const TileCopy& copy);
+    std::uint32_t version(int tile) const;
+    int samples(int tile) const;
+
+    /// The smallest number of samples that any tile has.
+    int completeSamples() const;
+    /// Sums and sample count of one pixel of the region.
+    PixelSums sums(int x, int y, int& samples) const;
+
+    /// The mean of each pixel; outside the region, and before the first sample, 0.
+    RgbImage mean() const;
+
+  private:
+    struct Tile {
+        mutable std::mutex lock;
+        std::vector<PixelSums> pixels;
+        int samples = 0;
+        std::atomic<std::uint32_t> version{0};
+    };
+    int tileAt(int x, int y) const;
+
+    int width_, height_;
+    PixelBounds region_;
+    int columns_;
+    std::vector<std::unique_ptr<Tile>> tiles_;
+};
+
+}  // namespace rayscope

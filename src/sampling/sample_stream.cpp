@@ -1,0 +1,127 @@
+#include "sampling/sample_stream.h"
+
+#include <cmath>
+
+#include "sampling/hash.h"
+#include "sampling/sobol.h"
+
+namespace rayscope {
+
+PathKey PathKey::child(std::uint32_t branch) const {
+    // Never 0, which is the root's.
+    return {static_cast<std::uint32_t>(hashPair(value, branch)) | 1u};
+}
+
+SampleStream::SampleStream(SamplePattern pattern, std::uint64_t seed, int x, int y, int index,
+                           int samplesPerPixel)
+    : pattern_(pattern),
+      pixelKey_(hashPair(seed, (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32) |
+                                   static_cast<std::uint32_t>(x))),
+      index_(index),
+      samplesPerPixel_(samplesPerPixel) {}
+
+namespace {
+
+/// A pseudo-random permutation of 0 … n − 1: a keyed bijection of the next power of two, walked until it
+/// falls in.
+std::uint32_t permute(std::uint32_t i, std::uint32_t n, std::uint64_t key) {
+    std::uint32_t mask = n - 1;
+    for (int shift = 1; shift < 32; shift *= 2) mask |= mask >> shift;
+    const auto low = static_cast<std::uint32_t>(key), high = static_cast<std::uint32_t>(key >> 32);
+    do {
+        // Each step is invertible modulo a power of two.
+        i = (i ^ low) & mask;
+        i = (i * (high | 1u)) & mask;
+        i ^= (i & mask) >> 3;
+        i = (i + high) & mask;
+        i = (i * 0x9e3779b1u) & mask;
+        i ^= (i & mask) >> 2;
+        i = (i ^ (low >> 7)) & mask;
+        i = (i * (low | 1u)) & mask;
+    } while (i >= n);
+    return i;
+}
+
+/// Rows of the squarest grid that has exactly n cells.
+int gridRows(int n) {
+    int rows = static_cast<int>(std::sqrt(static_cast<double>(n)));
+    while (n % rows != 0) --rows;
+    return rows;
+}
+
+struct SobolBlock {
+    int dimension;
+    bool sharesIndex;  ///< with the pixel position, so that the block is stratified together with it
+};
+
+/// The pixel, the lens, the first light seen directly and the time are one high-dimensional point; everything
+/// else is padded with independently shuffled two-dimensional points.
+SobolBlock blockOf(Dim dim, PathKey vertex, std::uint32_t which, int n) {
+    if (!vertex.isRoot() || which != 0 || n != 1) return {0, false};
+    switch (dim) {
+        case Dim::Pixel:
+            return {0, true};
+        case Dim::Lens:
+            return {2, true};
+        case Dim::Light:
+            return {4, true};
+        case Dim::Time:
+            return {6, true};
+        case Dim::Glossy:
+            break;
+    }
+    return {0, false};
+}
+
+}  // namespace
+
+glm::vec2 SampleStream::independent(std::uint64_t key, int k) const {
+    const std::uint64_t bits =
+        hashPair(key, (static_cast<std::uint64_t>(index_) << 32) | static_cast<std::uint32_t>(k));
+    return {toUnitFloat(static_cast<std::uint32_t>(bits)),
+            toUnitFloat(static_cast<std::uint32_t>(bits >> 32))};
+}
+
+glm::vec2 SampleStream::jittered(std::uint64_t key, Dim dim, int k, int n) const {
+    // A single point per sample is stratified over the samples of the pixel, several among themselves.
+    const bool overPixel = n == 1 && (dim == Dim::Pixel || dim == Dim::Lens || dim == Dim::Time);
+    const int cells = overPixel ? samplesPerPixel_ : n;
+    auto cell = static_cast<std::uint32_t>(overPixel ? index_ % cells : k);
+    if (overPixel) cell = permute(cell, static_cast<std::uint32_t>(cells), key);
+    const int rows = gridRows(cells), columns = cells / rows;
+    const glm::vec2 offset = independent(key, k);
+    const int column = static_cast<int>(cell) % columns, row = static_cast<int>(cell) / columns;
+    const glm::vec2 point((static_cast<float>(column) + offset.x) / static_cast<float>(columns),
+                          (static_cast<float>(row) + offset.y) / static_cast<float>(rows));
+    return glm::min(point, glm::vec2(1.0f - 0x1p-24f));
+}
+
+glm::vec2 SampleStream::get2D(Dim dim, PathKey vertex, std::uint32_t which, int k, int n) const {
+    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 32) | which;
+    const std::uint64_t key = hashPair(hashPair(pixelKey_, vertex.value), place);
+    if (pattern_ == SamplePattern::Independent) return independent(key, k);
+    if (pattern_ == SamplePattern::Jittered) return jittered(key, dim, k, n);
+
+    const SobolBlock block = blockOf(dim, vertex, which, n);
+    const std::uint64_t shuffle = block.sharesIndex ? mix(pixelKey_) : mix(key);
+    const auto number =
+        static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(k);
+    const std::uint32_t shuffled = owenScramble(number, static_cast<std::uint32_t>(shuffle));
+    const std::uint32_t x = owenScramble(sobol(shuffled, block.dimension), static_cast<std::uint32_t>(key));
+    const std::uint32_t y =
+        owenScramble(sobol(shuffled, block.dimension + 1), static_cast<std::uint32_t>(key >> 32));
+    return {toUnitFloat(x), toUnitFloat(y)};
+}
+
+float SampleStream::get1D(Dim dim, PathKey vertex, std::uint32_t which, int k, int n) const {
+    if (pattern_ == SamplePattern::Jittered && n > 1) {
+        const std::uint64_t key =
+            hashPair(hashPair(pixelKey_, vertex.value),
+                     (std::uint64_t{1} << 63) | (static_cast<std::uint64_t>(dim) << 32) | which);
+        const float x = (static_cast<float>(k) + independent(key, k).x) / static_cast<float>(n);
+        return x < 1.0f ? x : 1.0f - 0x1p-24f;
+    }
+    return get2D(dim, vertex, which, k, n).x;
+}
+
+}  // namespace rayscope

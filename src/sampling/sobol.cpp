@@ -1,0 +1,85 @@
+#include "sampling/sobol.h"
+
+#include <array>
+
+namespace rayscope {
+
+namespace {
+
+constexpr std::uint32_t reverseBits(std::uint32_t x) {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+    return (x >> 16) | (x << 16);
+}
+
+/// A primitive polynomial over GF(2) of the given degree, its inner coefficients, and the first direction
+/// numbers.
+struct Polynomial {
+    int degree;
+    std::uint32_t coefficients;
+    std::array<std::uint32_t, 5> first;
+};
+constexpr std::array<Polynomial, kSobolDimensions - 1> kPolynomials{{{1, 0, {1}},
+                                                                     {2, 1, {1, 3}},
+                                                                     {3, 1, {1, 3, 1}},
+                                                                     {3, 2, {1, 1, 1}},
+                                                                     {4, 1, {1, 1, 3, 3}},
+                                                                     {4, 4, {1, 3, 5, 13}},
+                                                                     {5, 2, {1, 1, 5, 5, 17}}}};
+
+using Directions = std::array<std::uint32_t, 32>;
+
+constexpr Directions directionsOf(int dimension) {
+    Directions v{};
+    if (dimension == 0) {
+        for (std::size_t i = 0; i < 32; ++i) v[i] = 0x80000000u >> i;
+        return v;
+    }
+    const Polynomial& p = kPolynomials[static_cast<std::size_t>(dimension - 1)];
+    const auto degree = static_cast<std::size_t>(p.degree);
+    for (std::size_t i = 0; i < degree; ++i) v[i] = p.first[i] << (31 - i);
+    for (std::size_t i = degree; i < 32; ++i) {
+        v[i] = v[i - degree] ^ (v[i - degree] >> degree);
+        for (std::size_t k = 1; k < degree; ++k)
+            if ((p.coefficients >> (degree - 1 - k)) & 1u) v[i] ^= v[i - k];
+    }
+    return v;
+}
+
+/// The sum over the bits of one byte of the index, for each of its four bytes: a point is four look-ups.
+using ByteTable = std::array<std::array<std::uint32_t, 256>, 4>;
+constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
+    std::array<ByteTable, kSobolDimensions> tables{};
+    for (int dimension = 0; dimension < kSobolDimensions; ++dimension) {
+        const Directions v = directionsOf(dimension);
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            for (std::uint32_t value = 0; value < 256; ++value)
+                for (std::size_t bit = 0; bit < 8; ++bit)
+                    if ((value >> bit) & 1u)
+                        tables[static_cast<std::size_t>(dimension)][byte][value] ^= v[8 * byte + bit];
+    }
+    return tables;
+}
+constexpr std::array<ByteTable, kSobolDimensions> kTables = makeTables();
+
+}  // namespace
+
+std::uint32_t sobol(std::uint32_t index, int dimension) {
+    const ByteTable& table = kTables[static_cast<std::size_t>(dimension)];
+    return table[0][index & 255u] ^ table[1][(index >> 8) & 255u] ^ table[2][(index >> 16) & 255u] ^
+           table[3][index >> 24];
+}
+
+std::uint32_t owenScramble(std::uint32_t value, std::uint32_t seed) {
+    value = reverseBits(value);
+    value += seed;
+    value ^= value * 0x6c50b47cu;
+    value ^= value * 0xb82f1e52u;
+    value ^= value * 0xc7afe638u;
+    value ^= value * 0x8d22f6e6u;
+    return reverseBits(value);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,58 @@
+#include "shading/light_sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayscope {
+
+namespace {
+
+LightSample sampleShape(const PointLight& light, const glm::dvec2&) {
+    return {glm::dvec3(light.position), glm::dvec3(light.color)};
+}
+
+LightSample sampleShape(const SegmentLight& light, const glm::dvec2& u) {
+    const glm::dvec3 a(light.endpoints[0]), b(light.endpoints[1]);
+    return {glm::mix(a, b, u.x), glm::mix(glm::dvec3(light.colors[0]), glm::dvec3(light.colors[1]), u.x)};
+}
+
+LightSample sampleShape(const ParallelogramLight& light, const glm::dvec2& u) {
+    const glm::dvec3 position =
+        glm::dvec3(light.corner) + u.x * glm::dvec3(light.edges[0]) + u.y * glm::dvec3(light.edges[1]);
+    const glm::dvec3 near = glm::mix(glm::dvec3(light.colors[0]), glm::dvec3(light.colors[1]), u.x);
+    const glm::dvec3 far = glm::mix(glm::dvec3(light.colors[2]), glm::dvec3(light.colors[3]), u.x);
+    return {position, glm::mix(near, far, u.y)};
+}
+
+/// Samples along a length: as many as the setting says, or that many per unit of length, at least one.
+int alongLength(int setting, double length, LightSampleCount rule) {
+    if (rule == LightSampleCount::Fixed) return setting;
+    return static_cast<int>(std::clamp(std::floor(setting * length), 1.0, 4096.0));
+}
+
+}  // namespace
+
+LightSample sampleLight(const Light& light, const glm::vec2& u) {
+    return std::visit([&](const auto& shape) { return sampleShape(shape, glm::dvec2(u)); }, light.shape);
+}
+
+bool isPointLight(const Light& light) { return std::holds_alternative<PointLight>(light.shape); }
+
+LightSampleGrid sampleGrid(const Light& light, const Settings& settings) {
+    const LightSampleCount rule = settings.lightSampleCount;
+    if (const auto* segment = std::get_if<SegmentLight>(&light.shape)) {
+        const double length =
+            glm::distance(glm::dvec3(segment->endpoints[0]), glm::dvec3(segment->endpoints[1]));
+        return {alongLength(settings.segmentSamples, length, rule), 1};
+    }
+    if (const auto* area = std::get_if<ParallelogramLight>(&light.shape)) {
+        const auto along = [&](int edge) {
+            const double length = glm::length(glm::dvec3(area->edges[static_cast<std::size_t>(edge)]));
+            return alongLength(settings.parallelogramSamples, length, rule);
+        };
+        return {along(0), along(1)};
+    }
+    return {};
+}
+
+}  // namespace rayscope

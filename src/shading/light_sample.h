@@ -1,0 +1,27 @@
+#pragma once
+#include <rayscope/scene.h>
+#include <rayscope/settings.h>
+#include <rayscope/vector.h>
+
+namespace rayscope {
+
+/// A position on a light and the light's colour there.
+struct LightSample {
+    glm::dvec3 position;
+    glm::dvec3 color;
+};
+
+/// Maps a point of the unit square onto the light, uniformly in length or area. A segment uses u.x only, a
+/// point light neither.
+LightSample sampleLight(const Light& light, const glm::vec2& u);
+
+/// How many samples a light takes under these settings, as a grid: n = columns * rows.
+struct LightSampleGrid {
+    int columns = 1, rows = 1;
+    int count() const { return columns * rows; }
+};
+LightSampleGrid sampleGrid(const Light& light, const Settings& settings);
+
+bool isPointLight(const Light& light);
+
+}  // namespace rayscope

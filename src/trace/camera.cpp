@@ -1,0 +1,47 @@
+#include "trace/camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "math/frame.h"
+
+namespace rayscope {
+
+Camera::Camera(const CameraDescription& description, int width, int height) : width_(width), height_(height) {
+    position_ = glm::dvec3(description.lookFrom);
+    forward_ = glm::normalize(glm::dvec3(description.lookAt) - position_);
+    const glm::dvec3 sideways = glm::cross(forward_, glm::dvec3(description.up));
+    // Looking exactly along `up` leaves the roll open: any side will do.
+    right_ = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : frameAround(forward_).u;
+    up_ = glm::cross(right_, forward_);
+    tanHalfY_ = std::tan(static_cast<double>(description.fov) * std::numbers::pi / 360.0);
+    tanHalfX_ = tanHalfY_ * width / height;
+    if (description.lens) {
+        const Lens& lens = *description.lens;
+        lensRadius_ = static_cast<double>(lens.focalLength) / (2.0 * static_cast<double>(lens.fNumber));
+        focusDistance_ = static_cast<double>(lens.focusDistance);
+    }
+}
+
+glm::dvec2 Camera::onImagePlane(const glm::dvec2& pixel) const {
+    return {(2.0 * pixel.x / width_ - 1.0) * tanHalfX_, (1.0 - 2.0 * pixel.y / height_) * tanHalfY_};
+}
+
+Ray Camera::pinholeRay(const glm::dvec2& pixel) const { return lensRay(pixel, glm::dvec2(0.0)); }
+
+Ray Camera::lensRay(const glm::dvec2& pixel, const glm::dvec2& aperture) const {
+    const glm::dvec2 lens = lensRadius_ * aperture;
+    const glm::dvec2 plane = onImagePlane(pixel) - lens / focusDistance_;
+    const glm::dvec3 direction = glm::normalize(forward_ + plane.x * right_ + plane.y * up_);
+    return {glm::vec3(position_ + lens.x * right_ + lens.y * up_), glm::vec3(direction)};
+}
+
+glm::dvec2 Camera::project(const glm::dvec3& point) const {
+    const glm::dvec3 offset = point - position_;
+    const double depth = glm::dot(offset, forward_);
+    const double x = glm::dot(offset, right_) / (depth * tanHalfX_),
+                 y = glm::dot(offset, up_) / (depth * tanHalfY_);
+    return {(x + 1.0) * 0.5 * width_, (1.0 - y) * 0.5 * height_};
+}
+
+}  // namespace rayscope

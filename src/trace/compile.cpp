@@ -1,0 +1,102 @@
+#include "trace/compile.h"
+
+#include <chrono>
+#include <map>
+
+namespace rayscope {
+
+namespace {
+
+BuildSettings buildSettings(const Settings& settings, std::stop_token stop) {
+    return {settings.bvhBuilder, settings.bvhBins, settings.bvhMaxLevel, settings.bvhLeafSize,
+            std::move(stop)};
+}
+
+/// Shares geometry and hierarchies with the previous world as far as they are the same.
+void compileBodies(World& world, const World* previous, std::stop_token stop) {
+    const Settings& settings = world.settings;
+    const bool sameShapes = previous && sameGeometry(*previous->description, *world.description) &&
+                            previous->settings.motionBlur == settings.motionBlur;
+    std::vector<std::shared_ptr<const Geometry>> geometries;
+    if (sameShapes)
+        for (const Body& body : previous->bodies) geometries.push_back(body.geometry);
+    else
+        geometries = makeGeometry(*world.description, settings.motionBlur);
+
+    const bool sameTrees = sameShapes && changed(previous->settings, settings) < Invalidates::Accel;
+    const auto start = std::chrono::steady_clock::now();
+    std::uint32_t first = 0;
+    for (std::size_t i = 0; i < geometries.size(); ++i) {
+        Body body{geometries[i], nullptr, first};
+        if (sameTrees && previous->bodies[i].accel)
+            body.accel = previous->bodies[i].accel;
+        else if (settings.bvh)
+            body.accel = std::make_shared<const Accel>(
+                Accel::build(body.geometry->input, buildSettings(settings, stop)));
+        first += static_cast<std::uint32_t>(body.geometry->input.triangles.size() +
+                                            body.geometry->input.spheres.size());
+        world.moves |= body.geometry->motion != glm::vec3(0.0f);
+        world.bodies.push_back(std::move(body));
+    }
+    world.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool reflects(const Material& material, const Settings& settings) {
+    if (!settings.recursion || material.ks == Rgb(0.0f)) return false;
+    return settings.reflectWhen == ReflectWhen::Ks || material.illum >= 3;
+}
+
+void compileMaterials(World& world, const World* previous) {
+    const Settings& settings = world.settings;
+    const bool withLevels = settings.textureFilter == TextureFilter::Mipmap;
+    std::map<const Texture*, std::shared_ptr<const MipTexture>> made;
+    const bool reusable =
+        previous && (previous->settings.textureFilter == TextureFilter::Mipmap) == withLevels;
+    if (reusable)
+        for (const auto& texture : previous->textures) made[texture->source()] = texture;
+
+    std::map<const Texture*, std::shared_ptr<const MipTexture>> used;
+    const auto textureOf = [&](const std::shared_ptr<const Texture>& source) -> const MipTexture* {
+        if (!source || !settings.textureMapping) return nullptr;
+        auto& texture = made[source.get()];
+        if (!texture) texture = std::make_shared<const MipTexture>(source, withLevels);
+        used[source.get()] = texture;
+        return texture.get();
+    };
+    for (const Material& material : world.description->materials)
+        world.materials.push_back({glm::dvec3(material.kd), glm::dvec3(material.ks),
+                                   static_cast<double>(material.shininess),
+                                   settings.transparency ? static_cast<double>(material.opacity) : 1.0,
+                                   reflects(material, settings), textureOf(material.kdTexture)});
+    for (auto& [source, texture] : used) world.textures.push_back(texture);
+}
+
+void compileLights(World& world) {
+    const Settings& settings = world.settings;
+    for (const Light& light : world.description->lights)
+        world.lights.push_back({light, sampleGrid(light, settings), isPointLight(light),
+                                isPointLight(light) ? settings.hardShadows : settings.softShadows});
+    if (!settings.transparentShadows) return;
+    for (const SurfaceMaterial& material : world.materials) world.attenuatesShadows |= material.opacity < 1.0;
+}
+
+}  // namespace
+
+std::shared_ptr<const World> compile(const CompileRequest& request, const World* previous,
+                                     std::stop_token stop) {
+    auto world = std::make_shared<World>();
+    world->description = request.scene;
+    world->settings = request.settings;
+    world->width = request.width;
+    world->height = request.height;
+    CameraDescription camera = request.camera;
+    if (!request.settings.depthOfField) camera.lens.reset();
+    world->camera = Camera(camera, request.width, request.height);
+    if (request.settings.environment) world->environment = request.scene->environment;
+    compileMaterials(*world, previous);
+    compileLights(*world);
+    compileBodies(*world, previous, std::move(stop));
+    return world;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,158 @@
+#include "trace/interaction.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bvh/intersect_sphere.h"
+#include "bvh/intersect_triangle.h"
+#include "math/spawn.h"
+
+namespace rayscope {
+
+namespace {
+
+bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Scaled before it is normalised, so that neither huge nor tiny vectors over- or underflow. Zero stays zero.
+glm::dvec3 safeNormalize(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
+    return glm::normalize(v / largest);
+}
+
+struct Triangle {
+    glm::uvec3 index;  ///< of the vertices, within the mesh
+    glm::dvec3 p[3];   ///< in world space at rest
+};
+
+Triangle triangleOf(const PrimitiveName& name) {
+    const AccelInput& input = name.body->geometry->input;
+    const glm::uvec3 inBody = input.triangles[name.inBody];
+    return {name.range->mesh->triangles[name.inObject],
+            {glm::dvec3(input.vertices[inBody.x]), glm::dvec3(input.vertices[inBody.y]),
+             glm::dvec3(input.vertices[inBody.z])}};
+}
+
+/// Interpolates vertex normals; falls back to the geometric normal where they vanish or are not numbers.
+void interpolateNormal(Interaction& at, const PrimitiveName& name, const Triangle& triangle,
+                       const glm::dvec3& weights) {
+    const std::vector<glm::vec3>& normals = name.range->mesh->normals;
+    if (normals.empty()) return;
+    glm::dvec3 sum(0.0);
+    double largest = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        glm::dvec3 n(normals[triangle.index[i]]);
+        if (name.range->transformed) n = safeNormalize(name.range->normalMatrix * n);
+        sum += weights[i] * n;
+        largest = std::max(largest, glm::dot(n, n));
+    }
+    // Opposite normals cancel to rounding noise, which has no direction worth shading with.
+    if (!isFinite(sum) || !(glm::dot(sum, sum) > 1e-12 * largest)) return;
+    at.normal = safeNormalize(sum);
+    at.interpolated = true;
+}
+
+/// Area of the texture, as a fraction of the image, per area of the surface: the square of uv per unit of
+/// length.
+double textureDensity(const Triangle& triangle, const std::vector<glm::vec2>& uv) {
+    const glm::dvec2 a(uv[triangle.index.x]), b(uv[triangle.index.y]), c(uv[triangle.index.z]);
+    const double inTexture = std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    const double onSurface =
+        glm::length(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]));
+    return onSurface > 0.0 ? inTexture / onSurface : 0.0;
+}
+
+void lookUpTexture(Interaction& at, const World& world, const PrimitiveName& name, const Triangle& triangle,
+                   const glm::dvec3& weights) {
+    const SurfaceMaterial& material = world.materials[at.material];
+    const std::vector<glm::vec2>& uv = name.range->mesh->texCoords;
+    if (!material.texture || uv.empty()) return;
+    glm::dvec2 sum(0.0);
+    for (int i = 0; i < 3; ++i) sum += weights[i] * glm::dvec2(uv[triangle.index[i]]);
+    at.uv = glm::vec2(sum);
+    double footprint = 0.0;
+    if (world.settings.textureFilter == TextureFilter::Mipmap) {
+        // A slanted surface spreads the cone by the inverse cosine; its long axis decides, so nothing
+        // aliases.
+        const double cosine = std::abs(glm::dot(at.geometricNormal, at.toViewer));
+        footprint = at.coneWidth / std::max(cosine, 1e-9) * std::sqrt(textureDensity(triangle, uv));
+    }
+    at.kd = material.texture->lookup(at.uv, footprint, world.settings.textureFilter);
+}
+
+void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveName& name) {
+    const AccelInput& input = name.body->geometry->input;
+    const Triangle triangle = triangleOf(name);
+    const glm::uvec3 index = input.triangles[name.inBody];
+    TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
+                      static_cast<double>(at.hit.v)};
+    intersectTriangle(ShearedRay(ray), input.vertices[index.x], input.vertices[index.y],
+                      input.vertices[index.z], exact);
+    const glm::dvec3 weights(1.0 - exact.u - exact.v, exact.u, exact.v);
+    at.t = exact.t;
+    at.position = weights.x * triangle.p[0] + weights.y * triangle.p[1] + weights.z * triangle.p[2];
+    at.magnitude =
+        glm::max(glm::max(glm::abs(triangle.p[0]), glm::abs(triangle.p[1])), glm::abs(triangle.p[2]));
+    at.geometricNormal = safeNormalize(glm::cross(safeNormalize(triangle.p[1] - triangle.p[0]),
+                                                  safeNormalize(triangle.p[2] - triangle.p[0])));
+    at.normal = at.geometricNormal;
+    if (world.settings.normalInterpolation) interpolateNormal(at, name, triangle, weights);
+    lookUpTexture(at, world, name, triangle, weights);
+}
+
+void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
+    double t = static_cast<double>(at.hit.t);
+    intersectSphere(ray, sphere, ray.tMin, ray.tMax, t);
+    const glm::dvec3 center(sphere.center);
+    const double radius = static_cast<double>(sphere.radius);
+    const glm::dvec3 fromCenter =
+        safeNormalize(glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction) - center);
+    at.t = t;
+    at.position = center + radius * fromCenter;
+    at.magnitude = glm::abs(center) + radius;
+    at.geometricNormal = at.normal = fromCenter;
+}
+
+/// Both normals to the viewer's side: the geometric one decides, the shading normal follows it.
+void faceViewer(Interaction& at) {
+    if (glm::dot(at.geometricNormal, at.toViewer) < 0.0) at.geometricNormal = -at.geometricNormal;
+    if (glm::dot(at.normal, at.geometricNormal) < 0.0) at.normal = -at.normal;
+}
+
+}  // namespace
+
+glm::vec3 Interaction::originOutside() const { return spawnOrigin(position, magnitude, geometricNormal); }
+glm::vec3 Interaction::originBehind() const { return spawnOrigin(position, magnitude, -geometricNormal); }
+
+Interaction interactionAt(const World& world, const Ray& ray, float time, const RayCone& cone,
+                          const Hit& hit) {
+    Interaction at;
+    at.hit = hit;
+    const PrimitiveName name = world.nameOf(hit.primitive);
+    at.object = name.range->object;
+    at.material = world.materialOf(name);
+    at.kd = world.materials[at.material].kd;
+    at.toViewer = -safeNormalize(glm::dvec3(ray.direction));
+    at.coneWidth =
+        cone.width + cone.spread * static_cast<double>(hit.t) * glm::length(glm::dvec3(ray.direction));
+
+    const glm::dvec3 moved = static_cast<double>(time) * glm::dvec3(name.body->geometry->motion);
+    Ray atRest = ray;
+    if (world.moves) atRest.origin = glm::vec3(glm::dvec3(ray.origin) - moved);
+    if (name.range->mesh)
+        fillTriangle(at, world, atRest, name);
+    else
+        fillSphere(
+            at, atRest,
+            name.body->geometry->input.spheres[name.inBody - name.body->geometry->input.triangles.size()]);
+    if (world.moves) {
+        at.position += moved;
+        at.magnitude += glm::abs(moved);
+        // The ray was moved into the body's frame in float: that rounding is part of where the surface is.
+        at.magnitude += 0x1p26 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
+    }
+    faceViewer(at);
+    return at;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,7 @@
+#include "trace/radiance.inl"
+
+namespace rayscope {
+
+template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
+
+}  // namespace rayscope

@@ -1,0 +1,23 @@
+#pragma once
+#include <rayscope/probe.h>
+#include <cstdint>
+
+#include "trace/path_observer.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+/// What one sample is worth.
+struct SampleResult {
+    RgbSum radiance{0.0};
+    std::uint64_t rays = 0;  ///< traced for it, of all kinds
+};
+
+/// The radiance of a sample: a pure function of world, seed and name, whoever watches. Instantiated for the
+/// silent observer in radiance.cpp; other observers include radiance.inl.
+template <PathObserver O>
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer);
+
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
+
+}  // namespace rayscope

@@ -1,0 +1,285 @@
+#pragma once
+// The tracer: Whitted's recursion with distributed light, gloss and lens sampling (Whitted 1980; Cook, Porter
+// and Carpenter 1984). Every term carries its throughput and is added to one sum, so the radiance of a sample
+// is the left fold of its terms, in the order in which they are found.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "math/frame.h"
+#include "sampling/sample_stream.h"
+#include "sampling/warp.h"
+#include "shading/environment_lookup.h"
+#include "trace/radiance.h"
+
+namespace rayscope {
+
+template <PathObserver O>
+class Tracer {
+  public:
+    Tracer(const World& world, const SampleStream& stream, O& observer)
+        : world_(world), settings_(world.settings), stream_(stream), observer_(observer) {}
+
+    SampleResult traceSample(const SampleName& name);
+
+  private:
+    /// Position in the path tree beside the segment itself.
+    struct Branch {
+        PathKey key;
+        bool split =
+            false;  ///< an earlier vertex split into several rays: take one sample of everything from here
+    };
+
+    void traceCamera(const glm::dvec2& pixel, const glm::dvec2& aperture, double weight, PathKey key);
+    void trace(Segment segment, Branch branch);
+    void shade(const Segment& segment, const Interaction& at, const Branch& branch,
+               const glm::dvec3& throughput);
+    void shadeByLight(std::size_t light, const Interaction& at, const Branch& branch,
+                      const glm::dvec3& throughput);
+    void reflect(const Segment& segment, const Interaction& at, const Branch& branch,
+                 const glm::dvec3& throughput);
+    void reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
+                       const glm::dvec3& direction);
+    double transmittance(const Ray& ray);
+    bool inSharpZone(const glm::dvec2& pixel);
+    glm::dvec3 mirrorDirection(const Interaction& at) const;
+    void add(const glm::dvec3& term) {
+        sum_ += term;
+        observer_.added(term);
+    }
+
+    const World& world_;
+    const Settings& settings_;
+    const SampleStream& stream_;
+    O& observer_;
+    RgbSum sum_{0.0};
+    std::uint64_t rays_ = 0;
+    float time_ = 0.0f;
+};
+
+template <PathObserver O>
+SampleResult Tracer<O>::traceSample(const SampleName& name) {
+    const glm::dvec2 pixel = glm::dvec2(name.x, name.y) + glm::dvec2(stream_.get2D(Dim::Pixel));
+    if (world_.moves) time_ = stream_.get1D(Dim::Time);
+    if (!world_.camera.hasLens() || inSharpZone(pixel)) {
+        traceCamera(pixel, glm::dvec2(0.0), 1.0, PathKey{});
+        return {sum_, rays_};
+    }
+    // Split the pixel sample into rays through the lens; a single one keeps the root's key and its joint
+    // pattern.
+    const int n = settings_.lensSamples;
+    for (int k = 0; k < n; ++k) {
+        const glm::vec2 u = stream_.get2D(Dim::Lens, {}, 0, k, n);
+        const PathKey key = n == 1 ? PathKey{} : PathKey{}.child(static_cast<std::uint32_t>(k));
+        traceCamera(pixel, sampleAperture(settings_.lensShape, u), 1.0 / n, key);
+    }
+    return {sum_, rays_};
+}
+
+/// Whether the central ray of the pixel meets a surface near enough to the plane of focus to be left sharp.
+template <PathObserver O>
+bool Tracer<O>::inSharpZone(const glm::dvec2& pixel) {
+    if (!(settings_.sharpZone > 0.0f)) return false;
+    const Ray ray = world_.camera.pinholeRay(pixel);
+    Hit hit;
+    ++rays_;
+    if (!world_.closestHit(ray, time_, hit)) return false;
+    const glm::dvec3 point = glm::dvec3(ray.origin) + static_cast<double>(hit.t) * glm::dvec3(ray.direction);
+    return std::abs(world_.camera.depthOf(point) - world_.camera.focusDistance()) <=
+           static_cast<double>(settings_.sharpZone);
+}
+
+template <PathObserver O>
+void Tracer<O>::traceCamera(const glm::dvec2& pixel, const glm::dvec2& aperture, double weight, PathKey key) {
+    Segment segment;
+    segment.ray = world_.camera.lensRay(pixel, aperture);
+    segment.throughput = glm::dvec3(weight);
+    segment.cone = {0.0, world_.camera.pixelAngle()};
+    trace(segment, {key, false});
+}
+
+/// Follows a ray through any number of transparent layers; reflections branch off by recursion.
+template <PathObserver O>
+void Tracer<O>::trace(Segment segment, Branch branch) {
+    for (std::uint32_t layer = 0;; ++layer) {
+        observer_.segment(segment);
+        Hit hit;
+        ++rays_;
+        if (!world_.closestHit(segment.ray, time_, hit)) {
+            if (world_.environment)
+                add(segment.throughput * lookup(*world_.environment, glm::dvec3(segment.ray.direction)));
+            return observer_.ended(segment, RayEnd::Missed);
+        }
+        const Interaction at = interactionAt(world_, segment.ray, time_, segment.cone, hit);
+        observer_.hit(at);
+
+        const double opacity = world_.materials[at.material].opacity;
+        if (opacity > 0.0) shade(segment, at, branch, opacity * segment.throughput);
+        if (opacity >= 1.0) return;
+
+        // Go on behind the surface with what it lets through, unless nothing of it could be seen any more.
+        segment.throughput *= 1.0 - opacity;
+        if (std::max({segment.throughput.x, segment.throughput.y, segment.throughput.z}) < 0x1p-64)
+            return observer_.ended(segment, RayEnd::Vanished);
+        observer_.ended(segment, RayEnd::Transmitted);
+        segment.kind = RayKind::Transparent;
+        segment.ray.origin = at.originBehind();
+        segment.cone.width = at.coneWidth;
+        branch.key = branch.key.child(~layer);
+    }
+}
+
+/// The colour of a surface: its lights or its plain colour, or the reflection map, and its mirror image.
+template <PathObserver O>
+void Tracer<O>::shade(const Segment& segment, const Interaction& at, const Branch& branch,
+                      const glm::dvec3& throughput) {
+    if (settings_.reflectionMap && world_.environment) {
+        add(throughput * lookup(*world_.environment, mirrorDirection(at)));
+        return observer_.ended(segment, RayEnd::Absorbed);
+    }
+    for (std::size_t light = 0; light < world_.lights.size(); ++light)
+        shadeByLight(light, at, branch, throughput);
+    if (!settings_.shading && world_.lights.empty()) add(throughput * at.kd);
+    reflect(segment, at, branch, throughput);
+}
+
+/// The mean over the light of visible · phong. With shading off the surface shows its diffuse colour wherever
+/// light gets: the mean over the lights of visible · kd.
+template <PathObserver O>
+void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Branch& branch,
+                             const glm::dvec3& throughput) {
+    const CompiledLight& compiled = world_.lights[index];
+    const int n = branch.split ? 1 : compiled.grid.count();
+    const SurfaceMaterial& material = world_.materials[at.material];
+    const PhongSurface surface{at.kd, material.ks, material.shininess};
+    const glm::vec3 from = at.originOutside();
+    for (int k = 0; k < n; ++k) {
+        const auto which = static_cast<std::uint32_t>(index);
+        const glm::vec2 u = compiled.isPoint ? glm::vec2(0.0f)
+                            : compiled.grid.rows > 1
+                                ? stream_.get2D(Dim::Light, branch.key, which, k, n)
+                                : glm::vec2(stream_.get1D(Dim::Light, branch.key, which, k, n));
+        LightConnection connection{static_cast<int>(index), k, from, sampleLight(compiled.light, u)};
+        const glm::dvec3 toLight = connection.at.position - glm::dvec3(from);
+        const double distance = glm::length(toLight);
+
+        glm::dvec3 reflected = at.kd / static_cast<double>(world_.lights.size());
+        if (settings_.shading) {
+            reflected = distance > 0.0
+                            ? connection.at.color * phong(surface, at.normal, toLight / distance, at.toViewer)
+                            : glm::dvec3(0.0);
+            if (compiled.light.falloff == Falloff::InverseSquare)
+                reflected /= std::max(distance * distance, 0x1p-126);
+        }
+        glm::dvec3 term(0.0);
+        if (reflected == glm::dvec3(0.0)) {
+            connection.visibility = Visibility::FacingAway;
+        } else if (!compiled.castsShadows) {
+            term = throughput * reflected / static_cast<double>(n);
+        } else {
+            // End before the light by the rounding of both ends, so that a lamp's own surface does not block
+            // it.
+            Ray ray{from, glm::vec3(toLight)};
+            const glm::dvec3 size = glm::abs(connection.at.position) + glm::abs(glm::dvec3(from));
+            const double slack = 0x1p-22 * std::max({size.x, size.y, size.z}) / distance;
+            ray.tMax = static_cast<float>(std::max(0.0, 1.0 - slack));
+            const double visible = transmittance(ray);
+            term = throughput * reflected * visible / static_cast<double>(n);
+            connection.visibility = visible == 1.0  ? Visibility::Visible
+                                    : visible > 0.0 ? Visibility::Attenuated
+                                                    : Visibility::Blocked;
+        }
+        observer_.lightSampled(connection, term);
+        if (term != glm::dvec3(0.0)) add(term);
+    }
+}
+
+/// The fraction of light that gets along a shadow ray.
+template <PathObserver O>
+double Tracer<O>::transmittance(const Ray& shadow) {
+    if (!world_.attenuatesShadows) {
+        ++rays_;
+        return world_.anyHit(shadow, time_) ? 0.0 : 1.0;
+    }
+    double passed = 1.0;
+    Ray ray = shadow;
+    const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);
+    Hit hit;
+    while (passed >= 0x1p-64) {
+        ++rays_;
+        if (!world_.closestHit(ray, time_, hit)) return passed;
+        const Interaction at = interactionAt(world_, ray, time_, {}, hit);
+        passed *= 1.0 - world_.materials[at.material].opacity;
+        // Go on from behind the surface to the same end.
+        ray.origin = at.originBehind();
+        const glm::dvec3 rest = end - glm::dvec3(ray.origin);
+        const double done = 1.0 - glm::dot(rest, glm::dvec3(shadow.direction)) /
+                                      glm::dot(glm::dvec3(shadow.direction), glm::dvec3(shadow.direction));
+        if (!(done < static_cast<double>(shadow.tMax))) return passed;
+        ray.tMax = static_cast<float>(static_cast<double>(shadow.tMax) - done);
+    }
+    return 0.0;
+}
+
+/// The mirrored viewing direction; about the geometric normal where the shading normal would send it below
+/// ground.
+template <PathObserver O>
+glm::dvec3 Tracer<O>::mirrorDirection(const Interaction& at) const {
+    const glm::dvec3 direction = mirror(-at.toViewer, at.normal);
+    if (glm::dot(direction, at.geometricNormal) > 0.0) return glm::normalize(direction);
+    return glm::normalize(mirror(-at.toViewer, at.geometricNormal));
+}
+
+template <PathObserver O>
+void Tracer<O>::reflect(const Segment& segment, const Interaction& at, const Branch& branch,
+                        const glm::dvec3& throughput) {
+    const SurfaceMaterial& material = world_.materials[at.material];
+    if (!material.reflects) return observer_.ended(segment, RayEnd::Absorbed);
+    if (segment.depth >= settings_.maxDepth) return observer_.ended(segment, RayEnd::DepthLimit);
+
+    const glm::dvec3 direction = mirrorDirection(at);
+    Segment mirrored;
+    mirrored.kind = RayKind::Reflection;
+    mirrored.depth = segment.depth + 1;
+    mirrored.throughput = throughput * material.ks;
+    mirrored.cone = {at.coneWidth, segment.cone.spread};
+    mirrored.ray = {at.originOutside(), glm::vec3(direction)};
+    observer_.ended(segment, RayEnd::Reflected);
+    if (settings_.glossy && settings_.glossySigma > 0.0f)
+        return reflectGlossy(mirrored, at, branch, direction);
+    trace(mirrored, {branch.key.child(1), branch.split});
+}
+
+/// Rays through a square that stands at distance 0.3 along the reflection, displaced in its plane by normal
+/// deviates of standard deviation sigma / (3 shininess). Rays below the surface count as zero.
+template <PathObserver O>
+void Tracer<O>::reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
+                              const glm::dvec3& direction) {
+    const Frame frame = frameAround(direction);
+    const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
+    const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
+    const int n = branch.split ? 1 : settings_.glossySamples;
+    for (int k = 0; k < n; ++k) {
+        const glm::vec2 u = stream_.get2D(Dim::Glossy, branch.key, 0, k, n);
+        const glm::dvec3 displaced =
+            0.3 * direction + side * (normalDeviate(u.x) * frame.u + normalDeviate(u.y) * frame.v);
+        Segment ray = mirrored;
+        ray.kind = RayKind::Glossy;
+        ray.throughput /= static_cast<double>(n);
+        ray.ray.direction = glm::vec3(glm::normalize(displaced));
+        if (!(glm::dot(displaced, at.geometricNormal) > 0.0)) {
+            observer_.segment(ray);
+            observer_.ended(ray, RayEnd::BelowSurface);
+            continue;
+        }
+        trace(ray, {branch.key.child(static_cast<std::uint32_t>(k) + 2), branch.split || n > 1});
+    }
+}
+
+template <PathObserver O>
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer) {
+    const SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp);
+    return Tracer<O>(world, stream, observer).traceSample(name);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,76 @@
+#pragma once
+// A compiled scene: immutable, complete, and without anything that the scene does not use.
+#include <rayscope/accel.h>
+#include <rayscope/scene.h>
+#include <rayscope/settings.h>
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "shading/light_sample.h"
+#include "shading/phong.h"
+#include "shading/texture_lookup.h"
+#include "trace/body.h"
+#include "trace/camera.h"
+
+namespace rayscope {
+
+/// A material as the tracer reads it.
+struct SurfaceMaterial {
+    glm::dvec3 kd, ks;
+    double shininess = 1.0, opacity = 1.0;
+    bool reflects = false;                ///< spawns mirror rays
+    const MipTexture* texture = nullptr;  ///< replaces kd
+};
+
+/// Geometry with its search structure.
+struct Body {
+    std::shared_ptr<const Geometry> geometry;
+    std::shared_ptr<const Accel> accel;
+    std::uint32_t firstPrimitive = 0;  ///< number of the body's first primitive among those of the world
+};
+
+/// A light and the number of samples that it takes where it is sampled in full.
+struct CompiledLight {
+    Light light;
+    LightSampleGrid grid;
+    bool isPoint = false;
+    bool castsShadows = true;
+};
+
+/// Where a primitive of the world comes from.
+struct PrimitiveName {
+    const Body* body = nullptr;
+    const ObjectRange* range = nullptr;
+    std::uint32_t inBody = 0;    ///< number within the body
+    std::uint32_t inObject = 0;  ///< number of the triangle within its mesh
+};
+
+/// Everything that radiance is a function of, besides the seed and the name of the sample.
+class World {
+  public:
+    std::shared_ptr<const SceneDescription> description;
+    Settings settings;
+    std::vector<Body> bodies;
+    std::vector<SurfaceMaterial> materials;
+    std::vector<std::shared_ptr<const MipTexture>> textures;
+    std::vector<CompiledLight> lights;
+    std::shared_ptr<const Environment> environment;  ///< null if the scene has none or it is switched off
+    Camera camera;
+    int width = 1, height = 1;
+    bool moves = false;              ///< some body has a motion
+    bool attenuatesShadows = false;  ///< shadow rays must look at what they cross
+    double buildSeconds = 0.0;       ///< time spent in building hierarchies for this world
+
+    /// The nearest hit among all bodies at the given time in [0, 1); of equal distances the smaller primitive
+    /// number.
+    bool closestHit(const Ray& ray, float time, Hit& hit) const;
+    bool anyHit(const Ray& ray, float time) const;
+
+    PrimitiveName nameOf(std::uint32_t primitive) const;
+    std::uint32_t materialOf(const PrimitiveName& name) const;
+    std::uint32_t primitiveCount() const;
+};
+
+}  // namespace rayscope
