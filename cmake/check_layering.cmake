@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.22)
 # cmake -DROOMS=rooms.txt -DSOURCE=dir -P check_layering.cmake
 # rooms.txt has a line "room|used,rooms|public,headers" per room. Fails if a file of a room, or a public header it
 # stands behind, includes a room that it does not declare.

@@ -2,6 +2,7 @@
 #include <rayscope/vector.h>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,21 @@ enum class ToneCurve {
     Course  ///< none: clamp and truncate, to compare with pictures of programs that do no colour management
 };
 
-/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; 8-bit files are decoded with the sRGB curve.
-/// Throws InputError if the file is missing, empty, damaged or larger than 2^26 pixels.
+/// Larger images are refused before anything is allocated for them.
+inline constexpr long long kMaxImagePixels = 1LL << 26;
+
+/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; the kind is told from the content. Files of 8
+/// or 16 bits are decoded with the sRGB curve; alpha is left out. Throws InputError if the file is missing,
+/// empty, damaged or holds more than kMaxImagePixels.
 RgbImage readImage(const std::string& path);
 
-/// Writes by suffix: .png (8 bit, with `curve`), .exr, .pfm, .hdr (linear). The file appears whole or not at
-/// all. Throws InputError if it cannot be written or the suffix is unknown.
+/// The same for a file that already is in memory; messages call it `name`.
+RgbImage decodeImage(std::span<const std::byte> file, const std::string& name);
+
+/// Writes by suffix: .png (8 bit, with `curve`), .exr, .pfm, .hdr (linear). Metadata goes into .png and .exr,
+/// under names that begin with "rayscope:"; the other formats have no place for it. NaN and infinite values
+/// stay as they are in .exr and .pfm; in .png NaN becomes 0 and infinity 255. The file appears whole or not
+/// at all. Throws InputError if it cannot be written or the suffix is unknown.
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
                 ToneCurve curve = ToneCurve::Srgb);
 

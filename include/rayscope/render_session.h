@@ -69,7 +69,8 @@ class RenderSession {
     void submit(RenderRequest request);
     void pause();
     void resume();
-    void cancel();  ///< keeps the film; a later submit() of the same request goes on from it
+    void cancel();  ///< at once; keeps the film, and a later submit() of the same request goes on from it
+    void finishTiles();  ///< like cancel(), but tiles in flight are completed first
 
     RenderStatus status() const;
     /// Calls `take` for tiles that changed since the last call, until all are taken or `budgetSeconds` are

@@ -5,6 +5,9 @@
 
 namespace rayscope {
 
+/// No node lies deeper (the root is level 0), whatever is built; traversal stacks rely on it.
+inline constexpr int kMaxTreeLevel = 64;
+
 /// Children of an inner node stand side by side at `first` and `first + 1`; a leaf holds the primitives
 /// primitives[first … first + count).
 struct BinaryNode {

@@ -7,7 +7,7 @@
 namespace rayscope {
 
 bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
-                const std::stop_token& stop, RenderCounters& counters) {
+                const PassControl& control, RenderCounters& counters) {
     // Tiles are claimed in order from one counter: neighbours start together, and no thread is left with a
     // long tail.
     std::atomic<int> next{0};
@@ -16,12 +16,12 @@ bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSa
         oneapi::tbb::blocked_range<int>(0, tiles, 1),
         [&](const oneapi::tbb::blocked_range<int>& range) {
             for (int i = range.begin(); i != range.end(); ++i) {
-                if (stop.stop_requested()) return;
-                renderTile(world, seed, film, next.fetch_add(1), targetSamples, stop, counters);
+                if (control.endsEarly()) return;
+                renderTile(world, seed, film, next.fetch_add(1), targetSamples, control.stop, counters);
             }
         },
         oneapi::tbb::simple_partitioner{});
-    return !stop.stop_requested();
+    return !control.endsEarly();
 }
 
 }  // namespace rayscope

@@ -7,9 +7,16 @@
 
 namespace rayscope {
 
+/// How a pass is ended early: `stop` drops the tiles in flight, `drain` lets them finish and starts no more.
+struct PassControl {
+    std::stop_token stop;
+    std::stop_token drain;
+    bool endsEarly() const { return stop.stop_requested() || drain.stop_requested(); }
+};
+
 /// Brings every tile of the film to `targetSamples` on the threads of the calling arena. Returns false if it
 /// was stopped; the film is valid either way and a later pass goes on from it.
 bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
-                const std::stop_token& stop, RenderCounters& counters);
+                const PassControl& control, RenderCounters& counters);
 
 }  // namespace rayscope

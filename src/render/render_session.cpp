@@ -56,9 +56,9 @@ struct RenderSession::State {
           arena(threads) {}
 
     void run();
-    void serve(const RenderRequest& request, std::uint64_t epoch, const std::stop_token& stopped);
+    void serve(const RenderRequest& request, std::uint64_t epoch, const PassControl& control);
     void prepareFilm(const RenderRequest& request);
-    bool renderPasses(const RenderRequest& request, const std::stop_token& stopped);
+    bool renderPasses(const RenderRequest& request, const PassControl& control);
 
     oneapi::tbb::global_control parallelism;
     oneapi::tbb::task_arena arena;
@@ -68,7 +68,7 @@ struct RenderSession::State {
     std::optional<RenderRequest> pending;
     bool paused = false, quitting = false;
     std::uint64_t epoch = 0;
-    std::stop_source stop;
+    std::stop_source stop, drain;
     RenderStatus status;
     std::shared_ptr<const World> world;
     std::shared_ptr<Film> film;
@@ -89,7 +89,7 @@ void RenderSession::State::run() {
     for (;;) {
         RenderRequest request;
         std::uint64_t number = 0;
-        std::stop_token stopped;
+        PassControl control;
         {
             std::unique_lock guard(lock);
             changedState.wait(guard, [&] { return quitting || (pending && !paused); });
@@ -98,16 +98,17 @@ void RenderSession::State::run() {
             pending.reset();
             number = epoch;
             stop = std::stop_source{};
-            stopped = stop.get_token();
+            drain = std::stop_source{};
+            control = {stop.get_token(), drain.get_token()};
             status.state = RenderState::Compiling;
             status.message.clear();
         }
-        serve(request, number, stopped);
+        serve(request, number, control);
     }
 }
 
 void RenderSession::State::serve(const RenderRequest& request, std::uint64_t number,
-                                 const std::stop_token& stopped) {
+                                 const PassControl& control) {
     RenderState outcome = RenderState::Idle;
     std::string message;
     try {
@@ -116,7 +117,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
         arena.execute([&] {
             compiled =
                 compile({request.scene, request.settings, request.camera, request.width, request.height},
-                        world.get(), stopped);
+                        world.get(), control.stop);
         });
         {
             const std::scoped_lock guard(lock);
@@ -125,7 +126,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
             status.buildSeconds = compiled->buildSeconds;
         }
         prepareFilm(request);
-        if (renderPasses(request, stopped)) outcome = RenderState::Done;
+        if (renderPasses(request, control)) outcome = RenderState::Done;
     } catch (const Stopped&) {
         // The next request says what to do.
     } catch (const std::exception& error) {
@@ -158,13 +159,13 @@ void RenderSession::State::prepareFilm(const RenderRequest& request) {
     doneAtStart = doneFraction(*film, request.settings.spp);
 }
 
-bool RenderSession::State::renderPasses(const RenderRequest& request, const std::stop_token& stopped) {
+bool RenderSession::State::renderPasses(const RenderRequest& request, const PassControl& control) {
     const int wanted = request.settings.spp;
     bool complete = true;
     for (int samples = film->completeSamples(); complete && samples < wanted;
          samples = film->completeSamples()) {
         const int target = nextPassTarget(samples, wanted, request.progressive);
-        arena.execute([&] { complete = renderPass(*world, request.seed, *film, target, stopped, counters); });
+        arena.execute([&] { complete = renderPass(*world, request.seed, *film, target, control, counters); });
     }
     const std::scoped_lock guard(lock);
     status.elapsedSeconds += secondsSince(started);
@@ -216,6 +217,15 @@ void RenderSession::cancel() {
     state_->paused = false;
     state_->stop.request_stop();
     if (state_->status.state == RenderState::Paused) state_->status.state = RenderState::Idle;
+    state_->changedState.notify_all();
+}
+
+void RenderSession::finishTiles() {
+    const std::scoped_lock guard(state_->lock);
+    state_->pending.reset();
+    state_->paused = false;
+    if (state_->status.state == RenderState::Compiling) state_->stop.request_stop();
+    state_->drain.request_stop();
     state_->changedState.notify_all();
 }
 

@@ -1,0 +1,123 @@
+#include "base/atomic_file.h"
+
+#include <fcntl.h>
+#include <rayscope/diagnostics.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace rayscope {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void throwReason(const std::string& path, int error) {
+    throw InputError("cannot be written: " + std::generic_category().message(error), {path});
+}
+
+/// The file that a write to `path` would end in: the target of a symbolic link, even one that does not exist
+/// yet.
+fs::path destinationOf(const std::string& path) {
+    std::error_code error;
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
+    return error ? fs::path(path) : target;
+}
+
+/// Whether there is something at `path` that has no content of its own to be replaced.
+bool isPipeOrDevice(const fs::path& path) {
+    struct stat status {};
+    return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+/// A new file beside `target`, which is removed again unless it becomes the target.
+class TemporaryFile {
+  public:
+    explicit TemporaryFile(const fs::path& target) {
+        static std::atomic<unsigned> serial{0};
+        const std::string name =
+            ".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+        path_ = target.parent_path() / name;
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        exists_ = descriptor_ >= 0;
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+        if (exists_) ::unlink(path_.c_str());
+    }
+
+    int descriptor() const { return descriptor_; }
+
+    /// Closes the file and gives it its final name. Returns false, with errno, if it cannot.
+    bool moveTo(const fs::path& target) {
+        struct stat old {};
+        if (::stat(target.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777) != 0)
+            return false;
+        // A network file system may report only now that the disk is full.
+        if (::close(std::exchange(descriptor_, -1)) != 0) return false;
+        exists_ = ::rename(path_.c_str(), target.c_str()) != 0;
+        return !exists_;
+    }
+
+  private:
+    fs::path path_;
+    int descriptor_ = -1;
+    bool exists_ = false;
+};
+
+/// Returns false, with errno, if not all bytes could be written.
+bool writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno != EINTR) return false;
+        if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+void writeInPlace(const std::string& path, std::string_view bytes) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) throwReason(path, errno);
+    const bool written = writeAll(descriptor, bytes);
+    const int error = errno;
+    ::close(descriptor);
+    if (!written) throwReason(path, error);
+}
+
+}  // namespace
+
+void writeFileAtomically(const std::string& path, std::string_view bytes) {
+    if (isPipeOrDevice(path)) return writeInPlace(path, bytes);
+    checkFileDestination(path);
+    const fs::path target = destinationOf(path);
+    TemporaryFile temporary(target);
+    if (temporary.descriptor() < 0 || !writeAll(temporary.descriptor(), bytes) || !temporary.moveTo(target))
+        throwReason(path, errno);
+}
+
+void checkFileDestination(const std::string& path) {
+    if (path.empty()) throw InputError("cannot write to a file without a name");
+    if (isPipeOrDevice(path)) {
+        if (::access(path.c_str(), W_OK) != 0) throwReason(path, errno);
+        return;
+    }
+    std::error_code ignored;
+    const fs::path target = destinationOf(path);
+    if (fs::is_directory(target, ignored)) throw InputError("is a folder; name a file in it", {path});
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+        throw InputError("cannot be written: there is no folder '" + folder.string() + "'; create it first",
+                         {path});
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InputError(
+            "cannot be written: no permission to create files in folder '" + folder.string() + "'", {path});
+}
+
+}  // namespace rayscope

@@ -1,0 +1,56 @@
+#pragma once
+// Boxes for the builders: four floats at a time, of which the fourth is never looked at.
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace rayscope {
+
+using Float4 = float __attribute__((vector_size(16)));
+
+inline Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
+inline Float4 broadcast(float x) { return Float4{x, x, x, x}; }
+
+struct Bounds4 {
+    Float4 lower = broadcast(std::numeric_limits<float>::infinity());
+    Float4 upper = broadcast(-std::numeric_limits<float>::infinity());
+
+    void extend(Float4 point) {
+        lower = minimum(lower, point);
+        upper = maximum(upper, point);
+    }
+    void extend(const Bounds4& box) {
+        lower = minimum(lower, box.lower);
+        upper = maximum(upper, box.upper);
+    }
+    /// Half the surface area of a box that is not empty, in units of 1 / scale².
+    float halfArea(float scale) const {
+        const Float4 size = (upper - lower) * broadcast(scale);
+        return size[0] * (size[1] + size[2]) + size[1] * size[2];
+    }
+};
+
+/// A primitive to be sorted into the tree.
+struct PrimitiveRef {
+    float lower[3];
+    std::uint32_t primitive;
+    float upper[3];
+    std::uint32_t unused;
+
+    Bounds4 bounds() const {
+        Bounds4 box;
+        std::memcpy(&box.lower, lower, sizeof box.lower);
+        std::memcpy(&box.upper, upper, sizeof box.upper);
+        return box;
+    }
+    /// Halved before adding, so that large coordinates do not overflow.
+    Float4 centroid() const {
+        const Bounds4 box = bounds();
+        return box.lower * broadcast(0.5f) + box.upper * broadcast(0.5f);
+    }
+    float centroid(int axis) const { return lower[axis] * 0.5f + upper[axis] * 0.5f; }
+};
+static_assert(sizeof(PrimitiveRef) == 32);
+
+}  // namespace rayscope

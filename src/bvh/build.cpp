@@ -1,0 +1,72 @@
+#include "bvh/build.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bvh/builders.h"
+#include "bvh/primitive_refs.h"
+#include "bvh/stop_check.h"
+
+namespace rayscope {
+namespace {
+
+void checkRange(const char* name, int value, int lowest, int highest) {
+    if (value < lowest || value > highest)
+        throw std::invalid_argument(fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
+}
+
+void checkSettings(const BuildSettings& settings) {
+    checkRange("bins", settings.bins, 2, 4096);
+    checkRange("maxLevel", settings.maxLevel, 0, kMaxTreeLevel);
+    checkRange("leafSize", settings.leafSize, 1, std::numeric_limits<int>::max());
+}
+
+/// A power of two by which areas are scaled, so that they stay far from overflow and underflow.
+float areaScale(const Bounds4& box) {
+    const Float4 size = box.upper * broadcast(0.5f) - box.lower * broadcast(0.5f);
+    const float longest = std::max({size[0], size[1], size[2], 0x1p-120f});
+    return std::exp2(-static_cast<float>(std::ilogb(longest)) - 1.0f);
+}
+
+}  // namespace
+
+RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, refs.size(), 16384), RangeBounds{},
+        [&](const tbb::blocked_range<std::size_t>& block, RangeBounds bounds) {
+            throwIfStopped(stop);
+            for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
+            return bounds;
+        },
+        [](RangeBounds a, const RangeBounds& b) {
+            a.box.extend(b.box);
+            a.centroids.extend(b.centroids);
+            return a;
+        });
+}
+
+BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& settings) {
+    checkSettings(settings);
+    PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
+    std::span<PrimitiveRef> refs = collected.refs;
+    TreeSkeleton skeleton(refs.size(), settings);
+    if (!refs.empty()) {
+        const float scale = areaScale(boundsOf(refs, settings.stop).box);
+        switch (settings.builder) {
+            case BvhBuilder::Median: buildMedian(skeleton, refs); break;
+            case BvhBuilder::Sah: buildSweep(skeleton, refs, skeleton.whole(), scale); break;
+            case BvhBuilder::SahBinned: buildBinned(skeleton, refs, scale); break;
+        }
+    }
+    collected.refs = {};
+    BinaryTree tree = skeleton.compact();
+    tree.droppedPrimitives = collected.dropped;
+    return tree;
+}
+
+}  // namespace rayscope

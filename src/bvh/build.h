@@ -1,0 +1,12 @@
+#pragma once
+#include <rayscope/accel.h>
+
+#include "bvh/binary_tree.h"
+
+namespace rayscope {
+
+/// Builds the tree with the chosen builder. See Accel::build for errors; besides them throws
+/// std::invalid_argument for settings out of range.
+BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& settings);
+
+}  // namespace rayscope

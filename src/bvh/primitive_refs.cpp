@@ -1,0 +1,96 @@
+#include "bvh/primitive_refs.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bvh/ray_query.h"
+#include "bvh/stop_check.h"
+
+namespace rayscope {
+namespace {
+
+using Block = tbb::blocked_range<std::size_t>;
+constexpr std::size_t kGrain = 16384;
+
+/// Nodes are numbered with 32 bits, and n primitives may need 2n − 1 of them.
+constexpr std::size_t kMostPrimitives = std::size_t{1} << 31;
+
+void checkSize(const AccelInput& input) {
+    const std::size_t count = input.triangles.size() + input.spheres.size();
+    if (count > kMostPrimitives)
+        throw std::length_error(fmt::format("{} primitives are more than the {} that one tree can hold; split the scene",
+                                            count, kMostPrimitives));
+}
+
+/// The number of the first triangle that names a missing vertex, or the number of triangles.
+std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& stop) {
+    const std::size_t count = input.triangles.size();
+    return tbb::parallel_reduce(
+        Block(0, count, kGrain), count,
+        [&](const Block& block, std::size_t found) {
+            throwIfStopped(stop);
+            for (std::size_t i = block.begin(); i < std::min(block.end(), found); ++i) {
+                const glm::uvec3& corner = input.triangles[i];
+                if (std::max({corner.x, corner.y, corner.z}) >= input.vertices.size()) return i;
+            }
+            return found;
+        },
+        [](std::size_t a, std::size_t b) { return std::min(a, b); });
+}
+
+void checkIndices(const AccelInput& input, const std::stop_token& stop) {
+    const std::size_t bad = firstBadTriangle(input, stop);
+    if (bad == input.triangles.size()) return;
+    const glm::uvec3& corner = input.triangles[bad];
+    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices", bad,
+                                            std::max({corner.x, corner.y, corner.z}), input.vertices.size()));
+}
+
+PrimitiveBox primitiveBox(const AccelInput& input, std::size_t primitive) {
+    if (primitive >= input.triangles.size()) return boxOf(input.spheres[primitive - input.triangles.size()]);
+    const glm::uvec3& corner = input.triangles[primitive];
+    return boxOf(input.vertices[corner.x], input.vertices[corner.y], input.vertices[corner.z]);
+}
+
+bool isFinite(const AccelInput& input, std::size_t primitive, const PrimitiveBox& box) {
+    const auto finite = [](float x) { return std::isfinite(x); };
+    if (primitive >= input.triangles.size()) return std::all_of(box.planes, box.planes + 8, finite);
+    // min() and max() may drop a NaN, so look at the vertices themselves.
+    const glm::uvec3& corner = input.triangles[primitive];
+    for (int k = 0; k < 3; ++k) {
+        const glm::vec3& v = input.vertices[corner[k]];
+        if (!finite(v.x) || !finite(v.y) || !finite(v.z)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop) {
+    checkSize(input);
+    checkIndices(input, stop);
+    PrimitiveRefs result;
+    result.refs.resize(input.triangles.size() + input.spheres.size());
+    tbb::parallel_for(Block(0, result.refs.size(), kGrain), [&](const Block& block) {
+        throwIfStopped(stop);
+        for (std::size_t i = block.begin(); i < block.end(); ++i) {
+            const PrimitiveBox box = primitiveBox(input, i);
+            PrimitiveRef& ref = result.refs[i];
+            std::copy_n(box.planes, 3, ref.lower);
+            std::copy_n(box.planes + 4, 3, ref.upper);
+            ref.primitive = isFinite(input, i, box) ? static_cast<std::uint32_t>(i) : kNoPrimitive;
+            ref.unused = 0;
+        }
+    });
+    result.dropped = static_cast<std::uint32_t>(
+        std::erase_if(result.refs, [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; }));
+    return result;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,23 @@
+#pragma once
+#include <CLI/CLI.hpp>
+
+namespace rayscope {
+
+/// Exit codes that scripts rely on.
+enum ExitCode : int {
+    kDone = 0,
+    kWrongUse = 1,
+    kWrongInput = 2,
+    kStoppedByLimit = 3,
+    kNonFiniteImage = 5,
+    kInterrupted = 130
+};
+
+/// Each adds one sub-command to the program; running it sets the exit code.
+void addViewCommand(CLI::App& program, int& exitCode);
+void addRenderCommand(CLI::App& program, int& exitCode);
+void addProbeCommand(CLI::App& program, int& exitCode);
+void addInfoCommand(CLI::App& program, int& exitCode);
+void addSettingsCommand(CLI::App& program, int& exitCode);
+
+}  // namespace rayscope

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <rayscope/scene.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+
+namespace rayscope {
+
+namespace {
+
+struct InfoOptions {
+    std::string scene;
+    bool json = false, list = false;
+};
+
+nlohmann::json diagnosticJson(const Diagnostic& diagnostic) {
+    constexpr const char* severities[] = {"note", "warning", "error"};
+    return {{"severity", severities[static_cast<int>(diagnostic.severity)]},
+            {"message", diagnostic.message},
+            {"file", diagnostic.position.file},
+            {"line", diagnostic.position.line},
+            {"column", diagnostic.position.column}};
+}
+
+int listScenes(bool json) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const BuiltinScene& scene : builtinScenes()) {
+        if (!json) fmt::print("builtin:{:<20} {}\n", scene.name, scene.title);
+        list.push_back({{"name", "builtin:" + scene.name}, {"title", scene.title}});
+    }
+    if (json) fmt::print("{}\n", list.dump(2));
+    return kDone;
+}
+
+void printText(const SceneDescription& scene, const SceneRequirements& needs, const Diagnostics& findings) {
+    const SceneBounds bounds = boundsOf(scene);
+    fmt::print("{}\n", scene.path);
+    if (!scene.title.empty()) fmt::print("  {}\n", scene.title);
+    fmt::print("\nContents\n  {} triangles in {} meshes, {} spheres, {} materials, {} lights, {} cameras\n",
+               needs.triangles, scene.meshes.size(), scene.spheres.size(), scene.materials.size(),
+               scene.lights.size(), scene.cameras.size());
+    fmt::print("  bounds ({:.6g} {:.6g} {:.6g}) to ({:.6g} {:.6g} {:.6g})\n", bounds.lower.x, bounds.lower.y,
+               bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
+    for (const CameraDescription& camera : scene.cameras)
+        fmt::print("  camera '{}' from ({:.6g} {:.6g} {:.6g}), fov {:.6g}°{}\n", camera.name,
+                   camera.lookFrom.x, camera.lookFrom.y, camera.lookFrom.z, camera.fov,
+                   camera.lens ? ", with a lens" : "");
+    for (const SettingAssignment& setting : scene.settings)
+        fmt::print("  setting {} = {}\n", setting.key, setting.value);
+    fmt::print("\nRequirements\n");
+    for (const Requirement& requirement : needs.list)
+        fmt::print("  {} {:<22} {}\n", requirement.needed ? "needs" : "not: ", requirement.name,
+                   requirement.because);
+    fmt::print("\nLint\n");
+    for (const Diagnostic& finding : findings) fmt::print("  {}\n", toString(finding));
+    if (findings.empty()) fmt::print("  nothing found\n");
+}
+
+nlohmann::json infoJson(const SceneDescription& scene, const SceneRequirements& needs,
+                        const Diagnostics& findings) {
+    const SceneBounds bounds = boundsOf(scene);
+    nlohmann::json j = {{"scene", scene.path},
+                        {"title", scene.title},
+                        {"triangles", needs.triangles},
+                        {"spheres", needs.spheres},
+                        {"meshes", scene.meshes.size()},
+                        {"materials", scene.materials.size()},
+                        {"lights", scene.lights.size()},
+                        {"cameras", nlohmann::json::array()},
+                        {"bounds",
+                         {{"lower", {bounds.lower.x, bounds.lower.y, bounds.lower.z}},
+                          {"upper", {bounds.upper.x, bounds.upper.y, bounds.upper.z}}}},
+                        {"settings", nlohmann::json::object()},
+                        {"requirements", nlohmann::json::array()},
+                        {"lint", nlohmann::json::array()}};
+    for (const CameraDescription& camera : scene.cameras) j["cameras"].push_back(camera.name);
+    for (const SettingAssignment& setting : scene.settings) j["settings"][setting.key] = setting.value;
+    for (const Requirement& requirement : needs.list)
+        j["requirements"].push_back(
+            {{"name", requirement.name}, {"needed", requirement.needed}, {"because", requirement.because}});
+    for (const Diagnostic& finding : findings) j["lint"].push_back(diagnosticJson(finding));
+    return j;
+}
+
+int runInfo(const InfoOptions& options) {
+    if (options.list) return listScenes(options.json);
+    if (options.scene.empty()) throw CLI::RequiredError("SCENE");
+    Diagnostics findings;
+    const SceneDescription scene = loadScene(options.scene, findings);
+    const SceneRequirements needs = requirementsOf(scene);
+    for (Diagnostic& finding : lint(scene)) findings.push_back(std::move(finding));
+    if (options.json)
+        fmt::print("{}\n", infoJson(scene, needs, findings).dump(2));
+    else
+        printText(scene, needs, findings);
+    return kDone;
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<InfoOptions>();
+    CLI::App* command =
+        program.add_subcommand("info", "Say what a scene holds, what it requires and what is wrong with it");
+    command->add_option("SCENE", options->scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    command->add_flag("--json", options->json, "Print JSON");
+    command->add_flag("--list", options->list, "List the built-in scenes");
+    command->callback([options, &exitCode] { exitCode = runInfo(*options); });
+}
+
+}  // namespace rayscope

@@ -1,0 +1,27 @@
+#pragma once
+#include <rayscope/render_session.h>
+#include <string>
+
+namespace rayscope {
+
+enum class ProgressStyle { Bar, Json, None };
+
+/// What --progress says; without it a bar on a terminal and nothing elsewhere.
+ProgressStyle progressStyle(const std::string& option, bool quiet);
+
+/// Reports on stderr how far a render is.
+class Progress {
+  public:
+    explicit Progress(ProgressStyle style) : style_(style) {}
+    void show(const RenderStatus& status);
+    void finish(const RenderStatus& status);
+
+  private:
+    ProgressStyle style_;
+    bool drawn_ = false;
+};
+
+/// "1:02:03", "2:03" or "0.42 s".
+std::string durationText(double seconds);
+
+}  // namespace rayscope

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/number_list.h"
+#include "cli/progress.h"
+#include "cli/render_stats.h"
+#include "cli/scene_options.h"
+#include "post/develop.h"
+#include "render/film.h"
+
+namespace rayscope {
+
+namespace {
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::vector<std::string> outputs;
+    std::string pixelBounds, statsFile, progress;
+    double timeLimit = 0.0;
+    bool quiet = false, dumpSettings = false;
+};
+
+std::optional<PixelBounds> regionFor(const RenderOptions& options, const RenderRequest& request) {
+    if (options.pixelBounds.empty()) return std::nullopt;
+    const std::vector<double> n = parseNumbers("--pixelbounds", options.pixelBounds, ',', 4);
+    const PixelBounds region{static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
+                             static_cast<int>(n[3])};
+    const bool inside = region.x0 >= 0 && region.x0 < region.x1 && region.x1 <= request.width &&
+                        region.y0 >= 0 && region.y0 < region.y1 && region.y1 <= request.height;
+    if (!inside)
+        throw CLI::ValidationError("--pixelbounds",
+                                   fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
+                                               request.width, request.height, options.pixelBounds));
+    return region;
+}
+
+/// Waits for the session, telling how far it is, until it is done, interrupted or out of time.
+int waitFor(RenderSession& session, const RenderOptions& options, Progress& progress) {
+    const InterruptGuard interrupt;
+    const auto start = std::chrono::steady_clock::now();
+    for (;;) {
+        const RenderState state = session.wait(0.05);
+        const RenderStatus status = session.status();
+        if (state == RenderState::Failed) throw InputError(status.message);
+        if (state == RenderState::Done) {
+            progress.finish(status);
+            return kDone;
+        }
+        const double elapsed =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const bool outOfTime = options.timeLimit > 0.0 && elapsed >= options.timeLimit;
+        if (interrupt.interrupted() || outOfTime) {
+            session.finishTiles();
+            session.wait();
+            progress.finish(session.status());
+            return interrupt.interrupted() ? kInterrupted : kStoppedByLimit;
+        }
+        progress.show(status);
+    }
+}
+
+bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
+/// Names the pixels that are not numbers and says how to look into the first.
+bool reportNonFinite(const RgbImage& image, const RenderOptions& options) {
+    constexpr int kNamed = 8;
+    int count = 0;
+    std::string names, first;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            if (isFinite(image.at(x, y))) continue;
+            if (count == 0) first = fmt::format("{},{}", x, y);
+            if (count++ < kNamed) names += fmt::format(" ({}, {})", x, y);
+        }
+    }
+    if (count == 0) return false;
+    fmt::print(stderr,
+               "error: {} pixels are NaN or infinite:{}{}; look into it with: rayscope probe {} --size {} "
+               "--pixel {}\n",
+               count, names, count > kNamed ? " …" : "", options.scene.scene, options.scene.size, first);
+    return true;
+}
+
+int runRender(const RenderOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const std::string& output : options.outputs) checkImageDestination(output);
+    RenderRequest request = openScene(options.scene, options.quiet);
+    if (options.dumpSettings) {
+        fmt::print("{}", dumpSettings(request.settings));
+        return kDone;
+    }
+    if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
+    request.region = regionFor(options, request);
+    // With a limit the image should be complete early; without one, larger passes cost less.
+    request.progressive = options.timeLimit > 0.0;
+
+    RenderSession session(options.scene.threads);
+    Progress progress(progressStyle(options.progress, options.quiet));
+    session.submit(request);
+    int exitCode = waitFor(session, options, progress);
+
+    const RenderStatus status = session.status();
+    const std::shared_ptr<const Film> film = session.film();
+    const RgbImage mean = film ? film->mean() : RgbImage(request.width, request.height);
+    const ImageMetadata metadata = imageMetadata(request, status);
+    for (const std::string& output : options.outputs)
+        writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
+                   request.settings.tone);
+    if (!options.statsFile.empty() && session.world()) {
+        const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const int threads = options.scene.threads > 0 ? options.scene.threads
+                                                      : static_cast<int>(std::thread::hardware_concurrency());
+        writeFileAtomically(options.statsFile,
+                            renderStatsJson(request, status, *session.world(), threads, total));
+    }
+    if (exitCode == kStoppedByLimit)
+        fmt::print(stderr, "stopped by the time limit at {:.1f} % of {} samples per pixel\n",
+                   100.0 * status.progress, status.targetSamples);
+    if (reportNonFinite(mean, options) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
+    return exitCode;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = program.add_subcommand("render", "Render a scene to an image file");
+    options->scene.addTo(*command, true);
+    command->add_option("-o,--output", options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable")
+        ->take_all()
+        ->expected(1)
+        ->allow_extra_args(false);
+    command
+        ->add_option("--time-limit", options->timeLimit,
+                     "Stop after this many seconds with the best image so far")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--pixelbounds", options->pixelBounds,
+                        "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
+    command->add_option("--stats", options->statsFile, "Write everything that was counted and timed as JSON");
+    command->add_option("--progress", options->progress, "bar, json or none")
+        ->check(CLI::IsMember({"bar", "json", "none"}));
+    command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+    command->add_flag("--dump-settings", options->dumpSettings,
+                      "Print the effective settings that are not defaults, and stop");
+    command->callback([options, &exitCode] { exitCode = runRender(*options); });
+}
+
+}  // namespace rayscope

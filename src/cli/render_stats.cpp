@@ -1,0 +1,61 @@
+#include "cli/render_stats.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bvh/binary_tree.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+ImageMetadata imageMetadata(const RenderRequest& request, const RenderStatus& status) {
+    ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
+                              {"scene", request.scene->path},
+                              {"seed", std::to_string(request.seed)},
+                              {"samples", std::to_string(status.samples)}};
+    for (const std::string_view key : settingKeys())
+        metadata[fmt::format("setting.{}", key)] = textOf(request.settings, key);
+    return metadata;
+}
+
+std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status, const World& world,
+                            int threads, double totalSeconds) {
+    nlohmann::json settings;
+    for (const std::string_view key : settingKeys())
+        settings[std::string(key)] = textOf(request.settings, key);
+    nlohmann::json bodies = nlohmann::json::array();
+    for (const Body& body : world.bodies) {
+        nlohmann::json row = {{"triangles", body.geometry->input.triangles.size()},
+                              {"spheres", body.geometry->input.spheres.size()}};
+        const BinaryTree* tree = body.accel ? body.accel->binaryTree() : nullptr;
+        if (tree) {
+            row["nodes"] = tree->nodes.size();
+            row["levels"] = tree->levels;
+            row["bytes"] = body.accel->bytes();
+            row["dropped_primitives"] = tree->droppedPrimitives;
+        }
+        bodies.push_back(row);
+    }
+    const double seconds = status.elapsedSeconds;
+    const nlohmann::json stats = {
+        {"version", RAYSCOPE_VERSION},
+        {"scene", request.scene->path},
+        {"width", request.width},
+        {"height", request.height},
+        {"seed", request.seed},
+        {"threads", threads},
+        {"samples", status.samples},
+        {"rays", status.rays},
+        {"non_finite_samples", status.nonFiniteSamples},
+        {"compile_s", status.compileSeconds},
+        {"build_s", status.buildSeconds},
+        {"render_s", seconds},
+        {"total_s", totalSeconds},
+        {"mrays_per_s", seconds > 0.0 ? static_cast<double>(status.rays) * 1e-6 / seconds : 0.0},
+        {"bodies", bodies},
+        {"settings", settings}};
+    return stats.dump(2) + "\n";
+}
+
+}  // namespace rayscope

@@ -1,0 +1,36 @@
+#pragma once
+// The options that every command which opens a scene understands.
+#include <rayscope/render_session.h>
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rayscope {
+
+struct SceneOptions {
+    std::string scene;
+    std::string size = "800x800";
+    std::string camera;
+    std::string lookFrom, lookAt, up;
+    std::optional<float> fov;
+    std::optional<int> spp;
+    std::uint64_t seed = 0;
+    int threads = 0;
+    std::vector<std::string> assignments;  ///< KEY=VALUE
+
+    void addTo(CLI::App& command, bool sceneRequired);
+};
+
+/// Opens the scene, prints its notes to stderr (unless quiet) and applies settings in the order: defaults,
+/// scene file, command line. Throws InputError.
+RenderRequest openScene(const SceneOptions& options, bool quiet);
+
+/// The settings that the command line asks for, each checked. Throws InputError or CLI::ValidationError.
+std::vector<SettingAssignment> parseAssignments(const SceneOptions& options);
+
+/// The settings that differ from the defaults, as a [settings] table for a scene file.
+std::string dumpSettings(const Settings& settings);
+
+}  // namespace rayscope

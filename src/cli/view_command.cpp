@@ -1,0 +1,40 @@
+#include "cli/commands.h"
+#include "cli/number_list.h"
+#include "cli/scene_options.h"
+#include "viewer/viewer.h"
+
+namespace rayscope {
+
+namespace {
+
+std::optional<glm::vec3> optionalVector(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return parseVector(option, text);
+}
+
+int runView(const SceneOptions& options) {
+    ViewerOptions viewer;
+    viewer.scene = options.scene;
+    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
+    viewer.width = size.x;
+    viewer.height = size.y;
+    viewer.settings = parseAssignments(options);
+    viewer.camera = {options.camera, optionalVector("--look-from", options.lookFrom),
+                     optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),
+                     options.fov};
+    viewer.threads = options.threads;
+    return runViewer(viewer);
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<SceneOptions>();
+    options->scene = kDefaultScene;
+    options->size = "1280x720";
+    CLI::App* command = program.add_subcommand("view", "Open the window (the default command)");
+    options->addTo(*command, false);
+    command->callback([options, &exitCode] { exitCode = runView(*options); });
+}
+
+}  // namespace rayscope

@@ -1,0 +1,33 @@
+#include "image/srgb.h"
+
+#include <array>
+#include <cmath>
+
+namespace rayscope {
+
+float srgbToLinear(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+float linearToSrgb(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+float decodeByte(std::uint8_t code) {
+    static const auto table = [] {
+        std::array<float, 256> values{};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = srgbToLinear(static_cast<float>(i) / 255.0f);
+        return values;
+    }();
+    return table[code];
+}
+
+std::uint8_t encodeByte(float linear, ToneCurve curve) {
+    if (!(linear > 0.0f)) return 0;  // also NaN
+    if (linear >= 1.0f) return 255;
+    if (curve == ToneCurve::Course) return static_cast<std::uint8_t>(255.0f * linear);
+    return static_cast<std::uint8_t>(255.0f * linearToSrgb(linear) + 0.5f);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,69 @@
+#pragma once
+// Meshes made by formula. Every generator gives outward counter-clockwise triangles, unit normals and texture
+// coordinates where they make sense, Y up, around the origin.
+#include <rayscope/scene.h>
+
+namespace rayscope {
+
+/// A rectangle in the plane z = 0 that faces +z; two triangles.
+struct QuadShape {
+    glm::vec2 size{1.0f};
+};
+MeshData generate(const QuadShape& shape);
+
+/// Twelve triangles with flat normals; each face shows the whole texture. Seen from inside it is a room.
+struct BoxShape {
+    glm::vec3 size{1.0f};
+    bool inward = false;  ///< turn the faces inward
+};
+MeshData generate(const BoxShape& shape);
+
+/// Latitude and longitude; the poles lie on the y axis. 2 segments (rings − 1) triangles.
+struct UvSphereShape {
+    float radius = 1.0f;
+    int segments = 64;
+    int rings = 32;
+};
+MeshData generate(const UvSphereShape& shape);
+
+/// An icosahedron whose triangles are split in four, `subdivisions` times: 20 · 4^subdivisions triangles.
+struct IcosphereShape {
+    float radius = 1.0f;
+    int subdivisions = 3;
+};
+MeshData generate(const IcosphereShape& shape);
+
+/// A ring around the y axis; 2 segments · tubeSegments triangles.
+struct TorusShape {
+    float radius = 1.0f;
+    float tubeRadius = 0.35f;
+    int segments = 96;
+    int tubeSegments = 48;
+};
+MeshData generate(const TorusShape& shape);
+
+/// Hills over the plane y = 0 by layered value noise; 2 cells[0] · cells[1] triangles.
+struct TerrainShape {
+    glm::vec2 size{2.0f, 2.0f};  ///< along x and z
+    float height = 0.4f;         ///< of the highest possible summit
+    int cellsX = 256;
+    int cellsZ = 256;
+    int seed = 1;
+};
+MeshData generate(const TerrainShape& shape);
+
+/// The Utah teapot (Newell 1975) in its own units with the bottom on y = 0, the spout along +x.
+/// 16 gives 15,704 triangles.
+struct TeapotShape {
+    int resolution = 16;
+};
+MeshData generate(const TeapotShape& shape);
+
+/// A stylised monkey's head that looks along −z: blended ellipsoids, polygonised on a grid. About one unit in radius.
+/// 16 gives about a thousand triangles.
+struct MonkeyShape {
+    int resolution = 16;
+};
+MeshData generate(const MonkeyShape& shape);
+
+}  // namespace rayscope

@@ -1,0 +1,90 @@
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "scene/generate.h"
+
+namespace rayscope {
+
+namespace {
+
+/// A number in [0, 1) for each point of the integer grid.
+double hashAt(std::int64_t x, std::int64_t z, std::int64_t seed) {
+    auto h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4full ^
+             static_cast<std::uint64_t>(seed) * 0x165667b19e3779f9ull;
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
+    return static_cast<double>((h ^ (h >> 31)) >> 11) * 0x1p-53;
+}
+
+/// Value and gradient of something over the plane: {value, d/dx, d/dz}.
+using Slope = glm::dvec3;
+
+/// Value noise with a quintic between grid points, so that its second derivative is continuous.
+Slope noiseAt(double x, double z, std::int64_t seed) {
+    const auto fade = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
+    const auto fadeSlope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
+    const double floorX = std::floor(x), floorZ = std::floor(z);
+    const auto i = static_cast<std::int64_t>(floorX), k = static_cast<std::int64_t>(floorZ);
+    const double u = fade(x - floorX), v = fade(z - floorZ);
+    const double a = hashAt(i, k, seed), b = hashAt(i + 1, k, seed);
+    const double c = hashAt(i, k + 1, seed), d = hashAt(i + 1, k + 1, seed);
+    const double mixed = a - b - c + d;
+    return {a + (b - a) * u + (c - a) * v + mixed * u * v, (b - a + mixed * v) * fadeSlope(x - floorX),
+            (c - a + mixed * u) * fadeSlope(z - floorZ)};
+}
+
+/// Eight octaves; values in [0, 1). Squaring makes flat valleys and pointed summits.
+Slope heightAt(double x, double z, std::int64_t seed) {
+    constexpr int kOctaves = 8;
+    Slope sum(0.0);
+    double frequency = 3.0, amplitude = 0.5, total = 0.0;
+    for (int octave = 0; octave < kOctaves; ++octave) {
+        const Slope noise = noiseAt(x * frequency, z * frequency, seed + octave);
+        sum += amplitude * Slope(noise.x, noise.y * frequency, noise.z * frequency);
+        total += amplitude;
+        frequency *= 2.03;  // not 2: the grid lines of the octaves should not coincide
+        amplitude *= 0.46;
+    }
+    sum /= total;
+    return {sum.x * sum.x, 2.0 * sum.x * sum.y, 2.0 * sum.x * sum.z};
+}
+
+}  // namespace
+
+MeshData generate(const TerrainShape& shape) {
+    const auto columns = static_cast<std::size_t>(shape.cellsX), rows = static_cast<std::size_t>(shape.cellsZ);
+    const glm::dvec2 size(shape.size);
+    const auto height = static_cast<double>(shape.height);
+    MeshData mesh;
+    mesh.positions.resize((columns + 1) * (rows + 1));
+    mesh.normals.resize(mesh.positions.size());
+    mesh.triangles.resize(2 * columns * rows);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows + 1), [&](const auto& range) {
+        for (std::size_t k = range.begin(); k != range.end(); ++k)
+            for (std::size_t i = 0; i <= columns; ++i) {
+                // Noise is measured in units of the longer side: the landscape has the same grain both ways.
+                const double x = size.x * (static_cast<double>(i) / static_cast<double>(columns) - 0.5);
+                const double z = size.y * (static_cast<double>(k) / static_cast<double>(rows) - 0.5);
+                const double unit = std::max(size.x, size.y);
+                const Slope slope = heightAt(x / unit, z / unit, shape.seed);
+                const std::size_t at = k * (columns + 1) + i;
+                mesh.positions[at] = glm::dvec3(x, height * slope.x, z);
+                mesh.normals[at] =
+                    glm::normalize(glm::dvec3(-height * slope.y / unit, 1.0, -height * slope.z / unit));
+            }
+    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows), [&](const auto& range) {
+        for (std::size_t k = range.begin(); k != range.end(); ++k)
+            for (std::size_t i = 0; i < columns; ++i) {
+                const auto a = static_cast<std::uint32_t>(k * (columns + 1) + i), b = a + 1;
+                const auto c = static_cast<std::uint32_t>(a + columns + 1), d = c + 1;
+                mesh.triangles[2 * (k * columns + i)] = {a, c, b};
+                mesh.triangles[2 * (k * columns + i) + 1] = {b, c, d};
+            }
+    });
+    return mesh;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,100 @@
+#include "scene/generate_textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/toml_record.h"
+
+namespace rayscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kGenerators{"checker", "texels"};
+
+struct GeneratedTexture {
+    int columns = 8, rows = 8;
+    std::vector<Rgb> colors;
+};
+
+std::pair<int, int> readPair(const TomlValue& value) {
+    const toml::array& array = readArray(value, 2, "whole numbers");
+    return {readWhole({value.file, array[0], value.key}, 1, 4096),
+            readWhole({value.file, array[1], value.key}, 1, 4096)};
+}
+
+std::vector<Rgb> readColors(const TomlValue& value, std::size_t count) {
+    const toml::array& array = readArray(value, count, "colours");
+    std::vector<Rgb> colors;
+    for (const toml::node& color : array) colors.push_back(readColor({value.file, color, value.key}, kFraction));
+    return colors;
+}
+
+/// Each field of the board is `kTexels` wide, so that bilinear filtering keeps its edges crisp.
+RgbImage checker(const GeneratedTexture& texture) {
+    constexpr int kTexels = 16;
+    RgbImage image(std::min(texture.columns * kTexels, 4096), std::min(texture.rows * kTexels, 4096));
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const int field = x * texture.columns / image.width + y * texture.rows / image.height;
+            image.at(x, y) = texture.colors[static_cast<std::size_t>(field % 2)];
+        }
+    return image;
+}
+
+RgbImage texels(const GeneratedTexture& texture) {
+    RgbImage image(texture.columns, texture.rows);
+    image.pixels = texture.colors;
+    return image;
+}
+
+}  // namespace
+
+std::span<const std::string_view> generatedTextureKeys() {
+    static constexpr std::array<std::string_view, 4> kKeys{"generate", "cells", "size", "colors"};
+    return kKeys;
+}
+
+RgbImage readGeneratedTexture(const TomlValue& value) {
+    const toml::table& body = readTable(value);
+    const bool isChecker =
+        readChoice({value.file, *body.get("generate"), "generate"}, kGenerators) == 0;
+    const std::string_view sizeKey = isChecker ? "cells" : "size";
+    if (const toml::node* other = body.get(isChecker ? "size" : "cells"))
+        TomlValue{value.file, *other, isChecker ? "size" : "cells"}.fail(
+            fmt::format("a {} has '{}' instead", isChecker ? "checker" : "texel image", sizeKey));
+    GeneratedTexture texture{.colors = {Rgb(0.8f), Rgb(0.2f)}};
+    if (const toml::node* size = body.get(sizeKey))
+        std::tie(texture.columns, texture.rows) = readPair({value.file, *size, sizeKey});
+    else if (!isChecker)
+        value.fail("texels need size = [columns, rows]");
+    const auto count = static_cast<std::size_t>(texture.columns) * static_cast<std::size_t>(texture.rows);
+    if (const toml::node* colors = body.get("colors"))
+        texture.colors = readColors({value.file, *colors, "colors"}, isChecker ? 2 : count);
+    else if (!isChecker)
+        value.fail("texels need colors = [one per texel, row by row from the top left]");
+    return isChecker ? checker(texture) : texels(texture);
+}
+
+RgbImage generateSky(int width, int height) {
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(-0.6, 0.55, -0.5));
+    const glm::dvec3 zenith(0.10, 0.24, 0.62), horizon(0.62, 0.74, 0.88), ground(0.17, 0.14, 0.11);
+    RgbImage image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double elevation = std::numbers::pi * (0.5 - (y + 0.5) / height);
+            const double azimuth = 2.0 * std::numbers::pi * ((x + 0.5) / width - 0.5);
+            const glm::dvec3 direction(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                                       -std::cos(elevation) * std::cos(azimuth));
+            glm::dvec3 color = glm::mix(horizon, zenith, std::pow(std::max(direction.y, 0.0), 0.55));
+            // A haze of some degrees instead of a hard horizon.
+            color = glm::mix(color, ground, glm::smoothstep(0.02, -0.06, direction.y));
+            const double toSun = glm::dot(direction, sun);
+            color += glm::dvec3(1.0, 0.85, 0.6) * 0.35 * std::pow(std::max(toSun, 0.0), 60.0);
+            color += glm::dvec3(1.0, 0.95, 0.85) * 8.0 * glm::smoothstep(0.9985, 0.9993, toSun);
+            image.at(x, y) = color;
+        }
+    return image;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,85 @@
+// The door of the room: which reader opens a path, and what a bare mesh is shown with.
+#include <fmt/format.h>
+#include <rayscope/scene.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/nearest_name.h"
+#include "scene/obj_reader.h"
+#include "scene/source_files.h"
+#include "scene/toml_scene.h"
+
+namespace rayscope {
+
+namespace {
+
+constexpr std::string_view kBuiltin = "builtin:";
+
+/// In the order in which they are best shown.
+constexpr std::array<std::string_view, 18> kBuiltinNames{
+    "cornell",       "cornell-area", "cornell-glossy", "cornell-transparent", "monkey",      "teapot",
+    "dragon",        "spheres",      "spheres-dof",    "environment",         "cubes-transparent", "cube",
+    "cube-textured", "quad-textured", "triangle",      "custom",              "million",     "ten-million"};
+
+bool hasSuffix(const std::string& path, std::string_view suffix) {
+    if (path.size() < suffix.size()) return false;
+    return std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(), [](char a, char b) {
+        return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
+    });
+}
+
+/// Upper left of the camera and a little behind it, so that shapes read and shadows fall away from the viewer.
+Light lightBeside(const CameraDescription& camera) {
+    const glm::vec3 view = camera.lookAt - camera.lookFrom;
+    const float distance = glm::length(view);
+    const glm::vec3 forward = view / distance;
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const glm::vec3 up = glm::cross(right, forward);
+    return {PointLight{camera.lookFrom + distance * (0.6f * up - 0.5f * right - 0.1f * forward)}};
+}
+
+SceneDescription loadBareObj(const std::string& path, Diagnostics& notes) {
+    TextureCache textures;
+    ObjMesh mesh = readObj(path, textures, notes);
+    SceneDescription scene;
+    scene.path = path;
+    scene.materials = std::move(mesh.materials);
+    MeshInstance instance{.name = path, .data = std::move(mesh.data)};
+    for (std::uint32_t slot = 0; slot < scene.materials.size(); ++slot) instance.materials.push_back(slot);
+    scene.meshes.push_back(std::move(instance));
+    scene.cameras.push_back(framingCamera(boundsOf(scene)));
+    scene.lights.push_back(lightBeside(scene.cameras.front()));
+    return scene;
+}
+
+SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
+    const std::string_view name = std::string_view(path).substr(kBuiltin.size());
+    if (std::find(kBuiltinNames.begin(), kBuiltinNames.end(), name) == kBuiltinNames.end())
+        throw InputError(fmt::format("no built-in scene is named '{}'{}; expected {}", name,
+                                     didYouMean(name, kBuiltinNames), joinChoices(kBuiltinNames)));
+    const std::string file = path + ".toml";
+    SceneDescription scene = readTomlScene(file, readFile(file), notes);
+    scene.path = path;
+    return scene;
+}
+
+}  // namespace
+
+SceneDescription loadScene(const std::string& path, Diagnostics& notes) {
+    if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes);
+    if (hasSuffix(path, ".toml")) return readTomlScene(path, readFile(path), notes);
+    if (hasSuffix(path, ".obj")) return loadBareObj(path, notes);
+    throw InputError("a scene is a .toml file, an .obj file or builtin:NAME", {path});
+}
+
+std::vector<BuiltinScene> builtinScenes() {
+    std::vector<BuiltinScene> list;
+    for (const std::string_view name : kBuiltinNames) {
+        const std::string file = fmt::format("{}{}.toml", kBuiltin, name);
+        list.push_back({std::string(name), titleOf(file, readFile(file))});
+    }
+    return list;
+}
+
+}  // namespace rayscope

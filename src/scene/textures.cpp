@@ -1,0 +1,11 @@
+#include "scene/textures.h"
+
+namespace rayscope {
+
+std::shared_ptr<const Texture> TextureCache::open(const std::string& path, TextureWrap wrap) {
+    std::shared_ptr<const Texture>& texture = textures_[{path, wrap}];
+    if (!texture) texture = std::make_shared<Texture>(Texture{path, readImage(path), wrap});
+    return texture;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,122 @@
+#pragma once
+// A record describes the keys of one table of the scene file: name, type, range and the member they set. Reading,
+// the check for unknown and missing keys and the lists in error messages all come from it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "base/nearest_name.h"
+#include "scene/toml_values.h"
+
+namespace rayscope {
+
+template <class T>
+struct Field {
+    std::string_view key;
+    std::function<void(const TomlValue&, T&)> read;
+    bool isRequired = false;
+
+    Field required() && {
+        isRequired = true;
+        return std::move(*this);
+    }
+};
+
+template <class T>
+using Record = std::vector<Field<T>>;
+
+/// Throws at the first key that is not among `keys`. `owner` names the table in messages: "a camera".
+inline void checkKeys(const std::string& file, const toml::table& table, std::string_view owner,
+                      std::span<const std::string_view> keys) {
+    for (auto&& [key, node] : table) {
+        if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+        throw InputError(fmt::format("unknown key '{}' in {}{}; expected {}", key.str(), owner,
+                                     didYouMean(key.str(), keys), joinChoices(keys)),
+                         positionIn(file, key.source()));
+    }
+}
+
+/// Reads every key of `table` into `target`; the keys of `others` are allowed, and left to the caller.
+template <class T>
+void readRecord(const std::string& file, const toml::table& table, std::string_view owner,
+                const Record<T>& record, T& target, std::span<const std::string_view> others = {}) {
+    std::vector<std::string_view> keys(others.begin(), others.end());
+    for (const Field<T>& field : record) keys.push_back(field.key);
+    checkKeys(file, table, owner, keys);
+    for (const Field<T>& field : record) {
+        if (const toml::node* node = table.get(field.key))
+            field.read({file, *node, field.key}, target);
+        else if (field.isRequired)
+            throw InputError(fmt::format("{} needs the key '{}'", owner, field.key),
+                             positionIn(file, table.source()));
+    }
+}
+
+template <class T>
+Field<T> number(std::string_view key, float T::*member, Interval range = kAnyNumber) {
+    return {key, [=](const TomlValue& value, T& target) { target.*member = readNumber(value, range); }};
+}
+
+template <class T>
+Field<T> whole(std::string_view key, int T::*member, int lowest, int highest) {
+    return {key, [=](const TomlValue& value, T& t) { t.*member = readWhole(value, lowest, highest); }};
+}
+
+template <class T>
+Field<T> boolean(std::string_view key, bool T::*member) {
+    return {key, [=](const TomlValue& value, T& target) { target.*member = readBoolean(value); }};
+}
+
+template <class T>
+Field<T> text(std::string_view key, std::string T::*member) {
+    return {key, [=](const TomlValue& value, T& target) { target.*member = readText(value); }};
+}
+
+template <class T, int N>
+Field<T> vector(std::string_view key, glm::vec<N, float> T::*member, Interval range = kAnyNumber) {
+    return {key, [=](const TomlValue& value, T& target) { target.*member = readVector<N>(value, range); }};
+}
+
+template <class T>
+Field<T> color(std::string_view key, Rgb T::*member, Interval range = kFraction) {
+    return {key, [=](const TomlValue& value, T& target) { target.*member = readColor(value, range); }};
+}
+
+template <class T, std::size_t N>
+Field<T> vectors(std::string_view key, std::array<glm::vec3, N> T::*member) {
+    return {key, [=](const TomlValue& value, T& target) {
+                const toml::array& array = readArray(value, N, "vectors");
+                for (std::size_t i = 0; i < N; ++i)
+                    (target.*member)[i] = readVector<3>({value.file, array[i], value.key});
+            }};
+}
+
+template <class T, std::size_t N>
+Field<T> colors(std::string_view key, std::array<Rgb, N> T::*member, Interval range = kFraction) {
+    return {key, [=](const TomlValue& value, T& target) {
+                const toml::array& array = readArray(value, N, "colours");
+                for (std::size_t i = 0; i < N; ++i)
+                    (target.*member)[i] = readColor({value.file, array[i], value.key}, range);
+            }};
+}
+
+/// `names` stand in the order of the enumerators of E.
+template <class T, class E, std::size_t N>
+Field<T> choice(std::string_view key, E T::*member, std::array<std::string_view, N> names) {
+    return {key, [=](const TomlValue& value, T& target) {
+                target.*member = static_cast<E>(readChoice(value, names));
+            }};
+}
+
+/// A table within the table. `inner` must outlive the field.
+template <class T, class R>
+Field<T> table(std::string_view key, std::optional<R> T::*member, const Record<R>& inner) {
+    return {key, [=, &inner](const TomlValue& value, T& target) {
+                readRecord(value.file, readTable(value), key, inner, (target.*member).emplace());
+            }};
+}
+
+}  // namespace rayscope

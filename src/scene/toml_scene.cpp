@@ -1,0 +1,253 @@
+#include "scene/toml_scene.h"
+
+#include <rayscope/settings.h>
+
+#include <map>
+#include <set>
+
+#include "scene/generate_textures.h"
+#include "scene/obj_reader.h"
+#include "scene/source_files.h"
+#include "scene/textures.h"
+#include "scene/toml_entries.h"
+
+namespace rayscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kSceneKeys{"version",  "title", "camera",      "mesh",    "sphere",
+                                                     "material", "light", "environment", "settings"};
+
+toml::table parse(const std::string& path, std::string_view text) {
+    try {
+        return toml::parse(text, path);
+    } catch (const toml::parse_error& error) {
+        throw InputError(std::string(error.description()), positionIn(path, error.source()));
+    }
+}
+
+/// Turns the entries of one file into a description: looks up names, opens files, collects notes.
+class SceneBuilder {
+  public:
+    SceneBuilder(const std::string& path, const toml::table& root, Diagnostics& notes)
+        : path_(path), root_(root), notes_(notes) {}
+
+    SceneDescription build() {
+        scene_.path = path_;
+        checkKeys(path_, root_, "a scene", kSceneKeys);
+        readHead();
+        readMaterials();
+        forEachOf("camera", [&](const TomlValue& value) { addCamera(value); });
+        forEachOf("light", [&](const TomlValue& value) { scene_.lights.push_back(readLight(value)); });
+        readSettings();
+        readEnvironmentTable();
+        forEachOf("mesh", [&](const TomlValue& value) { addMesh(value); });
+        forEachOf("sphere", [&](const TomlValue& value) { addSphere(value); });
+        addWhatIsMissing();
+        return std::move(scene_);
+    }
+
+  private:
+    void note(Severity severity, std::string message, SourcePosition position) {
+        notes_.push_back({severity, std::move(message), std::move(position)});
+    }
+
+    /// Calls visit for each table of [[key]].
+    template <class Visit>
+    void forEachOf(std::string_view key, const Visit& visit) {
+        const toml::node* node = root_.get(key);
+        if (!node) return;
+        const toml::array* tables = node->as_array();
+        if (!tables) TomlValue{path_, *node, key}.fail(fmt::format("write [[{}]], with two brackets", key));
+        for (const toml::node& element : *tables) visit(TomlValue{path_, element, key});
+    }
+
+    void readHead() {
+        const toml::node* version = root_.get("version");
+        if (!version) throw InputError("a scene needs the key 'version': write version = 1", {path_, 1, 1});
+        readWhole({path_, *version, "version"}, 1, 1);
+        if (const toml::node* title = root_.get("title")) scene_.title = readText({path_, *title, "title"});
+    }
+
+    void readMaterials() {
+        const toml::node* node = root_.get("material");
+        if (!node) return;
+        if (!node->is_table()) TomlValue{path_, *node, "material"}.fail("write [material.NAME]");
+        for (auto&& [name, body] : *node->as_table()) {
+            const TomlValue value{path_, body, name.str()};
+            if (!body.is_table()) value.fail("expected a table: write [material.NAME] before its keys");
+            MaterialEntry entry = readMaterial(value);
+            if (entry.texture) entry.material.kdTexture = textureOf(*entry.texture);
+            materialIndices_[entry.material.name] = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.push_back(std::move(entry.material));
+        }
+    }
+
+    std::shared_ptr<const Texture> textureOf(TextureEntry& entry) {
+        if (!entry.image.empty())
+            return std::make_shared<Texture>(Texture{"generated", std::move(entry.image), entry.wrap});
+        return openTexture(entry.file, entry.wrap);
+    }
+
+    std::shared_ptr<const Texture> openTexture(const TextAt& file, TextureWrap wrap) {
+        const std::string resolved = resolvePath(path_, file.text);
+        if (!fileExists(resolved))
+            throw InputError(fmt::format("the image '{}' is not there", resolved), file.position);
+        return textures_.open(resolved, wrap);
+    }
+
+    std::uint32_t materialOf(const std::optional<TextAt>& name) {
+        if (!name) return defaultMaterial();
+        if (const auto found = materialIndices_.find(name->text); found != materialIndices_.end())
+            return found->second;
+        std::vector<std::string_view> known;
+        for (const auto& [key, index] : materialIndices_) known.push_back(key);
+        const std::string choices =
+            known.empty() ? "the scene defines none" : fmt::format("expected {}", joinChoices(known));
+        throw InputError(
+            fmt::format("undefined material '{}'{}; {}", name->text, didYouMean(name->text, known), choices),
+            name->position);
+    }
+
+    /// The material of whatever names none.
+    std::uint32_t defaultMaterial() {
+        if (!default_) {
+            default_ = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.push_back({.name = "default"});
+        }
+        return *default_;
+    }
+
+    void addCamera(const TomlValue& value) {
+        CameraDescription camera = readCamera(value);
+        if (camera.name.empty())
+            camera.name =
+                scene_.cameras.empty() ? "main" : fmt::format("camera {}", scene_.cameras.size() + 1);
+        for (const CameraDescription& other : scene_.cameras)
+            if (other.name == camera.name)
+                value.fail(fmt::format("two cameras are named '{}'", camera.name));
+        scene_.cameras.push_back(std::move(camera));
+    }
+
+    void addMesh(const TomlValue& value) {
+        MeshEntry entry = readMesh(value);
+        MeshInstance& mesh = entry.instance;
+        if (entry.file)
+            loadMesh(entry);
+        else
+            mesh.materials = {materialOf(entry.material)};
+        if (mesh.name.empty()) mesh.name = fmt::format("mesh {}", scene_.meshes.size() + 1);
+        scene_.meshes.push_back(std::move(mesh));
+    }
+
+    void loadMesh(MeshEntry& entry) {
+        const std::string resolved = resolvePath(path_, entry.file->text);
+        if (!fileExists(resolved)) {
+            const std::string hint = entry.ifMissing.empty() ? "" : fmt::format("; {}", entry.ifMissing);
+            throw InputError(fmt::format("the mesh '{}' is not there{}", resolved, hint), entry.file->position);
+        }
+        // One file may stand in the scene many times; its vertices are kept once.
+        auto& loaded = meshes_[resolved];
+        if (!loaded) loaded = std::make_shared<ObjMesh>(readObj(resolved, textures_, notes_));
+        MeshInstance& mesh = entry.instance;
+        mesh.data = loaded->data;
+        if (mesh.name.empty()) mesh.name = entry.file->text;
+        if (entry.material) {
+            mesh.materials.assign(loaded->materials.size(), materialOf(entry.material));
+            return;
+        }
+        auto& first = firstMaterialOf_[resolved];
+        if (!first) {
+            first = static_cast<std::uint32_t>(scene_.materials.size());
+            scene_.materials.insert(scene_.materials.end(), loaded->materials.begin(), loaded->materials.end());
+        }
+        for (std::size_t slot = 0; slot < loaded->materials.size(); ++slot)
+            mesh.materials.push_back(*first + static_cast<std::uint32_t>(slot));
+    }
+
+    void addSphere(const TomlValue& value) {
+        SphereEntry entry = readSphere(value);
+        entry.instance.material = materialOf(entry.material);
+        if (entry.instance.name.empty())
+            entry.instance.name = fmt::format("sphere {}", scene_.spheres.size() + 1);
+        scene_.spheres.push_back(std::move(entry.instance));
+    }
+
+    void readEnvironmentTable() {
+        const toml::node* node = root_.get("environment");
+        if (!node) return;
+        const EnvironmentEntry entry = readEnvironment({path_, *node, "environment"});
+        auto environment = std::make_shared<Environment>();
+        if (entry.sky)
+            environment->equirect = std::make_shared<Texture>(Texture{"generated", generateSky(1024, 512)});
+        else if (!entry.equirect.text.empty())
+            environment->equirect = openTexture(entry.equirect, TextureWrap::Repeat);
+        else
+            for (std::size_t face = 0; face < environment->cube.size(); ++face)
+                environment->cube[face] = openTexture(entry.cube[face], TextureWrap::Clamp);
+        scene_.environment = std::move(environment);
+    }
+
+    void readSettings() {
+        const toml::node* node = root_.get("settings");
+        if (!node) return;
+        Settings scratch;
+        for (auto&& [key, body] : readTable({path_, *node, "settings"})) {
+            const TomlValue value{path_, body, key.str()};
+            const SourcePosition position = positionIn(path_, key.source());
+            const std::string text = settingText(value);
+            try {
+                assign(scratch, key.str(), text);
+            } catch (const InputError& error) {
+                throw InputError(error.diagnostic().message, position);
+            }
+            scene_.settings.push_back({std::string(key.str()), text, position});
+        }
+    }
+
+    /// As it would be written on the command line.
+    static std::string settingText(const TomlValue& value) {
+        if (value.node.is_boolean()) return readBoolean(value) ? "true" : "false";
+        if (value.node.is_integer()) return fmt::format("{}", value.node.as_integer()->get());
+        if (value.node.is_floating_point()) return fmt::format("{}", value.node.as_floating_point()->get());
+        if (value.node.is_string()) return readText(value);
+        value.failKind("true, false, a number or a name");
+    }
+
+    void addWhatIsMissing() {
+        if (scene_.cameras.empty()) {
+            note(Severity::Warning, "no camera: one that shows everything is used; add [[camera]]", {path_});
+            scene_.cameras.push_back(framingCamera(boundsOf(scene_)));
+        }
+        if (scene_.lights.empty())
+            note(Severity::Warning,
+                 "no light: surfaces will be black; add [[light]] with type = \"point\" and a position", {path_});
+        if (scene_.meshes.empty() && scene_.spheres.empty())
+            note(Severity::Warning, "nothing to see: add [[mesh]] or [[sphere]]", {path_});
+    }
+
+    const std::string& path_;
+    const toml::table& root_;
+    Diagnostics& notes_;
+    SceneDescription scene_;
+    TextureCache textures_;
+    std::map<std::string, std::uint32_t> materialIndices_;
+    std::optional<std::uint32_t> default_;
+    std::map<std::string, std::shared_ptr<ObjMesh>> meshes_;
+    std::map<std::string, std::optional<std::uint32_t>> firstMaterialOf_;
+};
+
+}  // namespace
+
+SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes) {
+    const toml::table root = parse(path, text);
+    return SceneBuilder(path, root, notes).build();
+}
+
+std::string titleOf(const std::string& path, std::string_view text) {
+    const toml::table root = parse(path, text);
+    const toml::node* title = root.get("title");
+    return title ? readText({path, *title, "title"}) : std::string{};
+}
+
+}  // namespace rayscope

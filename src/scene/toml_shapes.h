@@ -1,0 +1,11 @@
+#pragma once
+#include <rayscope/scene.h>
+
+#include "scene/toml_values.h"
+
+namespace rayscope {
+
+/// Reads { shape = "box", … } and makes the mesh.
+MeshData readShape(const TomlValue& value);
+
+}  // namespace rayscope

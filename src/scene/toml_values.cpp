@@ -1,0 +1,131 @@
+#include "scene/toml_values.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/nearest_name.h"
+
+namespace rayscope {
+
+namespace {
+
+std::string_view kindOf(const toml::node& node) {
+    switch (node.type()) {
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "a boolean";
+        default:
+            return "a date or time";
+    }
+}
+
+/// The inverse of the curve of IEC 61966-2-1.
+float linearFromSrgb(float s) {
+    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
+}
+
+}  // namespace
+
+std::string Interval::text() const {
+    const Interval all;
+    const bool below = highest < all.highest, above = lowest > all.lowest;
+    if (above && below && !openLow && !openHigh) return fmt::format(" from {} to {}", lowest, highest);
+    std::string words;
+    if (above) words += fmt::format(openLow ? " above {}" : " of at least {}", lowest);
+    if (above && below) words += " and";
+    if (below) words += fmt::format(openHigh ? " below {}" : " of at most {}", highest);
+    return words;
+}
+
+SourcePosition positionIn(const std::string& file, const toml::source_region& region) {
+    return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+SourcePosition TomlValue::position() const { return positionIn(file, node.source()); }
+
+void TomlValue::fail(std::string_view message) const {
+    throw InputError(fmt::format("{}: {}", key, message), position());
+}
+
+void TomlValue::failKind(std::string_view expected) const {
+    fail(fmt::format("expected {}, got {}", expected, kindOf(node)));
+}
+
+std::string readText(const TomlValue& value) {
+    if (!value.node.is_string()) value.failKind("a string");
+    return value.node.as_string()->get();
+}
+
+bool readBoolean(const TomlValue& value) {
+    if (!value.node.is_boolean()) value.failKind("true or false");
+    return value.node.as_boolean()->get();
+}
+
+float readNumber(const TomlValue& value, const Interval& range) {
+    const std::string expected = "a number" + range.text();
+    double number = 0.0;
+    if (value.node.is_integer())
+        number = static_cast<double>(value.node.as_integer()->get());
+    else if (value.node.is_floating_point())
+        number = value.node.as_floating_point()->get();
+    else
+        value.failKind(expected);
+    if (!std::isfinite(number)) value.fail(fmt::format("expected a finite number, got {}", number));
+    // Checked as the float that will be used: a double just above the end of an open range may round onto it.
+    const float rounded = static_cast<float>(number);
+    if (!std::isfinite(rounded) || !range.contains(number) || !range.contains(rounded))
+        value.fail(fmt::format("expected {}, got {}", expected, number));
+    return rounded;
+}
+
+int readWhole(const TomlValue& value, int lowest, int highest) {
+    const std::string expected = fmt::format("a whole number from {} to {}", lowest, highest);
+    if (!value.node.is_integer()) value.failKind(expected);
+    const std::int64_t number = value.node.as_integer()->get();
+    if (number < lowest || number > highest) value.fail(fmt::format("expected {}, got {}", expected, number));
+    return static_cast<int>(number);
+}
+
+std::size_t readChoice(const TomlValue& value, std::span<const std::string_view> names) {
+    const std::string expected = joinChoices(names);
+    if (!value.node.is_string()) value.failKind(expected);
+    const std::string& text = value.node.as_string()->get();
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == text) return i;
+    value.fail(fmt::format("expected {}, got '{}'{}", expected, text, didYouMean(text, names)));
+}
+
+const toml::array& readArray(const TomlValue& value, std::size_t size, std::string_view what) {
+    const std::string expected = fmt::format("an array of {} {}", size, what);
+    const toml::array* array = value.node.as_array();
+    if (!array) value.failKind(expected);
+    if (array->size() != size) value.fail(fmt::format("expected {}, got {} elements", expected, array->size()));
+    return *array;
+}
+
+const toml::table& readTable(const TomlValue& value) {
+    const toml::table* table = value.node.as_table();
+    if (!table) value.failKind("a table");
+    return *table;
+}
+
+Rgb readColor(const TomlValue& value, const Interval& range) {
+    const toml::table* table = value.node.as_table();
+    if (!table) return readVector<3>(value, range);
+    const toml::node* srgb = table->get("srgb");
+    if (!srgb || table->size() != 1) value.fail("expected a colour: [r, g, b] or { srgb = [r, g, b] }");
+    const Rgb encoded = readVector<3>({value.file, *srgb, "srgb"}, kFraction);
+    return {linearFromSrgb(encoded.r), linearFromSrgb(encoded.g), linearFromSrgb(encoded.b)};
+}
+
+}  // namespace rayscope

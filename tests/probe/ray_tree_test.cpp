@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <rayscope/probe.h>
+#include <nlohmann/json.hpp>
+
+#include "support/test_scenes.h"
+
+namespace rayscope {
+namespace {
+
+/// A pane of half opacity before a mirror before a white wall behind the camera.
+std::shared_ptr<const World> paneAndMirror() {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(1.0f, 0.0f, 0.0f), Rgb(0.0f), 1.0f, 0.5f),
+                       test::material(Rgb(0.0f), Rgb(0.5f)), test::material(Rgb(1.0f))};
+    scene.meshes = {test::quad({-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, 0),
+                    test::quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 1),
+                    test::quad({-9, -9, 9}, {18, 0, 0}, {0, 18, 0}, 2)};
+    scene.lights = {test::pointLight({0, 0, 4})};
+    Settings settings;
+    settings.shading = false;
+    settings.hardShadows = false;
+    return test::compileScene(scene, settings, 11, 11);
+}
+
+TEST(RayTree, RecordsLayersReflectionsAndTheirParents) {
+    const RayTree tree = probe(*paneAndMirror(), 0, {5, 5, 0});
+    // camera → pane; on to the mirror; reflected to the pane's back; on to the wall.
+    ASSERT_EQ(tree.nodes.size(), 4u);
+    const RayKind kinds[] = {RayKind::Camera, RayKind::Transparent, RayKind::Reflection,
+                             RayKind::Transparent};
+    const int parents[] = {-1, 0, 1, 2}, depths[] = {0, 0, 1, 1};
+    const double throughputs[] = {1.0, 0.5, 0.25, 0.125};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(tree.nodes[i].kind, kinds[i]) << i;
+        EXPECT_EQ(tree.nodes[i].parent, parents[i]) << i;
+        EXPECT_EQ(tree.nodes[i].depth, depths[i]) << i;
+        EXPECT_EQ(tree.nodes[i].throughput.x, throughputs[i]) << i;
+        EXPECT_TRUE(tree.nodes[i].hit) << i;
+    }
+    EXPECT_EQ(tree.nodes[1].end, RayEnd::Reflected);
+    EXPECT_EQ(tree.nodes[3].end, RayEnd::Absorbed);
+    EXPECT_EQ(tree.radiance, RgbSum(0.5 + 0.125 + 0.125, 0.125, 0.125));
+    EXPECT_EQ(tree.shadowRays.size(), 4u);
+}
+
+TEST(RayTree, PrintsAsTextAndJson) {
+    const auto world = paneAndMirror();
+    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    const std::string text = toText(tree, *world);
+    EXPECT_NE(text.find("transparent ray"), std::string::npos) << text;
+    EXPECT_NE(text.find("reflection ray"), std::string::npos);
+    const nlohmann::json j = nlohmann::json::parse(toJson(tree, *world));
+    EXPECT_EQ(j["nodes"].size(), 4u);
+    EXPECT_EQ(j["nodes"][2]["parent"], 1);
+    EXPECT_EQ(j["radiance"][0], 0.75);
+    EXPECT_EQ(j["nodes"][0]["hit"]["object"], "mesh 0 'quad'");
+}
+
+TEST(RayTree, AMissedRayIsOneNode) {
+    SceneDescription scene;
+    const auto world = test::compileScene(scene, {}, 4, 4);
+    const RayTree tree = probe(*world, 0, {1, 1, 0});
+    ASSERT_EQ(tree.nodes.size(), 1u);
+    EXPECT_EQ(tree.nodes[0].end, RayEnd::Missed);
+    EXPECT_FALSE(tree.nodes[0].hit);
+    EXPECT_FALSE(toText(tree, *world).empty());
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,92 @@
+// The silent tracer and the recording one are the same function: bit for bit, in every scene that ships.
+#include <gtest/gtest.h>
+
+#include <rayscope/probe.h>
+#include <rayscope/render_session.h>
+#include <cstring>
+
+#include "render/film.h"
+#include "trace/compile.h"
+#include "trace/radiance.h"
+
+namespace rayscope {
+namespace {
+
+bool sameBits(const RgbSum& a, const RgbSum& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+struct Opened {
+    RenderRequest request;
+    bool present = false;
+};
+
+Opened open(const std::string& name, int size) {
+    Opened opened;
+    Diagnostics notes;
+    try {
+        opened.request.scene = std::make_shared<const SceneDescription>(loadScene("builtin:" + name, notes));
+    } catch (const InputError&) {
+        return opened;  // a mesh that has to be fetched first
+    }
+    opened.present = true;
+    opened.request.camera = opened.request.scene->cameras.front();
+    opened.request.width = opened.request.height = size;
+    for (const SettingAssignment& a : opened.request.scene->settings)
+        assign(opened.request.settings, a.key, a.value);
+    return opened;
+}
+
+class Replay : public testing::TestWithParam<std::string> {};
+
+TEST_P(Replay, SilentAndRecordingTracersAgreeBitForBit) {
+    Opened opened = open(GetParam(), 24);
+    if (!opened.present) GTEST_SKIP() << "mesh not fetched";
+    const RenderRequest& r = opened.request;
+    const auto world = compile({r.scene, r.settings, r.camera, r.width, r.height});
+    NullObserver silent;
+    for (int y = 0; y < r.height; ++y)
+        for (int x = 0; x < r.width; ++x)
+            for (int index = 0; index < 2; ++index) {
+                const SampleName name{x, y, index};
+                const RayTree tree = probe(*world, 3, name);
+                ASSERT_TRUE(sameBits(tree.radiance, radiance(*world, 3, name, silent).radiance))
+                    << x << " " << y;
+                RgbSum sum(0.0);
+                for (const RgbSum& addend : tree.addends) sum += addend;
+                ASSERT_TRUE(sameBits(sum, tree.radiance)) << x << " " << y;
+            }
+}
+
+TEST_P(Replay, ReplayedPixelsEqualTheFilm) {
+    Opened opened = open(GetParam(), 20);
+    if (!opened.present) GTEST_SKIP() << "mesh not fetched";
+    opened.request.settings.spp = 4;
+    for (const int threads : {1, 2, 7}) {
+        RenderSession session(threads);
+        session.submit(opened.request);
+        ASSERT_EQ(session.wait(), RenderState::Done);
+        for (int y = 0; y < opened.request.height; ++y)
+            for (int x = 0; x < opened.request.width; ++x) {
+                const ReplayVerdict verdict =
+                    verify(*session.world(), *session.film(), opened.request.seed, x, y);
+                ASSERT_TRUE(verdict.matchesFilm) << x << " " << y;
+                ASSERT_TRUE(verdict.addsUp) << x << " " << y;
+                ASSERT_EQ(verdict.samples, 4);
+            }
+    }
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const BuiltinScene& scene : builtinScenes())
+        if (scene.name != "million" && scene.name != "ten-million") names.push_back(scene.name);
+    return names;
+}
+std::string testName(const testing::TestParamInfo<std::string>& info) {
+    std::string name = info.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+INSTANTIATE_TEST_SUITE_P(Scenes, Replay, testing::ValuesIn(sceneNames()), testName);
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstring>
+
+#include "render/film.h"
+#include "sampling/hash.h"
+
+namespace rayscope::test {
+
+/// One number of all bits of all sums: equal films have equal hashes.
+inline std::uint64_t hashOf(const Film& film) {
+    std::uint64_t hash = 0;
+    Film::TileCopy copy;
+    for (int tile = 0; tile < film.tileCount(); ++tile) {
+        film.read(tile, copy);
+        hash = hashPair(hash, static_cast<std::uint64_t>(copy.samples));
+        for (const PixelSums& pixel : copy.pixels) {
+            const double values[4] = {pixel.radiance.x, pixel.radiance.y, pixel.radiance.z,
+                                      pixel.squaredLuminance};
+            for (const double value : values) {
+                std::uint64_t bits = 0;
+                std::memcpy(&bits, &value, sizeof bits);
+                hash = hashPair(hash, bits);
+            }
+        }
+    }
+    return hash;
+}
+
+}  // namespace rayscope::test
