@@ -23,7 +23,6 @@ struct ViewerOptions {
     std::vector<SettingAssignment> settings;  ///< applied after those of the scene
     CameraOverrides camera;
     int threads = 0;  ///< tracing threads; 0 leaves one core to the window
-    bool logFrameTimes = false;  ///< prints the distribution of frame times on stderr at the end
 };
 
 /// Opens the window and returns when it is closed: 0. Where a display or OpenGL 3.3 is missing it says so in
