@@ -47,7 +47,7 @@ struct Material {
     float shininess = 1.0f;
     float opacity = 1.0f;  ///< 1 is opaque, 0 invisible
     int illum = -1;        ///< MTL's illumination model; -1: not given
-    std::shared_ptr<const Texture> kdTexture;
+    std::shared_ptr<const Texture> kdTexture{};
 };
 
 /// Triangles with shared vertices, immutable once read. `normals` and `texCoords` are empty or as long as
@@ -72,10 +72,10 @@ struct Transform {
 glm::dmat4 matrixOf(const Transform& transform);
 
 struct MeshInstance {
-    std::string name;
-    std::shared_ptr<const MeshData> data;
-    Transform transform;
-    std::vector<std::uint32_t> materials;  ///< slot of the mesh → index into SceneDescription::materials
+    std::string name{};
+    std::shared_ptr<const MeshData> data{};
+    Transform transform{};
+    std::vector<std::uint32_t> materials{};  ///< slot of the mesh → index into SceneDescription::materials
     glm::vec3 motion{0.0f};                ///< displacement during the shutter, scene units
 };
 

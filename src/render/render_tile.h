@@ -1,5 +1,5 @@
 #pragma once
-#include <rayscope/probe.h>
+#include <rayscope/path.h>
 #include <atomic>
 #include <optional>
 #include <stop_token>

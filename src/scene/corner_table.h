@@ -11,8 +11,8 @@ struct Corner {
     bool operator==(const Corner&) const = default;
 };
 
-/// Gives equal corners the same number, in the order in which they are first seen. Open addressing: 20 to 28 bytes
-/// per distinct corner.
+/// Gives equal corners the same number, in the order in which they are first seen. Open addressing: 20 to 28
+/// bytes per distinct corner.
 class CornerTable {
   public:
     std::uint32_t numberOf(const Corner& corner) {
@@ -43,8 +43,7 @@ class CornerTable {
     }
     void grow() {
         slots_.assign(slots_.empty() ? 1024 : slots_.size() * 2, kEmpty);
-        for (std::size_t i = 0; i < corners_.size(); ++i)
-            slotOf(corners_[i]) = static_cast<std::uint32_t>(i);
+        for (std::size_t i = 0; i < corners_.size(); ++i) slotOf(corners_[i]) = static_cast<std::uint32_t>(i);
     }
 
     std::vector<Corner> corners_;

@@ -59,8 +59,8 @@ struct TeapotShape {
 };
 MeshData generate(const TeapotShape& shape);
 
-/// A stylised monkey's head that looks along −z: blended ellipsoids, polygonised on a grid. About one unit in radius.
-/// 16 gives about a thousand triangles.
+/// A stylised monkey's head that looks along −z: blended ellipsoids, polygonised on a grid. About one unit in
+/// radius. 16 gives about a thousand triangles.
 struct MonkeyShape {
     int resolution = 16;
 };

@@ -1,6 +1,7 @@
-// A head for the scene "monkey": ellipsoids that melt into one another, cut into triangles where the surface crosses a
-// grid. The method is naive surface nets (Gibson 1998): one vertex per crossed cell at the mean of its edge crossings,
-// one quad per crossed grid edge.
+// A head for the scene "monkey": ellipsoids that melt into one another, cut into triangles where the surface
+// crosses a grid. The method is naive surface nets (Gibson 1998): one vertex per crossed cell at the mean of
+// its edge crossings, one quad per crossed grid edge.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -30,14 +31,14 @@ double carve(double a, double b, double k) { return -melt(-a, b, k); }
 /// Negative inside. Symmetric in x; the face looks along −z.
 double monkey(Vec3 p) {
     p.x = std::abs(p.x);
-    double d = ellipsoid(p, {0, 0.10, 0.08}, {0.52, 0.50, 0.52});                        // skull
-    d = melt(d, ellipsoid(p, {0, -0.30, -0.30}, {0.33, 0.26, 0.30}), 0.14);              // muzzle
-    d = melt(d, ellipsoid(p, {0.17, 0.20, -0.38}, {0.20, 0.09, 0.12}), 0.10);            // brow
-    d = carve(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.12, 0.10, 0.12}), 0.08);           // eye socket
-    d = melt(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.08, 0.07, 0.07}), 0.02);            // eye
-    d = carve(d, ellipsoid(p, {0, -0.36, -0.64}, {0.22, 0.05, 0.18}), 0.06);             // mouth
+    double d = ellipsoid(p, {0, 0.10, 0.08}, {0.52, 0.50, 0.52});               // skull
+    d = melt(d, ellipsoid(p, {0, -0.30, -0.30}, {0.33, 0.26, 0.30}), 0.14);     // muzzle
+    d = melt(d, ellipsoid(p, {0.17, 0.20, -0.38}, {0.20, 0.09, 0.12}), 0.10);   // brow
+    d = carve(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.12, 0.10, 0.12}), 0.08);  // eye socket
+    d = melt(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.08, 0.07, 0.07}), 0.02);   // eye
+    d = carve(d, ellipsoid(p, {0, -0.36, -0.64}, {0.22, 0.05, 0.18}), 0.06);    // mouth
     double ear = ellipsoid(p, {0.70, 0.10, 0.08}, {0.27, 0.30, 0.13});
-    ear = carve(ear, ellipsoid(p, {0.74, 0.10, -0.10}, {0.19, 0.22, 0.16}), 0.06);       // its cup
+    ear = carve(ear, ellipsoid(p, {0.74, 0.10, -0.10}, {0.19, 0.22, 0.16}), 0.06);  // its cup
     return melt(d, ear, 0.08);
 }
 
@@ -55,7 +56,10 @@ Vec3 normalAt(const Vec3& p) {
 class SurfaceNet {
   public:
     explicit SurfaceNet(int cellsAcross)
-        : n_(cellsAcross + 4), cell_(kWidth / cellsAcross), values_(cube(n_ + 1)), vertices_(cube(n_), kNone) {
+        : n_(cellsAcross + 4),
+          cell_(kWidth / cellsAcross),
+          values_(cube(n_ + 1)),
+          vertices_(cube(n_), kNone) {
         for (int z = 0; z <= n_; ++z)
             for (int y = 0; y <= n_; ++y)
                 for (int x = 0; x <= n_; ++x) value(x, y, z) = monkey(pointAt({x, y, z}));
@@ -77,10 +81,15 @@ class SurfaceNet {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     static std::size_t cube(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n * n); }
-    /// Shifted by a fraction of a cell: no grid point may lie on the plane of symmetry, where sign changes would pair up.
+    /// Shifted by a fraction of a cell: no grid point may lie on the plane of symmetry, where sign changes
+    /// would pair up.
     Vec3 pointAt(const Vec3& grid) const { return (grid - 0.5 * n_) * cell_ + Vec3(0.0, 0.0, 0.05 * cell_); }
-    double& value(int x, int y, int z) { return values_[static_cast<std::size_t>((z * (n_ + 1) + y) * (n_ + 1) + x)]; }
-    std::uint32_t& vertex(int x, int y, int z) { return vertices_[static_cast<std::size_t>((z * n_ + y) * n_ + x)]; }
+    double& value(int x, int y, int z) {
+        return values_[static_cast<std::size_t>((z * (n_ + 1) + y) * (n_ + 1) + x)];
+    }
+    std::uint32_t& vertex(int x, int y, int z) {
+        return vertices_[static_cast<std::size_t>((z * n_ + y) * n_ + x)];
+    }
 
     void addVertex(int x, int y, int z) {
         Vec3 sum(0.0);
@@ -116,7 +125,8 @@ class SurfaceNet {
         if (!inside) std::swap(quad[1], quad[3]);
         // Along the shorter diagonal: rounder triangles.
         const auto& at3 = mesh_.positions;
-        const bool turn = glm::distance(at3[quad[1]], at3[quad[3]]) < glm::distance(at3[quad[0]], at3[quad[2]]);
+        const bool turn =
+            glm::distance(at3[quad[1]], at3[quad[3]]) < glm::distance(at3[quad[0]], at3[quad[2]]);
         const std::size_t s = turn ? 1 : 0;
         mesh_.triangles.emplace_back(quad[s], quad[s + 1], quad[s + 2]);
         mesh_.triangles.emplace_back(quad[s], quad[s + 2], quad[(s + 3) % 4]);

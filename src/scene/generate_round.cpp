@@ -1,4 +1,5 @@
 // Round things: spheres and the torus.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -37,7 +38,8 @@ MeshData generate(const UvSphereShape& shape) {
             const glm::dvec2 around = onCircle(i, columns);
             const glm::dvec3 normal(ring * around.x, std::sin(latitude), -ring * around.y);
             // A pole has one vertex per triangle, with the texture coordinate of the triangle's middle.
-            addVertex(mesh, radius * normal, normal, (i + (pole ? 0.5 : 0.0)) / columns, static_cast<double>(j) / rows);
+            addVertex(mesh, radius * normal, normal, (i + (pole ? 0.5 : 0.0)) / columns,
+                      static_cast<double>(j) / rows);
         }
     }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
@@ -55,7 +57,8 @@ MeshData generate(const TorusShape& shape) {
         for (int i = 0; i <= shape.segments; ++i) {
             const glm::dvec2 around = onCircle(i, shape.segments), tube = onCircle(j, shape.tubeSegments);
             const glm::dvec3 normal(tube.x * around.x, tube.y, -tube.x * around.y);
-            const glm::dvec3 center = static_cast<double>(shape.radius) * glm::dvec3(around.x, 0.0, -around.y);
+            const glm::dvec3 center =
+                static_cast<double>(shape.radius) * glm::dvec3(around.x, 0.0, -around.y);
             addVertex(mesh, center + static_cast<double>(shape.tubeRadius) * normal, normal,
                       static_cast<double>(i) / shape.segments, static_cast<double>(j) / shape.tubeSegments);
         }
@@ -82,7 +85,8 @@ MeshData icosahedron() {
                 point[(axis + 1) % 3] = b;
                 mesh.normals.emplace_back(glm::normalize(point));
             }
-    // Two vertices share an edge when they are nearest neighbours: their dot product is 1/√5, others have −1/√5 or −1.
+    // Two vertices share an edge when they are nearest neighbours: their dot product is 1/√5, others have
+    // −1/√5 or −1.
     const auto isEdge = [&](std::uint32_t a, std::uint32_t b) {
         return glm::dot(mesh.normals[a], mesh.normals[b]) > 0.0f;
     };
@@ -91,7 +95,8 @@ MeshData icosahedron() {
             for (std::uint32_t c = b + 1; c < 12; ++c) {
                 if (!isEdge(a, b) || !isEdge(b, c) || !isEdge(c, a)) continue;
                 const glm::vec3 *n = mesh.normals.data(), facing = glm::cross(n[b] - n[a], n[c] - n[a]);
-                mesh.triangles.push_back(glm::dot(facing, n[a]) > 0.0f ? glm::uvec3(a, b, c) : glm::uvec3(a, c, b));
+                mesh.triangles.push_back(glm::dot(facing, n[a]) > 0.0f ? glm::uvec3(a, b, c)
+                                                                       : glm::uvec3(a, c, b));
             }
     return mesh;
 }
@@ -102,7 +107,8 @@ void subdivide(MeshData& mesh) {
         const auto [found, isNew] =
             middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh.normals.size()));
         if (isNew)
-            mesh.normals.emplace_back(glm::normalize(glm::dvec3(mesh.normals[a]) + glm::dvec3(mesh.normals[b])));
+            mesh.normals.emplace_back(
+                glm::normalize(glm::dvec3(mesh.normals[a]) + glm::dvec3(mesh.normals[b])));
         return found->second;
     };
     std::vector<glm::uvec3> finer;

@@ -1,6 +1,7 @@
-// The Utah teapot of Martin Newell, 1975: 32 bicubic Bézier patches, z up in his coordinates. The body and the lid are
-// surfaces of revolution and the handle and the spout are symmetric, so the 306 control points follow from the few that
-// are written here.
+// The Utah teapot of Martin Newell, 1975: 32 bicubic Bézier patches, z up in his coordinates. The body and
+// the lid are surfaces of revolution and the handle and the spout are symmetric, so the 306 control points
+// follow from the few that are written here.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -17,8 +18,6 @@ using Vec3 = glm::dvec3;
 using Patch = std::array<std::array<Vec3, 4>, 4>;
 /// Four points (distance from the axis, height).
 using Profile = std::array<glm::dvec2, 4>;
-/// One row of the handle or spout, half of its ring: bottom to top in the plane y = 0 and beside it.
-using HalfRing = std::array<Vec3, 4>;
 
 /// Newell's ratio of the inner control points of a quarter circle (the best fit would be 0.5523).
 constexpr double kQuarterCircle = 0.56;
@@ -32,38 +31,44 @@ struct Revolved {
 };
 constexpr std::array<Revolved, 6> kRevolved{{
     {{{{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}}, 8},  // rim
-    {{{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}}, 20},          // upper body
-    {{{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}}, 20},          // lower body
-    {{{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}}, 12},         // bottom
-    {{{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}, 16},           // knob of the lid
-    {{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}, 16},            // lid
+    {{{{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}}}, 20},           // upper body
+    {{{{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}}}, 20},           // lower body
+    {{{{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}}, 12},          // bottom
+    {{{{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}}}, 16},            // knob of the lid
+    {{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}, 16},             // lid
 }};
 
+/// Half of a piece of the handle or spout; each row is half a ring, from the plane y = 0 over y > 0 back to
+/// it.
 struct Tube {
-    std::array<HalfRing, 4> rings;
+    Vec3 rings[4][4];
     int around, steps;
 };
 constexpr std::array<Tube, 4> kTubes{{
-    {{{{{-1.6, 0, 2.025}, {-1.6, 0.3, 2.025}, {-1.5, 0.3, 2.25}, {-1.5, 0, 2.25}},  // handle, upper half
-       {{-2.3, 0, 2.025}, {-2.3, 0.3, 2.025}, {-2.5, 0.3, 2.25}, {-2.5, 0, 2.25}},
-       {{-2.7, 0, 2.025}, {-2.7, 0.3, 2.025}, {-3.0, 0.3, 2.25}, {-3.0, 0, 2.25}},
-       {{-2.7, 0, 1.8}, {-2.7, 0.3, 1.8}, {-3.0, 0.3, 1.8}, {-3.0, 0, 1.8}}}},
-     kHandleAround, 15},
-    {{{{{-2.7, 0, 1.8}, {-2.7, 0.3, 1.8}, {-3.0, 0.3, 1.8}, {-3.0, 0, 1.8}},  // handle, lower half
-       {{-2.7, 0, 1.575}, {-2.7, 0.3, 1.575}, {-3.0, 0.3, 1.35}, {-3.0, 0, 1.35}},
-       {{-2.5, 0, 1.125}, {-2.5, 0.3, 1.125}, {-2.65, 0.3, 0.9375}, {-2.65, 0, 0.9375}},
-       {{-2.0, 0, 0.9}, {-2.0, 0.3, 0.9}, {-1.9, 0.3, 0.6}, {-1.9, 0, 0.6}}}},
-     kHandleAround, 16},
-    {{{{{1.7, 0, 0.6}, {1.7, 0.66, 0.6}, {1.7, 0.66, 1.425}, {1.7, 0, 1.425}},  // spout, lower half
-       {{3.1, 0, 0.825}, {3.1, 0.66, 0.825}, {2.6, 0.66, 1.425}, {2.6, 0, 1.425}},
-       {{2.4, 0, 2.025}, {2.4, 0.25, 2.025}, {2.3, 0.25, 2.1}, {2.3, 0, 2.1}},
-       {{3.3, 0, 2.4}, {3.3, 0.25, 2.4}, {2.7, 0.25, 2.4}, {2.7, 0, 2.4}}}},
-     kSpoutAround, 18},
-    {{{{{3.3, 0, 2.4}, {3.3, 0.25, 2.4}, {2.7, 0.25, 2.4}, {2.7, 0, 2.4}},  // spout, upper half
-       {{3.525, 0, 2.49375}, {3.525, 0.25, 2.49375}, {2.8, 0.25, 2.475}, {2.8, 0, 2.475}},
-       {{3.45, 0, 2.5125}, {3.45, 0.15, 2.5125}, {2.9, 0.15, 2.475}, {2.9, 0, 2.475}},
-       {{3.2, 0, 2.4}, {3.2, 0.15, 2.4}, {2.8, 0.15, 2.4}, {2.8, 0, 2.4}}}},
-     kSpoutAround, 19},
+    {{{{-1.6, 0, 2.025}, {-1.6, 0.3, 2.025}, {-1.5, 0.3, 2.25}, {-1.5, 0, 2.25}},  // handle, upper half
+      {{-2.3, 0, 2.025}, {-2.3, 0.3, 2.025}, {-2.5, 0.3, 2.25}, {-2.5, 0, 2.25}},
+      {{-2.7, 0, 2.025}, {-2.7, 0.3, 2.025}, {-3.0, 0.3, 2.25}, {-3.0, 0, 2.25}},
+      {{-2.7, 0, 1.8}, {-2.7, 0.3, 1.8}, {-3.0, 0.3, 1.8}, {-3.0, 0, 1.8}}},
+     kHandleAround,
+     15},
+    {{{{-2.7, 0, 1.8}, {-2.7, 0.3, 1.8}, {-3.0, 0.3, 1.8}, {-3.0, 0, 1.8}},  // handle, lower half
+      {{-2.7, 0, 1.575}, {-2.7, 0.3, 1.575}, {-3.0, 0.3, 1.35}, {-3.0, 0, 1.35}},
+      {{-2.5, 0, 1.125}, {-2.5, 0.3, 1.125}, {-2.65, 0.3, 0.9375}, {-2.65, 0, 0.9375}},
+      {{-2.0, 0, 0.9}, {-2.0, 0.3, 0.9}, {-1.9, 0.3, 0.6}, {-1.9, 0, 0.6}}},
+     kHandleAround,
+     16},
+    {{{{1.7, 0, 0.6}, {1.7, 0.66, 0.6}, {1.7, 0.66, 1.425}, {1.7, 0, 1.425}},  // spout, lower half
+      {{3.1, 0, 0.825}, {3.1, 0.66, 0.825}, {2.6, 0.66, 1.425}, {2.6, 0, 1.425}},
+      {{2.4, 0, 2.025}, {2.4, 0.25, 2.025}, {2.3, 0.25, 2.1}, {2.3, 0, 2.1}},
+      {{3.3, 0, 2.4}, {3.3, 0.25, 2.4}, {2.7, 0.25, 2.4}, {2.7, 0, 2.4}}},
+     kSpoutAround,
+     18},
+    {{{{3.3, 0, 2.4}, {3.3, 0.25, 2.4}, {2.7, 0.25, 2.4}, {2.7, 0, 2.4}},  // spout, upper half
+      {{3.525, 0, 2.49375}, {3.525, 0.25, 2.49375}, {2.8, 0.25, 2.475}, {2.8, 0, 2.475}},
+      {{3.45, 0, 2.5125}, {3.45, 0.15, 2.5125}, {2.9, 0.15, 2.475}, {2.9, 0, 2.475}},
+      {{3.2, 0, 2.4}, {3.2, 0.15, 2.4}, {2.8, 0.15, 2.4}, {2.8, 0, 2.4}}},
+     kSpoutAround,
+     19},
 }};
 
 Patch revolve(const Profile& profile, int quarter) {
@@ -106,8 +111,8 @@ Vec3 blend(const Patch& patch, const Weights& u, const Weights& v) {
     return sum;
 }
 
-/// Collects patches into one mesh. Neighbours evaluate their common edge from the same control points with the same
-/// weights, so their vertices there agree bit for bit and are found by looking them up.
+/// Collects patches into one mesh. Neighbours evaluate their common edge from the same control points with
+/// the same weights, so their vertices there agree bit for bit and are found by looking them up.
 class PatchMesh {
   public:
     /// `outward` is 1 or −1: the side of du × dv that looks out.
@@ -115,7 +120,8 @@ class PatchMesh {
         std::vector<std::uint32_t> grid;
         for (int j = 0; j <= stepsV; ++j)
             for (int i = 0; i <= stepsU; ++i)
-                grid.push_back(vertexAt(patch, static_cast<double>(i) / stepsU, static_cast<double>(j) / stepsV, outward));
+                grid.push_back(vertexAt(patch, static_cast<double>(i) / stepsU,
+                                        static_cast<double>(j) / stepsV, outward));
         const auto at = [&](int i, int j) { return grid[static_cast<std::size_t>(j * (stepsU + 1) + i)]; };
         for (int j = 0; j < stepsV; ++j)
             for (int i = 0; i < stepsU; ++i) {
@@ -140,9 +146,11 @@ class PatchMesh {
         // From z up to y up, by a turn about the x axis. Adding 0 turns −0 into 0.
         const auto upright = [](const Vec3& p) { return glm::vec3(p.x, p.z, -p.y) + 0.0f; };
         const glm::vec3 position = upright(blend(patch, bu, bv));
-        const std::array key{std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
+        const std::array key{std::bit_cast<std::uint32_t>(position.x),
+                             std::bit_cast<std::uint32_t>(position.y),
                              std::bit_cast<std::uint32_t>(position.z)};
-        const auto [found, isNew] = vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
+        const auto [found, isNew] =
+            vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.positions.size()));
         if (isNew) {
             mesh_.positions.push_back(position);
             mesh_.normals.emplace_back(0.0f);
@@ -170,7 +178,8 @@ MeshData generate(const TeapotShape& shape) {
             mesh.add(revolve(part.profile, quarter), scaled(kAround), scaled(part.steps), -1.0);
     for (const Tube& tube : kTubes)
         for (const bool mirrored : {false, true})
-            mesh.add(halfTube(tube, mirrored), scaled(tube.around), scaled(tube.steps), tube.rings[0][0].x < 0 ? 1.0 : -1.0);
+            mesh.add(halfTube(tube, mirrored), scaled(tube.around), scaled(tube.steps),
+                     tube.rings[0][0].x < 0 ? 1.0 : -1.0);
     return mesh.finish();
 }
 

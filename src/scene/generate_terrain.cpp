@@ -1,6 +1,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/generate.h"
@@ -11,7 +12,8 @@ namespace {
 
 /// A number in [0, 1) for each point of the integer grid.
 double hashAt(std::int64_t x, std::int64_t z, std::int64_t seed) {
-    auto h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^ static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4full ^
+    auto h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
+             static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4full ^
              static_cast<std::uint64_t>(seed) * 0x165667b19e3779f9ull;
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
     h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
@@ -54,7 +56,8 @@ Slope heightAt(double x, double z, std::int64_t seed) {
 }  // namespace
 
 MeshData generate(const TerrainShape& shape) {
-    const auto columns = static_cast<std::size_t>(shape.cellsX), rows = static_cast<std::size_t>(shape.cellsZ);
+    const auto columns = static_cast<std::size_t>(shape.cellsX),
+               rows = static_cast<std::size_t>(shape.cellsZ);
     const glm::dvec2 size(shape.size);
     const auto height = static_cast<double>(shape.height);
     MeshData mesh;

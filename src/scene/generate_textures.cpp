@@ -26,7 +26,8 @@ std::pair<int, int> readPair(const TomlValue& value) {
 std::vector<Rgb> readColors(const TomlValue& value, std::size_t count) {
     const toml::array& array = readArray(value, count, "colours");
     std::vector<Rgb> colors;
-    for (const toml::node& color : array) colors.push_back(readColor({value.file, color, value.key}, kFraction));
+    for (const toml::node& color : array)
+        colors.push_back(readColor({value.file, color, value.key}, kFraction));
     return colors;
 }
 
@@ -57,8 +58,7 @@ std::span<const std::string_view> generatedTextureKeys() {
 
 RgbImage readGeneratedTexture(const TomlValue& value) {
     const toml::table& body = readTable(value);
-    const bool isChecker =
-        readChoice({value.file, *body.get("generate"), "generate"}, kGenerators) == 0;
+    const bool isChecker = readChoice({value.file, *body.get("generate"), "generate"}, kGenerators) == 0;
     const std::string_view sizeKey = isChecker ? "cells" : "size";
     if (const toml::node* other = body.get(isChecker ? "size" : "cells"))
         TomlValue{value.file, *other, isChecker ? "size" : "cells"}.fail(

@@ -14,7 +14,8 @@ std::span<const std::string_view> generatedTextureKeys();
 /// { generate = "texels", size = [2, 2], colors = [row by row from the top left] }.
 RgbImage readGeneratedTexture(const TomlValue& value);
 
-/// A latitude-longitude image of a clear sky with a sun over a plain, linear; (0, 0) is up and −z in the middle.
+/// A latitude-longitude image of a clear sky with a sun over a plain, linear; (0, 0) is up and −z in the
+/// middle.
 RgbImage generateSky(int width, int height);
 
 }  // namespace rayscope

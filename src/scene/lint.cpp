@@ -25,7 +25,9 @@ class Linter {
     }
 
   private:
-    void warn(std::string message) { found_.push_back({Severity::Warning, std::move(message), {scene_.path}}); }
+    void warn(std::string message) {
+        found_.push_back({Severity::Warning, std::move(message), {scene_.path}});
+    }
     void note(std::string message) { found_.push_back({Severity::Note, std::move(message), {scene_.path}}); }
 
     void lintMesh(const MeshInstance& mesh) {
@@ -42,8 +44,8 @@ class Linter {
             if (area == glm::dvec3(0.0) && flat++ == 0) firstFlat = i;
         }
         if (stray > 0)
-            warn(fmt::format("mesh '{}': {} triangles have NaN or infinite vertices; rays never hit them", mesh.name,
-                             stray));
+            warn(fmt::format("mesh '{}': {} triangles have NaN or infinite vertices; rays never hit them",
+                             mesh.name, stray));
         if (flat > 0)
             note(fmt::format("mesh '{}': {} triangles have no area, the first is number {}", mesh.name, flat,
                              firstFlat));
@@ -62,19 +64,21 @@ class Linter {
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
             const glm::vec3 area = glm::cross(b - a, c - a);
             const glm::vec3* n = data.normals.data();
-            against += glm::dot(n[t.x], area) < 0.0f && glm::dot(n[t.y], area) < 0.0f && glm::dot(n[t.z], area) < 0.0f;
+            against += glm::dot(n[t.x], area) < 0.0f && glm::dot(n[t.y], area) < 0.0f &&
+                       glm::dot(n[t.z], area) < 0.0f;
         }
         if (against > 0)
-            note(fmt::format("mesh '{}': {} of {} triangles face against their vertex normals", mesh.name, against,
-                             data.triangles.size()));
+            note(fmt::format("mesh '{}': {} of {} triangles face against their vertex normals", mesh.name,
+                             against, data.triangles.size()));
     }
 
     void lintTexCoords(const MeshInstance& mesh) {
         if (!mesh.data->texCoords.empty()) return;
         for (const std::uint32_t index : mesh.materials)
             if (const Material& material = scene_.materials[index]; material.kdTexture) {
-                warn(fmt::format("mesh '{}' has no texture coordinates, so the texture of material '{}' shows one texel",
-                                 mesh.name, material.name));
+                warn(fmt::format(
+                    "mesh '{}' has no texture coordinates, so the texture of material '{}' shows one texel",
+                    mesh.name, material.name));
                 return;
             }
     }
@@ -94,10 +98,11 @@ class Linter {
         const float most = std::max({sum.r, sum.g, sum.b});
         // Fractions that were meant to add up to 1 may miss it by the rounding of two floats.
         if (most > 1.0f + 0x1p-22f)
-            note(fmt::format("material '{}' sends back more light than it gets: kd + ks reaches {:.3g}", material.name,
-                             most));
+            note(fmt::format("material '{}' sends back more light than it gets: kd + ks reaches {:.3g}",
+                             material.name, most));
         if (material.ks != Rgb(0.0f) && material.shininess == 0.0f)
-            note(fmt::format("material '{}' has ks but shininess 0: its highlight covers everything", material.name));
+            note(fmt::format("material '{}' has ks but shininess 0: its highlight covers everything",
+                             material.name));
     }
 
     static Rgb brightestOf(const RgbImage& image) {
@@ -128,8 +133,9 @@ class Linter {
             if (glm::distance(camera.lookFrom, instance.sphere.center) < instance.sphere.radius)
                 note(fmt::format("camera '{}' is inside '{}'", camera.name, instance.name));
         if (camera.lens && camera.lens->focusDistance <= camera.lens->focalLength)
-            warn(fmt::format("camera '{}': focus_distance is not beyond focal_length, where no lens can focus",
-                             camera.name));
+            warn(
+                fmt::format("camera '{}': focus_distance is not beyond focal_length, where no lens can focus",
+                            camera.name));
     }
 
     const SceneDescription& scene_;

@@ -17,10 +17,24 @@ namespace {
 constexpr std::string_view kBuiltin = "builtin:";
 
 /// In the order in which they are best shown.
-constexpr std::array<std::string_view, 18> kBuiltinNames{
-    "cornell",       "cornell-area", "cornell-glossy", "cornell-transparent", "monkey",      "teapot",
-    "dragon",        "spheres",      "spheres-dof",    "environment",         "cubes-transparent", "cube",
-    "cube-textured", "quad-textured", "triangle",      "custom",              "million",     "ten-million"};
+constexpr std::array<std::string_view, 18> kBuiltinNames{"cornell",
+                                                         "cornell-area",
+                                                         "cornell-glossy",
+                                                         "cornell-transparent",
+                                                         "monkey",
+                                                         "teapot",
+                                                         "dragon",
+                                                         "spheres",
+                                                         "spheres-dof",
+                                                         "environment",
+                                                         "cubes-transparent",
+                                                         "cube",
+                                                         "cube-textured",
+                                                         "quad-textured",
+                                                         "triangle",
+                                                         "custom",
+                                                         "million",
+                                                         "ten-million"};
 
 bool hasSuffix(const std::string& path, std::string_view suffix) {
     if (path.size() < suffix.size()) return false;
@@ -29,7 +43,8 @@ bool hasSuffix(const std::string& path, std::string_view suffix) {
     });
 }
 
-/// Upper left of the camera and a little behind it, so that shapes read and shadows fall away from the viewer.
+/// Upper left of the camera and a little behind it, so that shapes read and shadows fall away from the
+/// viewer.
 Light lightBeside(const CameraDescription& camera) {
     const glm::vec3 view = camera.lookAt - camera.lookFrom;
     const float distance = glm::length(view);

@@ -68,7 +68,8 @@ class MtlReader {
             (keyword == "d" ? d : tr) = value;
             if (d && tr && *d != 1.0f - *tr)
                 note(Severity::Note,
-                     fmt::format("material '{}': d {} and Tr {} contradict each other; d is used", name, *d, *tr),
+                     fmt::format("material '{}': d {} and Tr {} contradict each other; d is used", name, *d,
+                                 *tr),
                      number);
         }
     }
@@ -81,13 +82,13 @@ class MtlReader {
                           .opacity = static_cast<float>(parsed.dissolve),
                           .illum = parsed.illum};
         if (!(material.opacity >= 0.0f && material.opacity <= 1.0f)) {
-            note(Severity::Warning, fmt::format("material '{}': d {} is not between 0 and 1; clamped", material.name,
-                                                material.opacity));
+            note(Severity::Warning, fmt::format("material '{}': d {} is not between 0 and 1; clamped",
+                                                material.name, material.opacity));
             material.opacity = std::clamp(material.opacity, 0.0f, 1.0f);
         }
         if (!(material.shininess >= 0.0f)) {
-            note(Severity::Warning,
-                 fmt::format("material '{}': Ns {} is negative; 0 is used", material.name, material.shininess));
+            note(Severity::Warning, fmt::format("material '{}': Ns {} is negative; 0 is used", material.name,
+                                                material.shininess));
             material.shininess = 0.0f;
         }
         if (!parsed.diffuse_texname.empty()) openTexture(parsed, material);
@@ -104,10 +105,11 @@ class MtlReader {
                 textures_.open(resolved, options.clamp ? TextureWrap::Clamp : TextureWrap::Repeat);
         } catch (const InputError& error) {
             if (!unreadable_.insert(resolved).second) return;
-            note(Severity::Warning, fmt::format("material '{}': {}; the colour Kd is used instead", material.name,
-                                                error.diagnostic().position.file.empty()
-                                                    ? error.diagnostic().message
-                                                    : fmt::format("{} {}", resolved, error.diagnostic().message)));
+            note(Severity::Warning,
+                 fmt::format("material '{}': {}; the colour Kd is used instead", material.name,
+                             error.diagnostic().position.file.empty()
+                                 ? error.diagnostic().message
+                                 : fmt::format("{} {}", resolved, error.diagnostic().message)));
         }
     }
 

@@ -6,9 +6,9 @@
 
 namespace rayscope {
 
-/// Feeds the text of an OBJ file to a reader of streams line by line, and so knows the line that is being read, which
-/// the callbacks of tinyobjloader do not tell. Skips a byte order mark, joins lines that end in a backslash, and shows
-/// every line that is no vertex, face, comment or blank to `other`.
+/// Feeds the text of an OBJ file to a reader of streams line by line, and so knows the line that is being
+/// read, which the callbacks of tinyobjloader do not tell. Skips a byte order mark, joins lines that end in a
+/// backslash, and shows every line that is no vertex, face, comment or blank to `other`.
 class ObjLines : public std::streambuf {
   public:
     using Listener = std::function<void(std::string_view line)>;

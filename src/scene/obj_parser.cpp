@@ -35,11 +35,15 @@ std::string_view argumentOf(std::string_view line) {
 class ObjParser {
   public:
     explicit ObjParser(const std::string& path)
-        : path_(path), text_(readFile(path)), lines_(text_, [this](std::string_view line) { readOther(line); }) {}
+        : path_(path),
+          text_(readFile(path)),
+          lines_(text_, [this](std::string_view line) { readOther(line); }) {}
 
     ParsedObj parse() {
         tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* self, float x, float y, float z, float) { of(self).addPosition({x, y, z}); };
+        callbacks.vertex_cb = [](void* self, float x, float y, float z, float) {
+            of(self).addPosition({x, y, z});
+        };
         callbacks.texcoord_cb = [](void* self, float x, float y, float) { of(self).addTexCoord({x, y}); };
         callbacks.normal_cb = [](void* self, float x, float y, float z) { of(self).addNormal({x, y, z}); };
         callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
@@ -51,7 +55,7 @@ class ObjParser {
         tinyobj::LoadObjWithCallback(stream, callbacks, this);
         return std::move(obj_);
     }
-    
+
   private:
     static ObjParser& of(void* self) { return *static_cast<ObjParser*>(self); }
 
@@ -74,8 +78,8 @@ class ObjParser {
         obj_.normals.push_back(normal);
     }
 
-    /// The library reads what it does not understand as 0. Numbers consist of digits, signs, points and exponents;
-    /// a line with anything else is read again here: nan and inf are kept, words are errors.
+    /// The library reads what it does not understand as 0. Numbers consist of digits, signs, points and
+    /// exponents; a line with anything else is read again here: nan and inf are kept, words are errors.
     void correct(glm::vec3& value, int atLeast) {
         const std::string_view line = argumentOf(lines_.current());
         if (line.find_first_not_of("0123456789+-.eE \t") == std::string_view::npos && !line.empty()) return;
@@ -92,7 +96,8 @@ class ObjParser {
             if (error == std::errc::result_out_of_range)
                 value[i] = std::numeric_limits<float>::infinity();
             else if (error != std::errc{})
-                fail(fmt::format("expected a number, got '{}'", line.substr(static_cast<std::size_t>(at - line.data()))));
+                fail(fmt::format("expected a number, got '{}'",
+                                 line.substr(static_cast<std::size_t>(at - line.data()))));
             at = stop;
         }
     }
@@ -105,9 +110,10 @@ class ObjParser {
         ring_.clear();
         for (const tinyobj::index_t& index : face) ring_.push_back(vertexOf(index));
         if (ring_.size() > 3)
-            obj_.polygons.push_back(
-                {static_cast<std::uint32_t>(obj_.triangles.size()), static_cast<std::uint32_t>(ring_.size())});
-        for (std::size_t i = 1; i + 1 < ring_.size(); ++i) obj_.triangles.emplace_back(ring_[0], ring_[i], ring_[i + 1]);
+            obj_.polygons.push_back({static_cast<std::uint32_t>(obj_.triangles.size()),
+                                     static_cast<std::uint32_t>(ring_.size())});
+        for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
+            obj_.triangles.emplace_back(ring_[0], ring_[i], ring_[i + 1]);
         addSlots(ring_.size() - 2);
     }
 
@@ -133,7 +139,8 @@ class ObjParser {
     void useMaterial() {
         // The library would cut the name of the material at nothing, blanks at the end included.
         const std::string name(argumentOf(lines_.current()));
-        const auto [found, isNew] = slotOf_.try_emplace(name, static_cast<std::uint32_t>(obj_.slotNames.size()));
+        const auto [found, isNew] =
+            slotOf_.try_emplace(name, static_cast<std::uint32_t>(obj_.slotNames.size()));
         if (isNew) {
             if (obj_.slotNames.size() > std::numeric_limits<std::uint16_t>::max())
                 fail("more than 65536 materials");
@@ -154,7 +161,6 @@ class ObjParser {
         }
         obj_.slots.insert(obj_.slots.end(), count, static_cast<std::uint16_t>(*slot_));
     }
-
 
     /// Lines that are no vertices and faces: the library either says nothing about them or not enough.
     void readOther(std::string_view line) {
@@ -178,9 +184,10 @@ class ObjParser {
 
 ParsedObj parseObj(const std::string& path) { return ObjParser(path).parse(); }
 
-void failObjIndex(const std::string& path, int line, std::string_view what, std::int64_t index, std::size_t count) {
-    const std::string range =
-        count == 0 ? fmt::format("the file has no {}", what) : fmt::format("expected 1 to {0} or -{0} to -1", count);
+void failObjIndex(const std::string& path, int line, std::string_view what, std::int64_t index,
+                  std::size_t count) {
+    const std::string range = count == 0 ? fmt::format("the file has no {}", what)
+                                         : fmt::format("expected 1 to {0} or -{0} to -1", count);
     throw InputError(fmt::format("{} {} is out of range: {}", what, index, range), {path, line, 0});
 }
 

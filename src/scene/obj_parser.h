@@ -20,16 +20,16 @@ struct ParsedObj {
     std::vector<glm::vec3> positions, normals;
     std::vector<glm::vec2> texCoords;
     CornerTable corners;
-    std::vector<int> firstLines;           ///< per distinct corner: the line of its first use
-    std::vector<glm::uvec3> triangles;     ///< of distinct corners; polygons as fans
-    std::vector<Polygon> polygons;         ///< those with more than three corners
-    std::vector<std::uint16_t> slots;      ///< per triangle; empty if all have slot 0
-    std::vector<Named> slotNames;          ///< materials in the order of their first use; "" where none is named
-    std::vector<Named> libraries;          ///< arguments of mtllib
-    std::set<std::string> ignored;         ///< keywords without meaning here
-    std::size_t thinFaces = 0;             ///< faces with fewer than three corners, left out
-    int firstThinFace = 0;                 ///< line of the first of them
-    std::size_t strayPositions = 0;        ///< positions with a NaN or an infinity
+    std::vector<int> firstLines;        ///< per distinct corner: the line of its first use
+    std::vector<glm::uvec3> triangles;  ///< of distinct corners; polygons as fans
+    std::vector<Polygon> polygons;      ///< those with more than three corners
+    std::vector<std::uint16_t> slots;   ///< per triangle; empty if all have slot 0
+    std::vector<Named> slotNames;       ///< materials in the order of their first use; "" where none is named
+    std::vector<Named> libraries;       ///< arguments of mtllib
+    std::set<std::string> ignored;      ///< keywords without meaning here
+    std::size_t thinFaces = 0;          ///< faces with fewer than three corners, left out
+    int firstThinFace = 0;              ///< line of the first of them
+    std::size_t strayPositions = 0;     ///< positions with a NaN or an infinity
     int firstStrayPosition = 0;
 };
 

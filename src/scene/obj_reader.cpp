@@ -33,9 +33,11 @@ void report(const std::string& path, const ParsedObj& obj, Diagnostics& notes) {
         notes.push_back({Severity::Note, std::move(message), {path, line, 0}});
     };
     if (obj.strayPositions > 0)
-        note(fmt::format("{} vertices with NaN or infinite coordinates, the first here; their triangles are never hit",
-                         obj.strayPositions),
-             obj.firstStrayPosition);
+        note(
+            fmt::format(
+                "{} vertices with NaN or infinite coordinates, the first here; their triangles are never hit",
+                obj.strayPositions),
+            obj.firstStrayPosition);
     if (obj.thinFaces > 0)
         note(fmt::format("{} faces with fewer than three corners, the first here; left out", obj.thinFaces),
              obj.firstThinFace);
@@ -55,11 +57,13 @@ void cutPolygons(const ParsedObj& obj, MeshData& mesh) {
         for (const std::uint32_t vertex : ring) points.push_back(mesh.positions[vertex]);
         cut.resize(polygon.corners - 2);
         triangulate(points, cut);
-        for (std::size_t i = 0; i < cut.size(); ++i) fan[i] = {ring[cut[i].x], ring[cut[i].y], ring[cut[i].z]};
+        for (std::size_t i = 0; i < cut.size(); ++i)
+            fan[i] = {ring[cut[i].x], ring[cut[i].y], ring[cut[i].z]};
     }
 }
 
-/// Gives corners without a normal, in a file where others have one, the mean of their faces, weighted by area.
+/// Gives corners without a normal, in a file where others have one, the mean of their faces, weighted by
+/// area.
 void fillMissingNormals(const std::vector<Corner>& corners, MeshData& mesh) {
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
@@ -88,7 +92,8 @@ std::shared_ptr<const MeshData> assemble(ParsedObj& obj) {
     for (const Corner& c : corners) {
         mesh->positions.push_back(obj.positions[static_cast<std::size_t>(c.position)]);
         if (withNormal > 0)
-            mesh->normals.push_back(c.normal < 0 ? glm::vec3(0.0f) : obj.normals[static_cast<std::size_t>(c.normal)]);
+            mesh->normals.push_back(c.normal < 0 ? glm::vec3(0.0f)
+                                                 : obj.normals[static_cast<std::size_t>(c.normal)]);
         if (withTexCoord > 0)
             mesh->texCoords.push_back(c.texCoord < 0 ? glm::vec2(0.0f)
                                                      : obj.texCoords[static_cast<std::size_t>(c.texCoord)]);
@@ -130,7 +135,8 @@ class MaterialLibrary {
         if (!undefined.empty() && !isIncomplete_) {
             const std::string others =
                 undefined.size() > 1 ? fmt::format(" and {} more are", undefined.size() - 1) : " is";
-            warn(fmt::format("material '{}'{} in no material file; defaults are used", undefined[0]->name, others),
+            warn(fmt::format("material '{}'{} in no material file; defaults are used", undefined[0]->name,
+                             others),
                  undefined[0]->line);
         }
         return list;
@@ -146,7 +152,8 @@ class MaterialLibrary {
         if (!opened_.insert(resolved).second) return;
         if (!fileExists(resolved)) {
             isIncomplete_ = true;
-            warn(fmt::format("the material file '{}' is not there; default materials are used", resolved), line);
+            warn(fmt::format("the material file '{}' is not there; default materials are used", resolved),
+                 line);
             return;
         }
         for (Material& material : readMtl(resolved, textures_, notes_))

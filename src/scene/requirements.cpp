@@ -75,9 +75,11 @@ class Collector {
             "textures", [](const Material& m) { return m.kdTexture != nullptr; }, "kd_texture",
             "no material in use has a texture");
         result_.reflections = ofMaterials(
-            "reflections", [](const Material& m) { return m.ks != Rgb(0.0f); }, "ks", "ks of all materials is 0");
+            "reflections", [](const Material& m) { return m.ks != Rgb(0.0f); }, "ks",
+            "ks of all materials is 0");
         result_.transparency = ofMaterials(
-            "transparency", [](const Material& m) { return m.opacity < 1.0f; }, "opacity", "all materials are opaque");
+            "transparency", [](const Material& m) { return m.opacity < 1.0f; }, "opacity",
+            "all materials are opaque");
     }
 
     template <class Shape>
@@ -96,16 +98,18 @@ class Collector {
     }
 
     void rest() {
-        result_.environment = add("environment", scene_.environment ? 1 : 0, "an environment map", "no environment");
-        const auto lenses = static_cast<std::size_t>(
-            std::count_if(scene_.cameras.begin(), scene_.cameras.end(), [](const auto& c) { return !!c.lens; }));
+        result_.environment =
+            add("environment", scene_.environment ? 1 : 0, "an environment map", "no environment");
+        const auto lenses = static_cast<std::size_t>(std::count_if(
+            scene_.cameras.begin(), scene_.cameras.end(), [](const auto& c) { return !!c.lens; }));
         result_.lens = add("lens", lenses, counted(lenses, "camera has a lens", "cameras have a lens"),
                            "all cameras are pinholes");
         const auto moves = [](const auto& instance) { return instance.motion != glm::vec3(0.0f); };
         const auto moving =
             static_cast<std::size_t>(std::count_if(scene_.meshes.begin(), scene_.meshes.end(), moves) +
                                      std::count_if(scene_.spheres.begin(), scene_.spheres.end(), moves));
-        result_.motion = add("motion", moving, counted(moving, "object moves", "objects move"), "nothing moves");
+        result_.motion =
+            add("motion", moving, counted(moving, "object moves", "objects move"), "nothing moves");
     }
 
     const SceneDescription& scene_;

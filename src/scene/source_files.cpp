@@ -24,7 +24,8 @@ const scenes::EmbeddedFile* findEmbedded(std::string_view path) {
     if (!path.starts_with(kBuiltin)) return nullptr;
     path.remove_prefix(kBuiltin.size());
     const auto files = scenes::files();
-    const auto found = std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.name == path; });
+    const auto found =
+        std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.name == path; });
     return found == files.end() ? nullptr : &*found;
 }
 

@@ -158,10 +158,8 @@ const Record<MeshEntry>& meshRecord() {
     static const Record<MeshEntry> record{
         {"name", [](const TomlValue& value, MeshEntry& t) { t.instance.name = readText(value); }},
         textAt("file", &MeshEntry::file),
-        {"generate",
-         [](const TomlValue& value, MeshEntry& t) {
-             t.instance.data = std::make_shared<MeshData>(readShape(value));
-         }},
+        {"generate", [](const TomlValue& value,
+                        MeshEntry& t) { t.instance.data = std::make_shared<MeshData>(readShape(value)); }},
         {"transform",
          [](const TomlValue& value, MeshEntry& t) { t.instance.transform = readTransform(value); }},
         textAt("material", &MeshEntry::material),
@@ -175,9 +173,12 @@ const Record<SphereEntry>& sphereRecord() {
     static const Record<SphereEntry> record{
         {"name", [](const TomlValue& value, SphereEntry& t) { t.instance.name = readText(value); }},
         {"center",
-         [](const TomlValue& value, SphereEntry& t) { t.instance.sphere.center = readVector<3>(value); }, true},
+         [](const TomlValue& value, SphereEntry& t) { t.instance.sphere.center = readVector<3>(value); },
+         true},
         {"radius",
-         [](const TomlValue& value, SphereEntry& t) { t.instance.sphere.radius = readNumber(value, kPositive); },
+         [](const TomlValue& value, SphereEntry& t) {
+             t.instance.sphere.radius = readNumber(value, kPositive);
+         },
          true},
         textAt("material", &SphereEntry::material),
         {"motion", [](const TomlValue& value, SphereEntry& t) { t.instance.motion = readVector<3>(value); }},

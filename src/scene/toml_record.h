@@ -1,6 +1,6 @@
 #pragma once
-// A record describes the keys of one table of the scene file: name, type, range and the member they set. Reading,
-// the check for unknown and missing keys and the lists in error messages all come from it.
+// A record describes the keys of one table of the scene file: name, type, range and the member they set.
+// Reading, the check for unknown and missing keys and the lists in error messages all come from it.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -124,8 +124,7 @@ class SceneBuilder {
             camera.name =
                 scene_.cameras.empty() ? "main" : fmt::format("camera {}", scene_.cameras.size() + 1);
         for (const CameraDescription& other : scene_.cameras)
-            if (other.name == camera.name)
-                value.fail(fmt::format("two cameras are named '{}'", camera.name));
+            if (other.name == camera.name) value.fail(fmt::format("two cameras are named '{}'", camera.name));
         scene_.cameras.push_back(std::move(camera));
     }
 
@@ -144,7 +143,8 @@ class SceneBuilder {
         const std::string resolved = resolvePath(path_, entry.file->text);
         if (!fileExists(resolved)) {
             const std::string hint = entry.ifMissing.empty() ? "" : fmt::format("; {}", entry.ifMissing);
-            throw InputError(fmt::format("the mesh '{}' is not there{}", resolved, hint), entry.file->position);
+            throw InputError(fmt::format("the mesh '{}' is not there{}", resolved, hint),
+                             entry.file->position);
         }
         // One file may stand in the scene many times; its vertices are kept once.
         auto& loaded = meshes_[resolved];
@@ -159,7 +159,8 @@ class SceneBuilder {
         auto& first = firstMaterialOf_[resolved];
         if (!first) {
             first = static_cast<std::uint32_t>(scene_.materials.size());
-            scene_.materials.insert(scene_.materials.end(), loaded->materials.begin(), loaded->materials.end());
+            scene_.materials.insert(scene_.materials.end(), loaded->materials.begin(),
+                                    loaded->materials.end());
         }
         for (std::size_t slot = 0; slot < loaded->materials.size(); ++slot)
             mesh.materials.push_back(*first + static_cast<std::uint32_t>(slot));
@@ -221,7 +222,8 @@ class SceneBuilder {
         }
         if (scene_.lights.empty())
             note(Severity::Warning,
-                 "no light: surfaces will be black; add [[light]] with type = \"point\" and a position", {path_});
+                 "no light: surfaces will be black; add [[light]] with type = \"point\" and a position",
+                 {path_});
         if (scene_.meshes.empty() && scene_.spheres.empty())
             note(Severity::Warning, "nothing to see: add [[mesh]] or [[sphere]]", {path_});
     }

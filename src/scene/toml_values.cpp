@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/nearest_name.h"
+#include "image/srgb.h"
 
 namespace rayscope {
 
@@ -29,21 +30,16 @@ std::string_view kindOf(const toml::node& node) {
     }
 }
 
-/// The inverse of the curve of IEC 61966-2-1.
-float linearFromSrgb(float s) {
-    return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
-
 }  // namespace
 
 std::string Interval::text() const {
     const Interval all;
-    const bool below = highest < all.highest, above = lowest > all.lowest;
+    const bool below = highest<all.highest, above = lowest> all.lowest;
     if (above && below && !openLow && !openHigh) return fmt::format(" from {} to {}", lowest, highest);
     std::string words;
-    if (above) words += fmt::format(openLow ? " above {}" : " of at least {}", lowest);
+    if (above) words += fmt::format("{}{}", openLow ? " above " : " of at least ", lowest);
     if (above && below) words += " and";
-    if (below) words += fmt::format(openHigh ? " below {}" : " of at most {}", highest);
+    if (below) words += fmt::format("{}{}", openHigh ? " below " : " of at most ", highest);
     return words;
 }
 
@@ -109,7 +105,8 @@ const toml::array& readArray(const TomlValue& value, std::size_t size, std::stri
     const std::string expected = fmt::format("an array of {} {}", size, what);
     const toml::array* array = value.node.as_array();
     if (!array) value.failKind(expected);
-    if (array->size() != size) value.fail(fmt::format("expected {}, got {} elements", expected, array->size()));
+    if (array->size() != size)
+        value.fail(fmt::format("expected {}, got {} elements", expected, array->size()));
     return *array;
 }
 
@@ -125,7 +122,7 @@ Rgb readColor(const TomlValue& value, const Interval& range) {
     const toml::node* srgb = table->get("srgb");
     if (!srgb || table->size() != 1) value.fail("expected a colour: [r, g, b] or { srgb = [r, g, b] }");
     const Rgb encoded = readVector<3>({value.file, *srgb, "srgb"}, kFraction);
-    return {linearFromSrgb(encoded.r), linearFromSrgb(encoded.g), linearFromSrgb(encoded.b)};
+    return {srgbToLinear(encoded.r), srgbToLinear(encoded.g), srgbToLinear(encoded.b)};
 }
 
 }  // namespace rayscope

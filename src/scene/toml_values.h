@@ -2,12 +2,12 @@
 // Values of a TOML file, read strictly: what is not as expected throws InputError at its place in the file.
 #include <rayscope/diagnostics.h>
 #include <rayscope/vector.h>
+#include <toml++/toml.h>
 #include <array>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 
 namespace rayscope {
 

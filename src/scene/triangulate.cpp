@@ -15,8 +15,8 @@ glm::dvec3 areaVector(std::span<const glm::vec3> points) {
     glm::dvec3 sum(0.0);
     const glm::dvec3 origin(points[0]);
     for (std::size_t i = 0; i < points.size(); ++i)
-        sum += glm::cross(glm::dvec3(points[i]) - origin,
-                          glm::dvec3(points[(i + 1) % points.size()]) - origin);
+        sum +=
+            glm::cross(glm::dvec3(points[i]) - origin, glm::dvec3(points[(i + 1) % points.size()]) - origin);
     return sum;
 }
 
@@ -40,7 +40,8 @@ bool isEar(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>
     for (std::size_t k = 0; k < n; ++k) {
         const glm::dvec2 p = flat[ring[k]];
         if (p == a || p == b || p == c) continue;
-        if (cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0) return false;
+        if (cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0)
+            return false;
     }
     return true;
 }

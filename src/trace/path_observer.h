@@ -1,7 +1,7 @@
 #pragma once
 // What can be watched while a sample is computed. The tracer is a template over its observer: with the silent
 // one nothing of it remains, and every watcher sees the very same computation.
-#include <rayscope/probe.h>
+#include <rayscope/path.h>
 
 #include "trace/interaction.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <rayscope/probe.h>
+#include <rayscope/path.h>
 #include <cstdint>
 
 #include "trace/path_observer.h"

@@ -1,0 +1,147 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rayscope/image.h>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace rayscope {
+namespace {
+
+using test::ProgramResult;
+using test::run;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+TEST(Render, WritesEveryFormatFromOneRun) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run(
+        folder, "rayscope render builtin:cornell --size 40x30 --spp 2 -o a.png -o a.exr -o a.pfm -o a.hdr");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    const RgbImage exr = readImage(folder / "a.exr"), pfm = readImage(folder / "a.pfm");
+    EXPECT_EQ(exr.width, 40);
+    EXPECT_EQ(exr.height, 30);
+    EXPECT_EQ(exr.pixels, pfm.pixels);
+    EXPECT_EQ(readImage(folder / "a.png").width, 40);
+    EXPECT_EQ(readImage(folder / "a.hdr").height, 30);
+}
+
+TEST(Render, IsReproducibleForAnyThreads) {
+    const TemporaryFolder folder;
+    for (const char* threads : {"1", "2", "5"})
+        ASSERT_EQ(run(folder, std::string("rayscope render builtin:cornell-area --size 30x30 --spp 3 -t ") +
+                                  threads + " -o t" + threads + ".pfm")
+                      .exitCode,
+                  0);
+    EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t2.pfm"));
+    EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t5.pfm"));
+    run(folder, "rayscope render builtin:cornell-area --size 30x30 --spp 3 --seed 1 -o s.pfm");
+    EXPECT_NE(test::readText(folder / "t1.pfm"), test::readText(folder / "s.pfm"));
+}
+
+TEST(Render, WritesStatistics) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        run(folder, "rayscope render builtin:teapot --size 40x40 --spp 1 -o a.png --stats s.json").exitCode,
+        0);
+    const nlohmann::json stats = nlohmann::json::parse(test::readText(folder / "s.json"));
+    EXPECT_EQ(stats["bodies"][0]["triangles"], 15704);
+    EXPECT_EQ(stats["samples"], 1);
+    EXPECT_GT(stats["rays"], 1600);
+    EXPECT_EQ(stats["settings"]["spp"], "1");
+}
+
+TEST(Render, ShowsProgressWhenAsked) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o a.png --progress json");
+    std::istringstream lines(result.err);
+    std::string line, last;
+    while (std::getline(lines, line)) last = line;
+    EXPECT_EQ(nlohmann::json::parse(last)["progress"], 1.0);
+    EXPECT_THAT(
+        run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o a.png --progress bar").err,
+        HasSubstr("100 %"));
+    EXPECT_EQ(run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o a.png -q").err, "");
+}
+
+TEST(Render, StopsAtTheTimeLimitWithAnImage) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run(
+        folder, "rayscope render builtin:cornell-area --size 200x200 --spp 100000 --time-limit 0.5 -o a.png");
+    EXPECT_EQ(result.exitCode, 3) << result.err;
+    EXPECT_EQ(readImage(folder / "a.png").width, 200);
+}
+
+TEST(Render, WritesTheImageWhenInterrupted) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run(folder, std::string("timeout --preserve-status -s INT 0.7 '") + RAYSCOPE_PROGRAM +
+                        "' render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_EQ(readImage(folder / "a.png").width, 100);
+}
+
+TEST(Render, RefusesAnOutputItCannotWriteBeforeItRenders) {
+    const TemporaryFolder folder;
+    for (const char* output : {"nowhere/a.png", "a.xyz", "/proc/a.png"}) {
+        const ProgramResult result =
+            run(folder, std::string("rayscope render builtin:cornell --spp 1000000 -o ") + output);
+        EXPECT_EQ(result.exitCode, 2) << output;
+        EXPECT_THAT(result.err, HasSubstr("error:"));
+    }
+}
+
+TEST(Render, LeavesTheOldFileWhenTheDiskIsFull) {
+    const TemporaryFolder folder;
+    folder.write("a.pfm", "precious");
+    // A limit on the size of files fails the write as a full disk does.
+    const ProgramResult result = run(folder, std::string("ulimit -f 4; '") + RAYSCOPE_PROGRAM +
+                                                 "' render builtin:cornell --size 100x100 --spp 1 -o a.pfm");
+    EXPECT_EQ(result.exitCode, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("a.pfm"));
+    EXPECT_EQ(test::readText(folder / "a.pfm"), "precious");
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        files += entry.path().filename() != ".out" && entry.path().filename() != ".err";
+    EXPECT_EQ(files, 1);
+}
+
+TEST(Render, NamesPixelsThatAreNotNumbers) {
+    const TemporaryFolder folder;
+    folder.write("s.toml",
+                 "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n[[sphere]]\ncenter = "
+                 "[0, 0, 0]\nradius = 1\nmaterial = "
+                 "\"m\"\n[material.m]\nkd = [1, 1, 1]\n[[light]]\ntype = \"point\"\nposition = [0, 0, "
+                 "3]\ncolor = [3e38, 0, 0]\n[[light]]\n"
+                 "type = \"point\"\nposition = [0, 0, 3]\ncolor = [3e38, 0, 0]\n");
+    const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
+    EXPECT_EQ(result.exitCode, 5) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --pixel "));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.exr"));
+}
+
+TEST(Render, AppliesSettingsInOrder) {
+    const TemporaryFolder folder;
+    folder.write(
+        "s.toml",
+        "version = 1\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n[settings]\nmax_depth = 3\nspp = 4\n");
+    const ProgramResult result = run(folder, "rayscope render s.toml --dump-settings --set spp=8 -q");
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.out, "[settings]\nmax_depth = 3\nspp = 8\n");
+}
+
+TEST(Render, PixelBoundsRenderAPart) {
+    const TemporaryFolder folder;
+    run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o whole.pfm");
+    run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 --pixelbounds 10,20,5,30 -o part.pfm");
+    const RgbImage whole = readImage(folder / "whole.pfm"), part = readImage(folder / "part.pfm");
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x)
+            EXPECT_EQ(part.at(x, y), x >= 10 && x < 20 && y >= 5 && y < 30 ? whole.at(x, y) : Rgb(0.0f));
+}
+
+}  // namespace
+}  // namespace rayscope
