@@ -281,7 +281,8 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
         for (const PixelSums& pixel : copy.pixels)
             mean.push_back(Rgb(pixel.radiance / static_cast<double>(copy.samples)));
         const PixelBounds bounds = film->tileBounds(tile);
-        take({bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, copy.samples, mean});
+        take({bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, film->width(),
+              film->height(), copy.samples, mean});
         ++delivered;
     }
     return delivered;
