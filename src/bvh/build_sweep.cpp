@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "bvh/builders.h"
+#include "bvh/statistics.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope {

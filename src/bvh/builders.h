@@ -19,10 +19,6 @@ struct RangeBounds {
 };
 RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop);
 
-/// Cost model of the surface area heuristic: entering a node costs as much as testing a primitive.
-inline constexpr float kTraversalCost = 1.0f;
-inline constexpr float kIntersectionCost = 1.0f;
-
 /// Object median: halves at the median centroid; the axes take turns with the level.
 void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);
 
