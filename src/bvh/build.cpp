@@ -17,7 +17,8 @@ namespace {
 
 void checkRange(const char* name, int value, int lowest, int highest) {
     if (value < lowest || value > highest)
-        throw std::invalid_argument(fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
+        throw std::invalid_argument(
+            fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
 }
 
 void checkSettings(const BuildSettings& settings) {
@@ -58,9 +59,15 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     if (!refs.empty()) {
         const float scale = areaScale(boundsOf(refs, settings.stop).box);
         switch (settings.builder) {
-            case BvhBuilder::Median: buildMedian(skeleton, refs); break;
-            case BvhBuilder::Sah: buildSweep(skeleton, refs, skeleton.whole(), scale); break;
-            case BvhBuilder::SahBinned: buildBinned(skeleton, refs, scale); break;
+            case BvhBuilder::Median:
+                buildMedian(skeleton, refs);
+                break;
+            case BvhBuilder::Sah:
+                buildSweep(skeleton, refs, skeleton.whole(), scale);
+                break;
+            case BvhBuilder::SahBinned:
+                buildBinned(skeleton, refs, scale);
+                break;
         }
     }
     collected.refs = {};

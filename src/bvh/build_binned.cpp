@@ -43,11 +43,13 @@ struct BinnedBuilder {
         const BuildSettings& settings = skeleton.settings();
         throwIfStopped(settings.stop);
         if (skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
-        if (tree.size() <= static_cast<std::size_t>(settings.bins)) return buildSweep(skeleton, range, tree, scale);
+        if (tree.size() <= static_cast<std::size_t>(settings.bins))
+            return buildSweep(skeleton, range, tree, scale);
 
         const BinnedSplit split = TreeSkeleton::mustBeHalved(tree) ? BinnedSplit{} : bestSplit(range, bounds);
         if (split.axis >= 0 && isLeafCheaper(tree, bounds, split)) return makeLeaf(tree, bounds.box);
-        const std::size_t middle = tree.begin + (split.axis >= 0 ? partition(range, split) : halve(range, bounds));
+        const std::size_t middle =
+            tree.begin + (split.axis >= 0 ? partition(range, split) : halve(range, bounds));
         const auto [left, right] = skeleton.split(tree, bounds.box, middle);
         const auto buildChild = [this](const Subtree& child) {
             build(child, boundsOf(refs.subspan(child.begin, child.size()), skeleton.settings().stop));
@@ -56,7 +58,8 @@ struct BinnedBuilder {
             buildChild(left);
             buildChild(right);
         } else {
-            tbb::parallel_invoke([&, child = left] { buildChild(child); }, [&, child = right] { buildChild(child); });
+            tbb::parallel_invoke([&, child = left] { buildChild(child); },
+                                 [&, child = right] { buildChild(child); });
         }
     }
 

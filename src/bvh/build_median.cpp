@@ -17,7 +17,8 @@ struct MedianBuilder {
     void build(const Subtree& tree) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         const Bounds4 box = boundsOf(range, skeleton.settings().stop).box;
-        if (skeleton.mustBeLeaf(tree) || tree.size() <= static_cast<std::size_t>(skeleton.settings().leafSize)) {
+        if (skeleton.mustBeLeaf(tree) ||
+            tree.size() <= static_cast<std::size_t>(skeleton.settings().leafSize)) {
             skeleton.makeLeaf(tree, box);
             for (std::size_t i = tree.begin; i < tree.end; ++i) skeleton.slot(i) = refs[i].primitive;
             return;

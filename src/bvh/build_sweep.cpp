@@ -26,7 +26,8 @@ struct Split {
 /// Positions count from the first slot of the subtree given to the constructor.
 class SweepBuilder {
   public:
-    SweepBuilder(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, std::size_t firstSlot, float scale)
+    SweepBuilder(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, std::size_t firstSlot,
+                 float scale)
         : skeleton_(skeleton),
           stop_(skeleton.settings().stop),
           refs_(refs),
@@ -91,7 +92,8 @@ class SweepBuilder {
         for (int axis = 0; axis < 3; ++axis) {
             const Split split = sweep(axis, begin, end, box);
             if (split.isBetterThan(best)) best = split;
-            distinct |= refs_[order_[axis][begin]].centroid(axis) != refs_[order_[axis][end - 1]].centroid(axis);
+            distinct |=
+                refs_[order_[axis][begin]].centroid(axis) != refs_[order_[axis][end - 1]].centroid(axis);
         }
         if (!distinct || TreeSkeleton::mustBeHalved(tree)) return {best.cost, begin + tree.size() / 2, 0, 0};
         return best;
@@ -155,7 +157,8 @@ class SweepBuilder {
 
 }  // namespace
 
-void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, const Subtree& tree, float scale) {
+void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, const Subtree& tree,
+                float scale) {
     SweepBuilder(skeleton, refs, tree.begin, scale).build(tree);
 }
 

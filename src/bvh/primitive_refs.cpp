@@ -24,8 +24,9 @@ constexpr std::size_t kMostPrimitives = std::size_t{1} << 31;
 void checkSize(const AccelInput& input) {
     const std::size_t count = input.triangles.size() + input.spheres.size();
     if (count > kMostPrimitives)
-        throw std::length_error(fmt::format("{} primitives are more than the {} that one tree can hold; split the scene",
-                                            count, kMostPrimitives));
+        throw std::length_error(
+            fmt::format("{} primitives are more than the {} that one tree can hold; split the scene", count,
+                        kMostPrimitives));
 }
 
 /// The number of the first triangle that names a missing vertex, or the number of triangles.
@@ -48,8 +49,9 @@ void checkIndices(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t bad = firstBadTriangle(input, stop);
     if (bad == input.triangles.size()) return;
     const glm::uvec3& corner = input.triangles[bad];
-    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices", bad,
-                                            std::max({corner.x, corner.y, corner.z}), input.vertices.size()));
+    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices",
+                                            bad, std::max({corner.x, corner.y, corner.z}),
+                                            input.vertices.size()));
 }
 
 PrimitiveBox primitiveBox(const AccelInput& input, std::size_t primitive) {
