@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
+#include <utility>
 #include <imgui.h>
 
 #include <algorithm>
@@ -22,8 +23,8 @@ constexpr int kFramesAfterEvent = 4;
 
 Application::Application(const ViewerOptions& options, LoadedScene first)
     : window_(options.width, options.height),
-      workspace_(openingState(std::move(*first.scene), options.settings, options.camera), std::move(first.notes),
-                 options.threads) {
+      workspace_(openingState(std::move(*first.scene), options.settings, options.camera),
+                 std::move(first.notes), options.threads) {
     workspace_.recent.add(first.path);
     setScale(window_.contentScale());
 }
@@ -89,9 +90,9 @@ Application::Layout Application::layout() const {
     const float widest = 0.6f * display.x;
     parts.panelWidth = workspace_.view.sidePanel ? std::min(scaled(panelWidth_), widest) : 0.0f;
     parts.pictureOrigin = {0.0f, parts.menuHeight};
-    parts.pictureSize = glm::max(glm::vec2(display.x - parts.panelWidth,
-                                           display.y - parts.menuHeight - parts.statusHeight),
-                                 glm::vec2(1.0f));
+    parts.pictureSize =
+        glm::max(glm::vec2(display.x - parts.panelWidth, display.y - parts.menuHeight - parts.statusHeight),
+                 glm::vec2(1.0f));
     return parts;
 }
 
@@ -111,7 +112,8 @@ void Application::drawSidePanel(const Layout& parts) {
         ImGui::InvisibleButton("##edge", {scaled(5.0f), parts.pictureSize.y});
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
         if (ImGui::IsItemActive())
-            panelWidth_ = std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
+            panelWidth_ =
+                std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
         ImGui::SetCursorPos(start);
 
         ViewState& view = workspace_.view;
@@ -166,7 +168,8 @@ void Application::drawPicture(const Layout& parts, double seconds) {
 void Application::updateCursorRadiance() {
     std::optional<CursorInfo>& cursor = workspace_.cursor;
     const RgbImage& image = picture_.tracedImage();
-    const bool shown = workspace_.view.traced && glm::ivec2(image.width, image.height) == workspace_.imageSize();
+    const bool shown =
+        workspace_.view.traced && glm::ivec2(image.width, image.height) == workspace_.imageSize();
     if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
 }
 

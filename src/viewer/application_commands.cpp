@@ -152,7 +152,8 @@ void Application::saveScreenshotNow() {
     const std::string path = nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
     try {
-        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadataOf(workspace_.edit, 0, 0), ToneCurve::Srgb);
+        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadataOf(workspace_.edit, 0, 0),
+                   ToneCurve::Srgb);
         workspace_.tell("Saved " + path);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();

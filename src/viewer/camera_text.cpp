@@ -79,8 +79,7 @@ CameraDescription withOptions(const CameraDescription& camera, std::string_view 
     }
     if (!(changed.fov > 0.0f && changed.fov < 180.0f))
         throw InputError("--fov: expected degrees between 0 and 180");
-    if (changed.lookFrom == changed.lookAt)
-        throw InputError("--look-from and --look-at must differ");
+    if (changed.lookFrom == changed.lookAt) throw InputError("--look-from and --look-at must differ");
     return changed;
 }
 

@@ -1,6 +1,6 @@
 #include "viewer/commands.h"
 
-#include <array>
+#include <fmt/format.h>
 
 namespace rayscope::viewer {
 
@@ -66,8 +66,8 @@ constexpr Alias kAliases[] = {
 // clang-format on
 
 std::string keyText(int key) {
-    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return "Numpad " + std::to_string(key - GLFW_KEY_KP_0);
+    if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
+    if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return fmt::format("Numpad {}", key - GLFW_KEY_KP_0);
     switch (key) {
         case GLFW_KEY_TAB:
             return "Tab";

@@ -71,8 +71,7 @@ void RenderJob::update() {
             });
         }
     }
-    if (phase_ == Phase::Writing &&
-        writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    if (phase_ == Phase::Writing && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
             writing_.get();
             phase_ = Phase::Done;

@@ -94,7 +94,8 @@ glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, Grip grip, glm::dv
     const glm::dvec3 before = frame.directionThrough(grabbed), now = frame.directionThrough(cursor);
     if (grip == Grip::Free) {
         const double depth = glm::dot(center - frame.eye, frame.forward);
-        return center + depth * (now / glm::dot(now, frame.forward) - before / glm::dot(before, frame.forward));
+        return center +
+               depth * (now / glm::dot(now, frame.forward) - before / glm::dot(before, frame.forward));
     }
     const glm::dvec3 axis = axisOf(grip);
     const auto from = nearestOnAxis(center, axis, frame.eye, before);

@@ -22,8 +22,8 @@ constexpr glm::dvec3 axisOf(Grip grip) {
 
 /// Lengths in pixels of the picture.
 struct HandleSize {
-    double axis = 70.0;   ///< length of an axis
-    double reach = 8.0;   ///< how near counts as on it
+    double axis = 70.0;  ///< length of an axis
+    double reach = 8.0;  ///< how near counts as on it
 };
 
 /// The end of an axis that is `size.axis` pixels long where it is not foreshortened.

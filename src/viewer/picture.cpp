@@ -11,13 +11,23 @@ constexpr double kCollectSeconds = 0.006;
 constexpr float kHiddenOpacity = 0.28f;
 }  // namespace
 
-HandleSize handleSize(float scale) { return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)}; }
+HandleSize handleSize(float scale) {
+    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
+}
 
 Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
     const ViewState& view = workspace.view;
-    return {workspace.edit,           view.raster,         view.traced,          view.overlay,
-            workspace.viewSize,       workspace.rays.version(), workspace.rays.filter, view.selectedLight,
-            view.selectedHandle,      hovered,             view.scale};
+    return {workspace.edit,
+            view.raster,
+            view.traced,
+            view.overlay,
+            workspace.viewSize,
+            workspace.rays.version(),
+            workspace.rays.filter,
+            view.selectedLight,
+            view.selectedHandle,
+            hovered,
+            view.scale};
 }
 
 void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
@@ -48,8 +58,7 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
 
 void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
     const std::vector<Light>& lights = inputs.state.scene->lights;
-    OverlayLines lines =
-        lightLines(lights, inputs.selectedLight, frame, static_cast<double>(inputs.scale));
+    OverlayLines lines = lightLines(lights, inputs.selectedLight, frame, static_cast<double>(inputs.scale));
     if (const DebugRays::Shot* shot = workspace.rays.shot()) {
         const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
         const OverlayLines rays = debugRayLines(shot->tree, inputs.filter, size);

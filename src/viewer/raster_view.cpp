@@ -45,8 +45,8 @@ void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
         std::unique_ptr<MeshBuffer>& loaded = meshes[instance.data];
         const auto known = meshes_.find(instance.data);
         if (loaded) continue;
-        loaded = known != meshes_.end() ? std::move(known->second)
-                                        : std::make_unique<MeshBuffer>(*instance.data);
+        loaded =
+            known != meshes_.end() ? std::move(known->second) : std::make_unique<MeshBuffer>(*instance.data);
     }
     meshes_ = std::move(meshes);
 
@@ -56,8 +56,8 @@ void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
         GlTexture& loaded = textures[material.kdTexture];
         if (!loaded.empty()) continue;
         const auto known = textures_.find(material.kdTexture);
-        loaded = known != textures_.end() ? std::move(known->second)
-                                          : GlTexture::forMaterial(*material.kdTexture);
+        loaded =
+            known != textures_.end() ? std::move(known->second) : GlTexture::forMaterial(*material.kdTexture);
     }
     textures_ = std::move(textures);
     collectItems();

@@ -1,6 +1,7 @@
 #include "viewer/scene_loader.h"
 
 #include <chrono>
+#include <utility>
 
 namespace rayscope::viewer {
 

@@ -1,6 +1,7 @@
 #include "viewer/traced_view.h"
 
 #include <algorithm>
+#include <utility>
 #include <cmath>
 
 #include "post/bloom.h"

@@ -15,9 +15,9 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr double kClickPixels = 4.0;          // a hand trembles that much between press and release
-constexpr double kWheelFactor = 0.88;         // of the distance, per notch
-constexpr double kSettleSeconds = 0.18;       // after the last notch or key the motion is over
+constexpr double kClickPixels = 4.0;     // a hand trembles that much between press and release
+constexpr double kWheelFactor = 0.88;    // of the distance, per notch
+constexpr double kSettleSeconds = 0.18;  // after the last notch or key the motion is over
 
 /// The world that holds the geometry of the present scene, whatever camera it was compiled for.
 std::shared_ptr<const World> worldOf(Workspace& workspace) {
@@ -56,7 +56,8 @@ void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
     } else if (!left) {
         drag_ = Drag::Pan;
     } else if (grip_) {
-        const Light& light = workspace.edit.scene->lights[static_cast<std::size_t>(workspace.view.selectedLight)];
+        const Light& light =
+            workspace.edit.scene->lights[static_cast<std::size_t>(workspace.view.selectedLight)];
         drag_ = Drag::Handle;
         grabFrame_ = frame;
         handleStart_ = glm::dvec3(handlesOf(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
@@ -66,7 +67,9 @@ void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
 }
 
 void ViewInput::dragTo(Workspace& workspace, const ViewFrame& frame) {
-    if (clicked_ && glm::length(cursor_ - pressed_) < kClickPixels * static_cast<double>(workspace.view.scale)) return;
+    if (clicked_ &&
+        glm::length(cursor_ - pressed_) < kClickPixels * static_cast<double>(workspace.view.scale))
+        return;
     clicked_ = false;
     const glm::dvec2 moved = (cursor_ - last_) / static_cast<double>(workspace.view.scale);
     if (moved == glm::dvec2(0.0)) return;
@@ -166,18 +169,21 @@ void ViewInput::update(Workspace& workspace, const Window& window, glm::dvec2 or
         const int selected = workspace.view.selectedLight;
         if (free && drag_ == Drag::None && selected >= 0 && workspace.view.overlay) {
             const Light& light = workspace.edit.scene->lights[static_cast<std::size_t>(selected)];
-            const glm::dvec3 center(handlesOf(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
+            const glm::dvec3 center(
+                handlesOf(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
             grip_ = pickGrip(frame, center, cursor_, handleSize(workspace.view.scale));
         }
     }
     if (drag_ == Drag::None && free) {
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
             press(workspace, frame, true);
-        else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle))
+        else if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                 ImGui::IsMouseClicked(ImGuiMouseButton_Middle))
             press(workspace, frame, false);
     } else if (drag_ != Drag::None) {
         dragTo(workspace, frame);
-        const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left) || ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
+        const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left) ||
+                          ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
                           ImGui::IsMouseDown(ImGuiMouseButton_Middle);
         if (!down) release(workspace, frame);
     }

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayscope/vector.h>
 #include <functional>
+#include <utility>
 #include <stdexcept>
 #include <string>
 #include <vector>

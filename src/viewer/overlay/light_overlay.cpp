@@ -31,8 +31,8 @@ struct Sketch {
             return p + (q - p) * (static_cast<float>(step) / kPieces);
         };
         for (int i = 0; i < kPieces; ++i)
-            lines.push_back({mix(a, b, i), mix(a, b, i + 1), colorOf(mix(colorA, colorB, i)),
-                             LineStyle::Solid, width()});
+            lines.push_back(
+                {mix(a, b, i), mix(a, b, i + 1), colorOf(mix(colorA, colorB, i)), LineStyle::Solid, width()});
     }
     void dot(glm::vec3 center, Rgb color) const { star(center, color, 5.0); }
 
@@ -87,7 +87,8 @@ OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optiona
     const glm::dvec3 r = frame.right * half, u = frame.up * half;
     const glm::dvec3 corners[] = {center - r - u, center + r - u, center + r + u, center - r + u};
     for (int i = 0; i < 4; ++i)
-        lines.push_back({glm::vec3(corners[i]), glm::vec3(corners[(i + 1) % 4]), color, LineStyle::Solid, 2.0f});
+        lines.push_back(
+            {glm::vec3(corners[i]), glm::vec3(corners[(i + 1) % 4]), color, LineStyle::Solid, 2.0f});
     return lines;
 }
 

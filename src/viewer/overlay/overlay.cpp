@@ -14,8 +14,7 @@ void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 
     };
     for (int start = 0; start < 8; ++start)
         for (int axis = 1; axis < 8; axis *= 2)
-            if (!(start & axis))
-                lines.push_back({corner(start), corner(start | axis), color, style, width});
+            if (!(start & axis)) lines.push_back({corner(start), corner(start | axis), color, style, width});
 }
 
 void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, glm::vec4 color) {

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "viewer/camera_text.h"
@@ -32,13 +33,15 @@ void drawLens(CameraDescription& camera) {
             camera.lens = Lens{1.4f, 0.05f * distance, distance};
         }
     }
-    tooltip("With a lens, what is not at the focus distance is blurred; without one the camera is a pinhole.");
+    tooltip(
+        "With a lens, what is not at the focus distance is blurred; without one the camera is a pinhole.");
     if (!camera.lens) return;
     constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
     labelledRow("f-number");
     ImGui::SliderFloat("##fNumber", &camera.lens->fNumber, 0.1f, 64.0f, "%.2g", kFlags);
     labelledRow("Focal length");
-    ImGui::DragFloat("##focal", &camera.lens->focalLength, 0.01f * camera.lens->focalLength, 1e-6f, 1e6f, "%.4g");
+    ImGui::DragFloat("##focal", &camera.lens->focalLength, 0.01f * camera.lens->focalLength, 1e-6f, 1e6f,
+                     "%.4g");
     labelledRow("Focus distance");
     ImGui::DragFloat("##focus", &camera.lens->focusDistance, 0.01f * camera.lens->focusDistance, 1e-6f, 1e9f,
                      "%.4g");

@@ -43,8 +43,9 @@ void drawKeysWindow(Workspace& workspace) {
     if (!workspace.view.showKeys) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(scaled(640.0f), display.x * 0.9f), std::min(scaled(620.0f), display.y * 0.88f)},
-                             ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(
+        {std::min(scaled(640.0f), display.x * 0.9f), std::min(scaled(620.0f), display.y * 0.88f)},
+        ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and gestures", &workspace.view.showKeys,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs)) {
         const char* menu = "";
@@ -71,16 +72,16 @@ void drawKeysWindow(Workspace& workspace) {
 void drawStatisticsWindow(Workspace& workspace) {
     if (!workspace.view.showStatistics) return;
     ImGui::SetNextWindowPos({scaled(12.0f), scaled(34.0f)}, ImGuiCond_Appearing);
-    if (ImGui::Begin("Statistics", &workspace.view.showStatistics,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
-                         ImGuiWindowFlags_NoNavInputs)) {
+    if (ImGui::Begin(
+            "Statistics", &workspace.view.showStatistics,
+            ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs)) {
         const FrameTimes& times = workspace.frameTimes;
         const double median = times.quantile(0.5);
         text(fmt::format("frames of the last {}: median {:.1f} ms ({:.0f}/s), 95 % below {:.1f} ms",
                          times.count(), median * 1e3, median > 0.0 ? 1.0 / median : 0.0,
                          times.quantile(0.95) * 1e3));
-        ImGui::PlotLines("##times", times.latest().data(), static_cast<int>(times.latest().size()), 0, nullptr,
-                         0.0f, 0.1f, {scaled(380.0f), scaled(60.0f)});
+        ImGui::PlotLines("##times", times.latest().data(), static_cast<int>(times.latest().size()), 0,
+                         nullptr, 0.0f, 0.1f, {scaled(380.0f), scaled(60.0f)});
         const RenderStatus& status = workspace.render.status();
         text(fmt::format("tracing threads: {}", workspace.render.threads()));
         text(fmt::format("rays: {} ({:.2f} million per second)", status.rays,

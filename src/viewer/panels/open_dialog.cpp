@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <utility>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -37,12 +39,14 @@ void OpenDialog::enter(const std::filesystem::path& folder) {
         const std::string name = item.path().filename().string();
         std::error_code ignored;
         const bool isFolder = item.is_directory(ignored);
-        if (!name.starts_with(".") && (isFolder || isScene(item.path()))) entries_.push_back({name, isFolder});
+        if (!name.starts_with(".") && (isFolder || isScene(item.path())))
+            entries_.push_back({name, isFolder});
     }
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
         return a.folder != b.folder ? a.folder : a.name < b.name;
     });
-    if (folder_.has_parent_path() && folder_ != folder_.root_path()) entries_.insert(entries_.begin(), {"..", true});
+    if (folder_.has_parent_path() && folder_ != folder_.root_path())
+        entries_.insert(entries_.begin(), {"..", true});
 }
 
 /// Returns whether `typed_` now names the file to open.
@@ -74,8 +78,9 @@ void OpenDialog::draw(Workspace& workspace) {
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(scaled(620.0f), display.x * 0.9f), std::min(scaled(460.0f), display.y * 0.8f)},
-                             ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(
+        {std::min(scaled(620.0f), display.x * 0.9f), std::min(scaled(460.0f), display.y * 0.8f)},
+        ImGuiCond_Appearing);
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();

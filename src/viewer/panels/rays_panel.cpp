@@ -61,15 +61,19 @@ void drawNode(const DebugRays::Shot& shot, int index) {
                     node.hit ? fmt::format("t {:.5g}", node.primitiveHit.t) : std::string(nameOf(node.end)));
     ImGui::PushID(index);
     if (ImGui::TreeNodeEx("node", ImGuiTreeNodeFlags_DefaultOpen, "%s", label.c_str())) {
-        if (node.hit) dimText(fmt::format("{}, primitive {}", objectName(*shot.world, node.object),
-                                          node.primitiveHit.primitive));
+        if (node.hit)
+            dimText(fmt::format("{}, primitive {}", objectName(*shot.world, node.object),
+                                node.primitiveHit.primitive));
         dimText("adds " + rgbText(node.contribution));
         int visible = 0, blocked = 0, away = 0;
         for (const ShadowRay& ray : shot.tree.shadowRays) {
             if (ray.node != index) continue;
-            if (ray.visibility == Visibility::Blocked) ++blocked;
-            else if (ray.visibility == Visibility::FacingAway) ++away;
-            else ++visible;
+            if (ray.visibility == Visibility::Blocked)
+                ++blocked;
+            else if (ray.visibility == Visibility::FacingAway)
+                ++away;
+            else
+                ++visible;
         }
         if (visible + blocked + away > 0)
             dimText(fmt::format("shadow rays: {} free, {} blocked, {} behind", visible, blocked, away));
@@ -90,8 +94,8 @@ void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
     if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, shot.state.settings.spp - 1), "%d",
                          ImGuiSliderFlags_AlwaysClamp)) {
         const DebugRays::Shot before = shot;
-        workspace.rays.shoot(before.world, before.state, before.imageSize,
-                             {tree.name.x, tree.name.y, sample}, nullptr);
+        workspace.rays.shoot(before.world, before.state, before.imageSize, {tree.name.x, tree.name.y, sample},
+                             nullptr);
         return;
     }
     tooltip("Which sample of the pixel the rays belong to.");

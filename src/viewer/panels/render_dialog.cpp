@@ -1,4 +1,6 @@
 #include <fmt/format.h>
+#include <utility>
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "viewer/panels/panels.h"
@@ -52,7 +54,8 @@ void RenderDialog::drawForm(Workspace& workspace) {
         state.settings.spp = samples_;
         try {
             workspace.job.reset();
-            workspace.job = std::make_unique<RenderJob>(state, size_[0], size_[1], path_, workspace.render.threads());
+            workspace.job =
+                std::make_unique<RenderJob>(state, size_[0], size_[1], path_, workspace.render.threads());
             problem_.clear();
         } catch (const InputError& error) {
             problem_ = error.what();
@@ -73,7 +76,8 @@ void RenderDialog::drawProgress(Workspace& workspace) {
                                   ? std::string("writing")
                                   : fmt::format("{:.0f} %", 100.0 * status.progress);
     ImGui::ProgressBar(static_cast<float>(status.progress), {-1.0f, 0.0f}, label.c_str());
-    text(fmt::format("{} of {} samples, {:.1f} s, {}", status.samples, status.targetSamples, status.elapsedSeconds,
+    text(fmt::format("{} of {} samples, {:.1f} s, {}", status.samples, status.targetSamples,
+                     status.elapsedSeconds,
                      status.remainingSeconds > 0.0 ? fmt::format("{:.1f} s to go", status.remainingSeconds)
                                                    : std::string("estimating")));
     ImGui::Spacing();

@@ -12,14 +12,17 @@ namespace rayscope::viewer {
 
 namespace {
 
-void drawControl(const Toggle& row, Settings& settings) { ImGui::Checkbox("##value", &(settings.*row.member)); }
+void drawControl(const Toggle& row, Settings& settings) {
+    ImGui::Checkbox("##value", &(settings.*row.member));
+}
 
 /// A slider where its whole range fits, else a field to drag whose speed goes with its value.
 void drawControl(const Range<int>& row, Settings& settings) {
     int& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (row.logarithmic)
-        ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d", flags | ImGuiSliderFlags_Logarithmic);
+        ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d",
+                         flags | ImGuiSliderFlags_Logarithmic);
     else
         ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d", flags);
 }
@@ -29,11 +32,12 @@ void drawControl(const Range<float>& row, Settings& settings) {
     float& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (row.highest - row.lowest <= kWidestSlider)
-        ImGui::SliderFloat("##value", &value, row.lowest, row.highest, "%.3g",
-                           flags | (row.logarithmic || row.lowest == 0.0f ? ImGuiSliderFlags_Logarithmic : 0));
+        ImGui::SliderFloat(
+            "##value", &value, row.lowest, row.highest, "%.3g",
+            flags | (row.logarithmic || row.lowest == 0.0f ? ImGuiSliderFlags_Logarithmic : 0));
     else
-        ImGui::DragFloat("##value", &value, std::max(0.005f, 0.01f * std::abs(value)), row.lowest, row.highest,
-                         "%.4g", flags);
+        ImGui::DragFloat("##value", &value, std::max(0.005f, 0.01f * std::abs(value)), row.lowest,
+                         row.highest, "%.4g", flags);
 }
 
 template <class E, std::size_t N>
@@ -60,9 +64,10 @@ std::string rangeText(const Choice<E, N>& row) {
 template <class Row>
 std::string explain(const Row& row, std::string_view idleReason) {
     const Settings defaults;
-    std::string words = fmt::format("{}\n\n--set {}={}\n{}{}{}\nDouble-click the name or right-click to reset.",
-                                    row.text.help, row.text.key, textOf(defaults, row.text.key), rangeText(row),
-                                    row.text.unit.empty() ? "" : " ", row.text.unit);
+    std::string words =
+        fmt::format("{}\n\n--set {}={}\n{}{}{}\nDouble-click the name or right-click to reset.",
+                    row.text.help, row.text.key, textOf(defaults, row.text.key), rangeText(row),
+                    row.text.unit.empty() ? "" : " ", row.text.unit);
     if (!idleReason.empty()) words = fmt::format("Without effect: {}.\n\n{}", idleReason, words);
     return words;
 }
@@ -81,8 +86,8 @@ void drawRow(const Row& row, Settings& settings) {
     tooltip(explain(row, idleReason));
     ImGui::EndDisabled();
     if (ImGui::BeginPopupContextItem("reset")) {
-        if (ImGui::MenuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr, false,
-                            edited))
+        if (ImGui::MenuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr,
+                            false, edited))
             reset = true;
         ImGui::EndPopup();
     }

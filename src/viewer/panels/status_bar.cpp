@@ -59,8 +59,9 @@ void drawCursor(const CursorInfo& cursor) {
 std::string progressText(const Workspace& workspace) {
     const RenderControl& render = workspace.render;
     const RenderStatus& status = render.status();
-    std::string words = fmt::format("{}/{} samples   {:.2f} Mray/s   {}", status.samples, status.targetSamples,
-                                    render.raysPerSecond() * 1e-6, durationText(status.elapsedSeconds));
+    std::string words =
+        fmt::format("{}/{} samples   {:.2f} Mray/s   {}", status.samples, status.targetSamples,
+                    render.raysPerSecond() * 1e-6, durationText(status.elapsedSeconds));
     if (status.state == RenderState::Rendering && status.remainingSeconds > 0.0)
         words += fmt::format("   ETA {}", durationText(status.remainingSeconds));
     return words + fmt::format("   {}", stateText(status.state));
@@ -70,8 +71,8 @@ void drawProgress(const Workspace& workspace) {
     const RenderStatus& status = workspace.render.status();
     const std::string words = progressText(workspace);
     const std::string bad = fmt::format("NaN {}", status.nonFiniteSamples);
-    const float gap = scaled(14.0f), width = ImGui::CalcTextSize(words.c_str()).x +
-                                             ImGui::CalcTextSize(bad.c_str()).x + gap;
+    const float gap = scaled(14.0f),
+                width = ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(bad.c_str()).x + gap;
     ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
     text(words);
     ImGui::SameLine(0.0f, gap);
@@ -89,7 +90,8 @@ void drawProgress(const Workspace& workspace) {
 }
 
 bool isFresh(const Notice& notice) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - notice.at).count() < kNoticeSeconds;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - notice.at).count() <
+           kNoticeSeconds;
 }
 
 }  // namespace
@@ -113,7 +115,8 @@ void drawStatusBar(Workspace& workspace, float height) {
         else if (workspace.render.status().state == RenderState::Failed)
             coloredText(kErrorText, workspace.render.status().message);
         else if (workspace.view.flying)
-            text(fmt::format("fly: W A S D Q E, wheel: speed {:.3g} units/s, Esc: end", workspace.view.flySpeed));
+            text(fmt::format("fly: W A S D Q E, wheel: speed {:.3g} units/s, Esc: end",
+                             workspace.view.flySpeed));
         else if (workspace.cursor)
             drawCursor(*workspace.cursor);
         else

@@ -45,7 +45,8 @@ bool colorRow(const char* label, Rgb& color) {
     labelledRow(label);
     ImGui::PushID(label);
     const bool edited = ImGui::ColorEdit3(
-        "##color", &color.x, ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+        "##color", &color.x,
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
     ImGui::PopID();
     return edited;
 }
