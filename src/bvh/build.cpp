@@ -17,7 +17,8 @@ namespace {
 
 void checkRange(const char* name, int value, int lowest, int highest) {
     if (value < lowest || value > highest)
-        throw std::invalid_argument(fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
+        throw std::invalid_argument(
+            fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
 }
 
 void checkSettings(const BuildSettings& settings) {
@@ -36,34 +37,41 @@ float areaScale(const Bounds4& box) {
 }  // namespace
 
 RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, refs.size(), 16384), RangeBounds{},
-        [&](const tbb::blocked_range<std::size_t>& block, RangeBounds bounds) {
-            throwIfStopped(stop);
-            for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
-            return bounds;
-        },
-        [](RangeBounds a, const RangeBounds& b) {
-            a.box.extend(b.box);
-            a.centroids.extend(b.centroids);
-            return a;
-        });
+    using Block = tbb::blocked_range<std::size_t>;
+    const auto extend = [&](const Block& block, RangeBounds bounds) {
+        throwIfStopped(stop);
+        for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
+        return bounds;
+    };
+    const Block all(0, refs.size(), 16384);
+    if (!all.is_divisible()) return extend(all, {});
+    return tbb::parallel_reduce(all, RangeBounds{}, extend, [](RangeBounds a, const RangeBounds& b) {
+        a.box.extend(b.box);
+        a.centroids.extend(b.centroids);
+        return a;
+    });
 }
 
 BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& settings) {
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
-    std::span<PrimitiveRef> refs = collected.refs;
+    const std::span<PrimitiveRef> refs = collected.refs();
     TreeSkeleton skeleton(refs.size(), settings);
     if (!refs.empty()) {
         const float scale = areaScale(boundsOf(refs, settings.stop).box);
         switch (settings.builder) {
-            case BvhBuilder::Median: buildMedian(skeleton, refs); break;
-            case BvhBuilder::Sah: buildSweep(skeleton, refs, skeleton.whole(), scale); break;
-            case BvhBuilder::SahBinned: buildBinned(skeleton, refs, scale); break;
+            case BvhBuilder::Median:
+                buildMedian(skeleton, refs);
+                break;
+            case BvhBuilder::Sah:
+                buildSweep(skeleton, refs, skeleton.whole(), scale);
+                break;
+            case BvhBuilder::SahBinned:
+                buildBinned(skeleton, refs, scale);
+                break;
         }
     }
-    collected.refs = {};
+    collected.storage.reset();
     BinaryTree tree = skeleton.compact();
     tree.droppedPrimitives = collected.dropped;
     return tree;

@@ -4,11 +4,11 @@
 // Distances are measured in units of the direction divided by a power of two, chosen so that its longest
 // component lies in [1, 2): nothing overflows or underflows because of the length of the direction.
 //
-// A plane distance fl(fl(plane − origin) · fl(1/d)) has a relative error of at most 3u (1 + u), u = 2^-24. The
-// reciprocals of near planes are shortened and those of far planes lengthened by 8u, so that a computed near
-// distance is never beyond, and a far distance never before the true one rounded to float. Planes are chosen by
-// the sign bit, and comparisons keep the running bound when a distance is NaN (0 · ∞: the ray runs inside the
-// plane), so that such an axis excludes nothing.
+// A plane distance fl(fl(plane − origin) · fl(1/d)) has a relative error of at most 3u (1 + u), u = 2^-24.
+// The reciprocals of near planes are shortened and those of far planes lengthened by 8u, so that a computed
+// near distance is never beyond, and a far distance never before the true one rounded to float. Planes are
+// chosen by the sign bit, and comparisons keep the running bound when a distance is NaN (0 · ∞: the ray runs
+// inside the plane), so that such an axis excludes nothing.
 //
 // Subtraction, multiplication and rounding are monotone: if one box contains another, its computed interval
 // contains that of the other as well. Hits are accepted only inside the interval of their own primitive's box

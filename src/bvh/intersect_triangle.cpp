@@ -5,7 +5,8 @@
 namespace rayscope {
 namespace {
 
-/// a·b − c·d with an error of at most 1.5 ulp (Kahan; Jeannerod, Louvet, Muller 2013), so with the exact sign.
+/// a·b − c·d with an error of at most 1.5 ulp (Kahan; Jeannerod, Louvet, Muller 2013), so with the exact
+/// sign.
 double differenceOfProducts(double a, double b, double c, double d) {
     const double cd = c * d;
     return std::fma(a, b, -cd) + std::fma(-c, d, cd);

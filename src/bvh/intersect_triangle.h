@@ -2,11 +2,11 @@
 // Watertight ray-triangle intersection: shear to ray space and edge functions with exact sign, all in double.
 //
 // The vertices are moved so that the ray starts at the origin and sheared so that it runs along z (Woop,
-// Benthin, Wald 2013). A sheared vertex depends on ray and vertex only, and the sign of an edge function is that
-// of the exact product of its two sheared end points; so two triangles that share an edge see the same line on
-// exactly one side of it. A line that meets an edge or a vertex exactly is decided by Simulation of Simplicity
-// (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A closed surface is therefore
-// crossed without a leak, and a fan of triangles exactly once.
+// Benthin, Wald 2013). A sheared vertex depends on ray and vertex only, and the sign of an edge function is
+// that of the exact product of its two sheared end points; so two triangles that share an edge see the same
+// line on exactly one side of it. A line that meets an edge or a vertex exactly is decided by Simulation of
+// Simplicity (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A closed surface
+// is therefore crossed without a leak, and a fan of triangles exactly once.
 #include <rayscope/ray.h>
 #include <cmath>
 #include <limits>
@@ -40,9 +40,9 @@ inline ShearedVertex shear(const ShearedRay& ray, const glm::vec3& vertex) {
             (vertex[ray.ky] - ray.origin[ray.ky]) - ray.shearY * z, z};
 }
 
-/// True only if two edge functions have opposite signs beyond doubt: the rounding error of fl(p·q − r·s) is at
-/// most ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below rounded
-/// with factor 4ε exceeds; the smallest normal number stands for products that underflow.
+/// True only if two edge functions have opposite signs beyond doubt: the rounding error of fl(p·q − r·s) is
+/// at most ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below
+/// rounded with factor 4ε exceeds; the smallest normal number stands for products that underflow.
 inline bool surelyMisses(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
     constexpr double kFactor = 2.0 * std::numeric_limits<double>::epsilon();
     constexpr double kFloor = std::numeric_limits<double>::min();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "bvh/ray_query.h"
@@ -24,8 +25,9 @@ constexpr std::size_t kMostPrimitives = std::size_t{1} << 31;
 void checkSize(const AccelInput& input) {
     const std::size_t count = input.triangles.size() + input.spheres.size();
     if (count > kMostPrimitives)
-        throw std::length_error(fmt::format("{} primitives are more than the {} that one tree can hold; split the scene",
-                                            count, kMostPrimitives));
+        throw std::length_error(
+            fmt::format("{} primitives are more than the {} that one tree can hold; split the scene", count,
+                        kMostPrimitives));
 }
 
 /// The number of the first triangle that names a missing vertex, or the number of triangles.
@@ -48,8 +50,9 @@ void checkIndices(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t bad = firstBadTriangle(input, stop);
     if (bad == input.triangles.size()) return;
     const glm::uvec3& corner = input.triangles[bad];
-    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices", bad,
-                                            std::max({corner.x, corner.y, corner.z}), input.vertices.size()));
+    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices",
+                                            bad, std::max({corner.x, corner.y, corner.z}),
+                                            input.vertices.size()));
 }
 
 PrimitiveBox primitiveBox(const AccelInput& input, std::size_t primitive) {
@@ -70,26 +73,39 @@ bool isFinite(const AccelInput& input, std::size_t primitive, const PrimitiveBox
     return true;
 }
 
+PrimitiveRef makeRef(const AccelInput& input, std::size_t primitive) {
+    const PrimitiveBox box = primitiveBox(input, primitive);
+    PrimitiveRef ref{};
+    std::copy_n(box.planes, 3, ref.lower);
+    std::copy_n(box.planes + 4, 3, ref.upper);
+    ref.primitive = isFinite(input, primitive, box) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
+    return ref;
+}
+
 }  // namespace
 
 PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop) {
     checkSize(input);
     checkIndices(input, stop);
     PrimitiveRefs result;
-    result.refs.resize(input.triangles.size() + input.spheres.size());
-    tbb::parallel_for(Block(0, result.refs.size(), kGrain), [&](const Block& block) {
-        throwIfStopped(stop);
-        for (std::size_t i = block.begin(); i < block.end(); ++i) {
-            const PrimitiveBox box = primitiveBox(input, i);
-            PrimitiveRef& ref = result.refs[i];
-            std::copy_n(box.planes, 3, ref.lower);
-            std::copy_n(box.planes + 4, 3, ref.upper);
-            ref.primitive = isFinite(input, i, box) ? static_cast<std::uint32_t>(i) : kNoPrimitive;
-            ref.unused = 0;
-        }
-    });
-    result.dropped = static_cast<std::uint32_t>(
-        std::erase_if(result.refs, [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; }));
+    const std::size_t count = input.triangles.size() + input.spheres.size();
+    result.storage = std::make_unique_for_overwrite<PrimitiveRef[]>(count);
+    const std::size_t dropped = tbb::parallel_reduce(
+        Block(0, count, kGrain), std::size_t{0},
+        [&](const Block& block, std::size_t sum) {
+            throwIfStopped(stop);
+            for (std::size_t i = block.begin(); i < block.end(); ++i) {
+                result.storage[i] = makeRef(input, i);
+                sum += result.storage[i].primitive == kNoPrimitive;
+            }
+            return sum;
+        },
+        std::plus<>{});
+    if (dropped > 0)
+        (void)std::remove_if(result.storage.get(), result.storage.get() + count,
+                             [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; });
+    result.count = count - dropped;
+    result.dropped = static_cast<std::uint32_t>(dropped);
     return result;
 }
 

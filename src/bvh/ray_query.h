@@ -34,8 +34,8 @@ struct RayQuery {
     ShearedRay sheared;
 
     /// Rounds t, and accepts it if it lies in (tMin, bound] and the ray meets the primitive's own box.
-    /// Where t itself has lost digits (an origin very close to a large triangle) it may round to a value before
-    /// that box; then it is moved to where the box begins.
+    /// Where t itself has lost digits (an origin very close to a large triangle) it may round to a value
+    /// before that box; then it is moved to where the box begins.
     bool accept(double t, const PrimitiveBox& own, float bound, float& rounded) const;
 
     /// Tests one primitive. On success `found` has t, u and v.

@@ -17,8 +17,8 @@ struct IndexedPrimitives {
     bool hits(const RayQuery& query, std::uint32_t slot, float bound, Hit& found) const {
         return hitsPrimitive(query, input, order[slot], bound, found);
     }
-    static bool hitsPrimitive(const RayQuery& query, const AccelInput& input, std::uint32_t primitive, float bound,
-                              Hit& found) {
+    static bool hitsPrimitive(const RayQuery& query, const AccelInput& input, std::uint32_t primitive,
+                              float bound, Hit& found) {
         if (primitive >= input.triangles.size())
             return query.hits(input.spheres[primitive - input.triangles.size()], bound, found);
         const glm::uvec3& corner = input.triangles[primitive];
@@ -40,7 +40,8 @@ void reportRejected(const BinaryTree& tree, std::uint32_t node, const BoxRay& ra
 
 /// The one walk: near child first, the far one waits on a stack that the bounded depth of the tree limits.
 template <class Primitives, TraversalObserver O>
-bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit, O& observer) {
+bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit,
+                      O& observer) {
     hit = Hit{};
     if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
     const RayQuery query(ray);
@@ -89,7 +90,8 @@ bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, cons
                 continue;
             }
         }
-        while (waiting > 0 && stack[waiting - 1].entry > bound) observer.skipped(stack[--waiting].node, best.t);
+        while (waiting > 0 && stack[waiting - 1].entry > bound)
+            observer.skipped(stack[--waiting].node, best.t);
         if (waiting == 0) break;
         current = stack[--waiting].node;
     }

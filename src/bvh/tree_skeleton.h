@@ -1,9 +1,10 @@
 #pragma once
 // Where builders put their nodes while several threads work on one tree.
 //
-// A subtree over n primitives needs at most 2n − 1 nodes, so every subtree knows its place before it is built:
-// the two children of a node come first, then everything below the left one, then everything below the right
-// one. The places that stay empty are squeezed out at the end; the numbering does not depend on the threads.
+// A subtree over n primitives needs at most 2n − 1 nodes, so every subtree knows its place before it is
+// built: the two children of a node come first, then everything below the left one, then everything below the
+// right one. The places that stay empty are squeezed out at the end; the numbering does not depend on the
+// threads.
 #include <rayscope/accel.h>
 #include <memory>
 
@@ -36,16 +37,21 @@ class TreeSkeleton {
     std::uint32_t& slot(std::size_t index) { return primitives_[index]; }
 
     /// Whether the root of `tree` has to be a leaf whatever it would cost.
-    bool mustBeLeaf(const Subtree& tree) const { return tree.size() == 1 || tree.level >= settings_.maxLevel; }
+    bool mustBeLeaf(const Subtree& tree) const {
+        return tree.size() == 1 || tree.level >= settings_.maxLevel;
+    }
 
     /// Whether the subtree has to be halved from here on so that it ends above kMaxTreeLevel.
     static bool mustBeHalved(const Subtree& tree);
 
     const BuildSettings& settings() const { return settings_; }
 
+    /// Squeezes out the empty places; the skeleton is used up.
     BinaryTree compact();
 
   private:
+    std::size_t countNodes() const;
+
     std::size_t count_;
     BuildSettings settings_;
     std::unique_ptr<BinaryNode[]> nodes_;
