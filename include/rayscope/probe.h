@@ -1,4 +1,5 @@
 #pragma once
+#include <rayscope/path.h>
 #include <rayscope/ray.h>
 #include <rayscope/render_session.h>
 #include <rayscope/vector.h>

@@ -50,6 +50,7 @@ struct RenderStatus {
 /// Pixels of one tile that changed: means so far, linear, `stride` pixels per row.
 struct TileView {
     int x0, y0, width, height;
+    int imageWidth, imageHeight;  ///< of the image that the tile belongs to
     int samples;
     std::span<const Rgb> mean;  ///< width * height, row by row
 };

@@ -53,11 +53,11 @@ struct Material {
 /// Triangles with shared vertices, immutable once read. `normals` and `texCoords` are empty or as long as
 /// `positions`.
 struct MeshData {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> texCoords;  ///< (0, 0) is the lower left corner of the image
-    std::vector<glm::uvec3> triangles;
-    std::vector<std::uint16_t> materialSlots;  ///< per triangle, or empty if all use slot 0
+    std::vector<glm::vec3> positions{};
+    std::vector<glm::vec3> normals{};
+    std::vector<glm::vec2> texCoords{};  ///< (0, 0) is the lower left corner of the image
+    std::vector<glm::uvec3> triangles{};
+    std::vector<std::uint16_t> materialSlots{};  ///< per triangle, or empty if all use slot 0
 };
 
 /// scale, then rotation about x, y, z in this order (degrees), then translation; or any affine map.

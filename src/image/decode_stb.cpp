@@ -17,7 +17,9 @@ namespace {
 /// silently go on with zeros.
 class Source {
   public:
-    explicit Source(FileBytes file) : file_(file) {}
+    enum class AtEnd { Stop, GoOnWithOnes };
+
+    explicit Source(FileBytes file, AtEnd atEnd = AtEnd::Stop) : file_(file), atEnd_(atEnd) {}
 
     static const stbi_io_callbacks& callbacks() {
         static const stbi_io_callbacks table{
@@ -41,7 +43,9 @@ class Source {
         std::memcpy(data, file_.data() + position_, count);
         position_ += count;
         if (count == 0 || (size != kBufferStep && count < static_cast<std::size_t>(size))) overrun_ = true;
-        return static_cast<int>(count);
+        if (count > 0 || atEnd_ == AtEnd::Stop) return static_cast<int>(count);
+        std::memset(data, 1, static_cast<std::size_t>(size));
+        return size;
     }
 
     void skip(int count) {
@@ -51,6 +55,7 @@ class Source {
     }
 
     FileBytes file_;
+    AtEnd atEnd_;
     std::size_t position_ = 0;
     bool overrun_ = false;
 };
@@ -60,8 +65,7 @@ using Samples = std::unique_ptr<T, void (*)(void*)>;
 
 /// Decodes with one of stb's load functions into three channels, and converts each sample.
 template <class T, class Load, class Convert>
-RgbImage load(FileBytes file, const std::string& name, Load loadFromCallbacks, Convert toLinear) {
-    Source source(file);
+RgbImage load(Source source, const std::string& name, Load loadFromCallbacks, Convert toLinear) {
     int width = 0, height = 0, channels = 0;
     const Samples<T> samples(loadFromCallbacks(&Source::callbacks(), &source, &width, &height, &channels, 3),
                              stbi_image_free);
@@ -91,14 +95,18 @@ RgbImage decodeStb(FileBytes file, const std::string& name) {
     checkImageSize(width, height, name);
 
     Source probe(file);
-    if (stbi_is_hdr_from_callbacks(&Source::callbacks(), &probe))
-        return load<float>(file, name, stbi_loadf_from_callbacks, [](float value) { return value; });
+    if (stbi_is_hdr_from_callbacks(&Source::callbacks(), &probe)) {
+        // After the end stb takes zeros, and in the pixels of an HDR file a run of length zero is one that it
+        // repeats forever. The header, where ones would do the same, has just been read to its end.
+        return load<float>(Source(file, Source::AtEnd::GoOnWithOnes), name, stbi_loadf_from_callbacks,
+                           [](float value) { return value; });
+    }
     probe = Source(file);
     if (stbi_is_16_bit_from_callbacks(&Source::callbacks(), &probe))
-        return load<stbi_us>(file, name, stbi_load_16_from_callbacks, [](stbi_us value) {
+        return load<stbi_us>(Source(file), name, stbi_load_16_from_callbacks, [](stbi_us value) {
             return srgbToLinear(static_cast<float>(value) / 65535.0f);
         });
-    return load<stbi_uc>(file, name, stbi_load_from_callbacks, decodeByte);
+    return load<stbi_uc>(Source(file), name, stbi_load_from_callbacks, decodeByte);
 }
 
 }  // namespace rayscope

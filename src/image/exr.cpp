@@ -79,20 +79,41 @@ Imf::FrameBuffer describeMemory(const RgbImage& image, int left, int top, const 
     return buffer;
 }
 
-RgbImage readPixels(Imf::InputFile& input, const std::string& name) {
-    const auto& window = input.header().dataWindow();
+struct Window {
+    int left, top, width, height;
+};
+
+/// Throws InputError if the image that the header announces may not be read.
+Window checkedWindow(const Imf::Header& header, const std::string& name) {
+    const auto& window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
     checkImageSize(width, height, name);
+    return {window.min.x, window.min.y, static_cast<int>(width), static_cast<int>(height)};
+}
 
+/// The header alone. OpenEXR's own readers go on at once and allocate tables for as many lines as it
+/// announces.
+Imf::Header readHeader(FileBytes file, const std::string& name) {
+    constexpr std::uint64_t kAfterMagicAndVersion = 8;
+    MemoryInput stream(file, name);
+    stream.seekg(kAfterMagicAndVersion);
+    int version = 2;  // the only one there is
+    Imf::Header header;
+    header.readFrom(stream, version);
+    return header;
+}
+
+RgbImage readPixels(Imf::InputFile& input, const std::string& name) {
+    const Window window = checkedWindow(input.header(), name);
     const Imf::ChannelList& channels = input.header().channels();
     const bool coloured = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
     if (!coloured && !channels.findChannel("Y"))
         throw InputError("the EXR image has no channels R, G, B or Y; export it with one of these", {name});
 
-    RgbImage image(static_cast<int>(width), static_cast<int>(height));
-    input.setFrameBuffer(describeMemory(image, window.min.x, window.min.y, coloured ? kColour : kLuminance));
-    input.readPixels(window.min.y, window.max.y);
+    RgbImage image(window.width, window.height);
+    input.setFrameBuffer(describeMemory(image, window.left, window.top, coloured ? kColour : kLuminance));
+    input.readPixels(window.top, window.top + window.height - 1);
     if (!coloured)
         for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.z);
     return image;
@@ -106,6 +127,7 @@ bool looksLikeExr(FileBytes file) {
 }
 
 RgbImage decodeExr(FileBytes file, const std::string& name) try {
+    checkedWindow(readHeader(file, name), name);
     MemoryInput stream(file, name);
     Imf::InputFile input(stream);
     return readPixels(input, name);

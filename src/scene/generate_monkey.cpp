@@ -77,7 +77,7 @@ class SurfaceNet {
     }
 
   private:
-    static constexpr double kWidth = 2.0;
+    static constexpr double kWidth = 1.93;
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     static std::size_t cube(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n * n); }

@@ -1,0 +1,18 @@
+# shellcheck shell=bash disable=SC2034
+# The packages of the distribution that Rayscope is built from, by their names in Debian and Ubuntu. Sourced.
+
+build_packages=(
+    build-essential cmake ninja-build pkg-config
+    libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
+    libtomlplusplus-dev libtinyobjloader-dev libstb-dev libopenexr-dev # scenes, meshes, images
+    libcli11-dev nlohmann-json3-dev                                # command line
+    libglfw3-dev libepoxy-dev libimgui-dev                         # window
+)
+
+test_packages=(
+    libgtest-dev libgmock-dev clang-format
+    xvfb xdotool x11-utils imagemagick libgl1-mesa-dri             # the window without a screen
+)
+
+# Used if they are there; a distribution may not have them.
+optional_packages=(libembree-dev libbenchmark-dev)

@@ -1,0 +1,23 @@
+#version 330 core
+// Linear radiance to what the screen shows: exposure, then the tone curve.
+in vec2 place;
+
+uniform sampler2D image;
+uniform float exposureFactor;
+uniform bool courseCurve;
+
+out vec4 fragment;
+
+vec3 srgb(vec3 linear) {
+    vec3 low = 12.92 * linear;
+    vec3 high = 1.055 * pow(max(linear, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
+    return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
+}
+
+void main() {
+    vec3 radiance = texture(image, vec2(place.x, 1.0 - place.y)).rgb * exposureFactor;
+    // What is not a number shows as magenta, never as black.
+    if (any(isnan(radiance)) || any(isinf(radiance))) radiance = vec3(1.0, 0.0, 1.0);
+    radiance = clamp(radiance, 0.0, 1.0);
+    fragment = vec4(courseCurve ? radiance : srgb(radiance), 1.0);
+}

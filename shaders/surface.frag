@@ -1,0 +1,48 @@
+#version 330 core
+// A light beside the viewer plus the lights of the scene, without shadows: a picture to find one's way in.
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec2 uv;
+
+uniform vec3 eye;
+uniform vec3 kd, ks;
+uniform float shininess;
+uniform float opacity;
+uniform bool useNormals, useTexture;
+uniform sampler2D kdTexture;
+uniform int lightCount;
+uniform vec3 lightPositions[8];
+uniform vec3 lightColors[8];
+
+out vec4 fragment;
+
+const float kAmbient = 0.16, kHeadlight = 0.34, kSceneLights = 0.6;
+
+vec3 srgb(vec3 linear) {
+    vec3 low = 12.92 * linear;
+    vec3 high = 1.055 * pow(max(linear, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
+    return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
+}
+
+void main() {
+    vec3 toEye = normalize(eye - worldPosition);
+    vec3 flatNormal = normalize(cross(dFdx(worldPosition), dFdy(worldPosition)));
+    vec3 normal = useNormals ? normalize(worldNormal) : flatNormal;
+    if (dot(normal, toEye) < 0.0) normal = -normal;
+    // The texture's first row is the top of the picture.
+    vec3 diffuse = useTexture ? texture(kdTexture, vec2(uv.x, 1.0 - uv.y)).rgb : kd;
+    // A mirror has no colour of its own; give it some body.
+    diffuse = max(diffuse, 0.5 * ks + 0.02);
+
+    vec3 light = vec3(kAmbient + kHeadlight * dot(normal, toEye));
+    vec3 highlight = vec3(0.0);
+    for (int i = 0; i < lightCount; ++i) {
+        vec3 toLight = normalize(lightPositions[i] - worldPosition);
+        float cosine = max(dot(normal, toLight), 0.0);
+        light += kSceneLights * cosine * lightColors[i];
+        if (cosine > 0.0)
+            highlight += pow(max(dot(reflect(-toLight, normal), toEye), 0.0), shininess) * lightColors[i];
+    }
+    vec3 color = diffuse * light + 0.4 * ks * highlight;
+    fragment = vec4(srgb(min(color, vec3(1.0))), opacity);
+}

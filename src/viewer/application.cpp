@@ -1,0 +1,199 @@
+#include "viewer/application.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <utility>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// Seconds between frames: while something is in motion, while a picture refines, and when all is quiet.
+constexpr double kMotionSeconds = 1.0 / 120.0, kRefineSeconds = 1.0 / 40.0, kQuietSeconds = 0.5;
+/// Dear ImGui needs some frames after an event until everything it causes is on the screen.
+constexpr int kFramesAfterEvent = 4;
+
+}  // namespace
+
+Application::Application(const ViewerOptions& options, LoadedScene first)
+    : window_(options.width, options.height),
+      workspace_(openingState(std::move(*first.scene), options.settings, options.camera),
+                 std::move(first.notes), options.threads) {
+    workspace_.recent.add(first.path);
+    setScale(window_.contentScale());
+}
+
+void Application::run() {
+    Clock::time_point before = Clock::now();
+    while (!window_.shouldClose()) {
+        if (window_.handleEvents(patience())) liveFrames_ = kFramesAfterEvent;
+        liveFrames_ = std::max(0, liveFrames_ - 1);
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::min(0.1, std::chrono::duration<double>(now - before).count());
+        before = now;
+        frame(seconds);
+        workspace_.frameTimes.add(std::chrono::duration<double>(Clock::now() - now).count());
+    }
+}
+
+double Application::patience() const {
+    if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
+    const bool job = workspace_.job && workspace_.job->running();
+    const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() || job;
+    return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
+}
+
+void Application::frame(double seconds) {
+    takeFiles();
+    if (appliedScale_ != workspace_.view.scale) {
+        appliedScale_ = workspace_.view.scale;
+        window_.applyScale(appliedScale_);
+    }
+    if (workspace_.job) workspace_.job->update();
+
+    window_.beginFrame();
+    takeKeys();
+    drawMenuBar(workspace_);
+    const Layout parts = layout();
+    drawStatusBar(workspace_, parts.statusHeight);
+    if (workspace_.view.sidePanel) drawSidePanel(parts);
+    drawKeysWindow(workspace_);
+    drawStatisticsWindow(workspace_);
+    openDialog_.draw(workspace_);
+    renderDialog_.draw(workspace_);
+    drawErrorBox(workspace_);
+    workspace_.closeDialogs = false;
+    for (const Command command : std::exchange(workspace_.commands, {})) carryOut(command);
+    drawPicture(parts, seconds);
+    if (rayWanted_) shootRay();
+    settleHistory();
+    window_.endFrame([&] {
+        if (std::exchange(screenshotWanted_, false)) saveScreenshotNow();
+    });
+
+    const std::string title = fmt::format("{} - Rayscope", workspace_.edit.scene->path);
+    if (title != title_) window_.setTitle(title);
+    title_ = title;
+}
+
+Application::Layout Application::layout() const {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    Layout parts;
+    parts.menuHeight = ImGui::GetFrameHeight();
+    parts.statusHeight = ImGui::GetFontSize() + scaled(10.0f);
+    const float widest = 0.6f * display.x;
+    parts.panelWidth = workspace_.view.sidePanel ? std::min(scaled(panelWidth_), widest) : 0.0f;
+    parts.pictureOrigin = {0.0f, parts.menuHeight};
+    parts.pictureSize =
+        glm::max(glm::vec2(display.x - parts.panelWidth, display.y - parts.menuHeight - parts.statusHeight),
+                 glm::vec2(1.0f));
+    return parts;
+}
+
+void Application::drawSidePanel(const Layout& parts) {
+    const float x = parts.pictureSize.x;
+    ImGui::SetNextWindowPos({x, parts.menuHeight});
+    ImGui::SetNextWindowSize({parts.panelWidth, parts.pictureSize.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs |
+                                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    if (ImGui::Begin("##side", nullptr, kFlags)) {
+        // The left edge can be dragged.
+        const ImVec2 start = ImGui::GetCursorPos();
+        ImGui::SetCursorPos({0.0f, 0.0f});
+        ImGui::InvisibleButton("##edge", {scaled(5.0f), parts.pictureSize.y});
+        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        if (ImGui::IsItemActive())
+            panelWidth_ =
+                std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
+        ImGui::SetCursorPos(start);
+
+        ViewState& view = workspace_.view;
+        const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
+        if (choiceButton("Rasterised", !view.traced, half)) view.traced = false;
+        tooltip("Drawn by OpenGL: quick, without shadows and reflections (Tab).");
+        ImGui::SameLine();
+        if (choiceButton("Ray-traced", view.traced, half)) view.traced = true;
+        tooltip("Traced on the CPU, refining as long as nothing changes (Tab).");
+        ImGui::Spacing();
+        if (ImGui::BeginTabBar("##tabs")) {
+            const auto tab = [&](const char* name, auto draw) {
+                if (!ImGui::BeginTabItem(name)) return;
+                ImGui::BeginChild(name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
+                draw();
+                ImGui::EndChild();
+                ImGui::EndTabItem();
+            };
+            const auto group = [&](const char* name, void (*draw)(Workspace&)) {
+                if (ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) draw(workspace_);
+            };
+            tab("Scene", [&] {
+                group("Contents", drawScenePanel);
+                group("Camera", drawCameraPanel);
+                group("Lights", drawLightsPanel);
+            });
+            tab("Settings", [&] { drawSettingsPanel(workspace_); });
+            tab("Rays", [&] { drawRaysPanel(workspace_); });
+            ImGui::EndTabBar();
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Application::drawPicture(const Layout& parts, double seconds) {
+    const double unit = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+    const glm::dvec2 pixels = glm::round(glm::dvec2(parts.pictureSize) * unit);
+    workspace_.viewSize = glm::max(glm::ivec2(pixels), glm::ivec2(1));
+    input_.update(workspace_, window_, glm::dvec2(parts.pictureOrigin), unit, seconds);
+
+    const glm::ivec2 image = workspace_.imageSize();
+    workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced});
+    picture_.update(workspace_, input_.hoveredGrip());
+    updateCursorRadiance();
+
+    const glm::vec2 lower = parts.pictureOrigin, upper = lower + parts.pictureSize;
+    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.texture()));
+    ImGui::GetBackgroundDrawList()->AddImage(texture, {lower.x, lower.y}, {upper.x, upper.y}, {0, 1}, {1, 0});
+}
+
+void Application::updateCursorRadiance() {
+    std::optional<CursorInfo>& cursor = workspace_.cursor;
+    const RgbImage& image = picture_.tracedImage();
+    const bool shown =
+        workspace_.view.traced && glm::ivec2(image.width, image.height) == workspace_.imageSize();
+    if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
+}
+
+void Application::takeFiles() {
+    for (const std::string& path : window_.takeDroppedFiles()) workspace_.open(path);
+    if (auto loaded = workspace_.loader.poll()) workspace_.show(std::move(*loaded));
+}
+
+void Application::takeKeys() {
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    for (const KeyPress& press : window_.takeKeys()) {
+        const std::optional<Command> command = commandFor(press.key, press.modifiers);
+        if (!command) continue;
+        if (*command == Command::Cancel && popup) workspace_.closeDialogs = true;
+        // Keys belong to the field or dialog that is open.
+        if (ImGui::GetIO().WantTextInput || popup) continue;
+        carryOut(*command);
+    }
+}
+
+/// A gesture that has ended becomes one step of the history.
+void Application::settleHistory() {
+    if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving())
+        workspace_.history.record(workspace_.edit);
+}
+
+}  // namespace rayscope::viewer

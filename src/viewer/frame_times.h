@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace rayscope::viewer {
+
+/// The durations of the latest frames.
+class FrameTimes {
+  public:
+    void add(double seconds);
+    /// The duration that the share `quantile` (0 … 1) of frames stay below, in seconds; 0 without frames.
+    double quantile(double share) const;
+    std::size_t count() const { return seconds_.size(); }
+    void clear() { seconds_.clear(); }
+    const std::vector<float>& latest() const { return seconds_; }
+
+    static constexpr std::size_t kMost = 240;
+
+  private:
+    std::vector<float> seconds_;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,87 @@
+#include "viewer/gl/mesh_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rayscope::viewer {
+
+namespace {
+
+template <class T>
+void uploadAttribute(GLuint buffer, GLuint index, GLint components, const std::vector<T>& values) {
+    if (values.empty()) return;
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
+                 GL_STATIC_DRAW);
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
+}
+
+}  // namespace
+
+MeshBuffer::MeshBuffer(const MeshData& mesh)
+    : hasNormals_(!mesh.normals.empty()), hasTexCoords_(!mesh.texCoords.empty()) {
+    glGenVertexArrays(1, &vertexArray_);
+    glGenBuffers(4, buffers_);
+    glBindVertexArray(vertexArray_);
+    uploadAttribute(buffers_[0], 0, 3, mesh.positions);
+    uploadAttribute(buffers_[1], 1, 3, mesh.normals);
+    uploadAttribute(buffers_[2], 2, 2, mesh.texCoords);
+
+    // Counting sort by slot.
+    const std::vector<std::uint16_t>& slots = mesh.materialSlots;
+    const std::size_t slotCount =
+        slots.empty() ? 1 : static_cast<std::size_t>(*std::max_element(slots.begin(), slots.end())) + 1;
+    std::vector<std::size_t> next(slotCount + 1, 0);
+    if (slots.empty()) next[1] = mesh.triangles.size();
+    for (const std::uint16_t slot : slots) ++next[slot + 1u];
+    for (std::size_t slot = 0; slot < slotCount; ++slot) next[slot + 1] += next[slot];
+    for (std::size_t slot = 0; slot < slotCount; ++slot)
+        if (next[slot + 1] > next[slot])
+            ranges_.push_back({static_cast<std::uint32_t>(slot),
+                               static_cast<GLsizei>(3 * (next[slot + 1] - next[slot])), 3 * next[slot]});
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
+    const auto bytes = static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(glm::uvec3));
+    if (slots.empty()) {
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes, mesh.triangles.data(), GL_STATIC_DRAW);
+    } else {
+        std::vector<glm::uvec3> sorted(mesh.triangles.size());
+        for (std::size_t i = 0; i < slots.size(); ++i) sorted[next[slots[i]]++] = mesh.triangles[i];
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes, sorted.data(), GL_STATIC_DRAW);
+    }
+    glBindVertexArray(0);
+}
+
+MeshBuffer::~MeshBuffer() {
+    glDeleteVertexArrays(1, &vertexArray_);
+    glDeleteBuffers(4, buffers_);
+}
+
+void MeshBuffer::draw(const Range& range) const {
+    glBindVertexArray(vertexArray_);
+    glDrawElements(GL_TRIANGLES, range.indexCount, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(range.firstIndex * sizeof(GLuint)));
+}
+
+MeshData unitSphereMesh() {
+    constexpr std::uint32_t kRings = 32, kSectors = 64;
+    MeshData mesh;
+    for (std::uint32_t ring = 0; ring <= kRings; ++ring)
+        for (std::uint32_t sector = 0; sector <= kSectors; ++sector) {
+            const float theta = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
+            const float phi = 2.0f * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
+            mesh.positions.push_back(
+                {std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)});
+        }
+    mesh.normals = mesh.positions;
+    for (std::uint32_t ring = 0; ring < kRings; ++ring)
+        for (std::uint32_t sector = 0; sector < kSectors; ++sector) {
+            const std::uint32_t a = ring * (kSectors + 1) + sector, b = a + kSectors + 1;
+            mesh.triangles.push_back({a, b, b + 1});
+            mesh.triangles.push_back({a, b + 1, a + 1});
+        }
+    return mesh;
+}
+
+}  // namespace rayscope::viewer

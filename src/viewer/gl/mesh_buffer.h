@@ -1,0 +1,40 @@
+#pragma once
+#include <epoxy/gl.h>
+#include <rayscope/scene.h>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rayscope::viewer {
+
+/// A mesh in the memory of the graphics card, its triangles sorted by material slot.
+class MeshBuffer {
+  public:
+    explicit MeshBuffer(const MeshData& mesh);
+    ~MeshBuffer();
+    MeshBuffer(const MeshBuffer&) = delete;
+    MeshBuffer& operator=(const MeshBuffer&) = delete;
+
+    /// Triangles of one slot.
+    struct Range {
+        std::uint32_t slot = 0;
+        GLsizei indexCount = 0;
+        std::size_t firstIndex = 0;
+    };
+    std::span<const Range> ranges() const { return ranges_; }
+    void draw(const Range& range) const;
+
+    bool hasNormals() const { return hasNormals_; }
+    bool hasTexCoords() const { return hasTexCoords_; }
+
+  private:
+    GLuint vertexArray_ = 0;
+    GLuint buffers_[4] = {};  // positions, normals, texture coordinates, indices
+    std::vector<Range> ranges_;
+    bool hasNormals_ = false, hasTexCoords_ = false;
+};
+
+/// A sphere of radius 1 around the origin, smooth to the eye.
+MeshData unitSphereMesh();
+
+}  // namespace rayscope::viewer

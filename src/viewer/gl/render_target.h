@@ -1,0 +1,33 @@
+#pragma once
+#include <epoxy/gl.h>
+
+namespace rayscope::viewer {
+
+/// An off-screen picture with a depth buffer. The view is drawn into it when something changed, and copied to
+/// the window in every frame, so that an idle window costs next to nothing.
+class RenderTarget {
+  public:
+    RenderTarget() = default;
+    ~RenderTarget() { release(); }
+    RenderTarget(const RenderTarget&) = delete;
+    RenderTarget& operator=(const RenderTarget&) = delete;
+
+    /// Gives it this size; the content is undefined if the size changed. Returns whether it did.
+    bool resize(int width, int height);
+    /// All drawing goes here, over the whole target.
+    void bind() const;
+    /// Drawing goes to the window again.
+    static void unbind(int windowWidth, int windowHeight);
+
+    GLuint texture() const { return color_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+  private:
+    void release();
+
+    GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,45 @@
+#include "viewer/overlay/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rayscope::viewer {
+
+void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 color, LineStyle style,
+               float width) {
+    const auto corner = [&](int bits) {
+        return glm::vec3(bits & 1 ? upper.x : lower.x, bits & 2 ? upper.y : lower.y,
+                         bits & 4 ? upper.z : lower.z);
+    };
+    for (int start = 0; start < 8; ++start)
+        for (int axis = 1; axis < 8; axis *= 2)
+            if (!(start & axis)) lines.push_back({corner(start), corner(start | axis), color, style, width});
+}
+
+void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, glm::vec4 color) {
+    constexpr int kSegments = 24;
+    const auto onCircle = [&](int step, int plane) {
+        const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(step) / kSegments;
+        const float a = radius * std::cos(angle), b = radius * std::sin(angle);
+        if (plane == 0) return center + glm::vec3(0.0f, a, b);
+        if (plane == 1) return center + glm::vec3(a, 0.0f, b);
+        return center + glm::vec3(a, b, 0.0f);
+    };
+    for (int plane = 0; plane < 3; ++plane)
+        for (int step = 0; step < kSegments; ++step)
+            lines.push_back({onCircle(step, plane), onCircle(step + 1, plane), color});
+}
+
+glm::vec3 displayColor(Rgb linear) {
+    const float largest = std::max({linear.r, linear.g, linear.b, 1.0f});
+    glm::vec3 shown;
+    for (int channel = 0; channel < 3; ++channel) {
+        const float value = std::max(linear[channel], 0.0f) / largest;
+        shown[channel] =
+            value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
+    }
+    return shown;
+}
+
+}  // namespace rayscope::viewer

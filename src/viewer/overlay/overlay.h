@@ -1,0 +1,31 @@
+#pragma once
+// What overlays are made of. An overlay is a pure function from recorded data to such a list, so that it can
+// be tested without a window.
+#include <rayscope/vector.h>
+#include <vector>
+
+namespace rayscope::viewer {
+
+enum class LineStyle { Solid, Dashed, Dotted };
+
+/// A segment in the scene. The colour is display-referred (sRGB, 0 … 1), the width in pixels at scale 1.
+struct OverlayLine {
+    glm::vec3 from{0.0f}, to{0.0f};
+    glm::vec4 color{1.0f};
+    LineStyle style = LineStyle::Solid;
+    float width = 1.5f;
+};
+
+using OverlayLines = std::vector<OverlayLine>;
+
+/// The twelve edges of an axis-aligned box.
+void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 color,
+               LineStyle style = LineStyle::Solid, float width = 1.0f);
+
+/// Three circles around the centre, one per coordinate plane.
+void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, glm::vec4 color);
+
+/// A linear colour as it appears on the screen: brought into 0 … 1 with its hue kept, then the sRGB curve.
+glm::vec3 displayColor(Rgb linear);
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include "viewer/light_handles.h"
+#include "viewer/panels/panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+const char* kindOf(const Light& light) {
+    constexpr const char* kNames[] = {"Point", "Segment", "Parallelogram"};
+    return kNames[light.shape.index()];
+}
+
+bool drawShape(PointLight& light, float speed) {
+    bool edited = vectorRow("Position", light.position, speed);
+    edited |= colorRow("Color", light.color);
+    return edited;
+}
+
+bool drawShape(SegmentLight& light, float speed) {
+    bool edited = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+        edited |= vectorRow(i == 0 ? "End 0" : "End 1", light.endpoints[i], speed);
+        edited |= colorRow(i == 0 ? "Color 0" : "Color 1", light.colors[i]);
+    }
+    return edited;
+}
+
+bool drawShape(ParallelogramLight& light, float speed) {
+    constexpr const char* kColors[] = {"Color at corner", "Color at edge 0", "Color at edge 1",
+                                       "Color opposite"};
+    bool edited = vectorRow("Corner", light.corner, speed);
+    edited |= vectorRow("Edge 0", light.edges[0], speed);
+    edited |= vectorRow("Edge 1", light.edges[1], speed);
+    for (std::size_t i = 0; i < 4; ++i) edited |= colorRow(kColors[i], light.colors[i]);
+    return edited;
+}
+
+/// A new light hangs above the middle of the scene and is a good part of it in size.
+Light newLight(int kind, const SceneBounds& bounds) {
+    const glm::vec3 center = (bounds.lower + bounds.upper) * 0.5f, size = bounds.upper - bounds.lower;
+    const glm::vec3 place(center.x, bounds.upper.y - 0.1f * size.y, center.z);
+    const float half = 0.15f * glm::length(size) / 1.7320508f;
+    if (kind == 0) return {PointLight{place, Rgb(1.0f)}};
+    if (kind == 1)
+        return {SegmentLight{{place - glm::vec3(half, 0, 0), place + glm::vec3(half, 0, 0)},
+                             {Rgb(1.0f, 0.5f, 0.4f), Rgb(0.4f, 0.5f, 1.0f)}}};
+    return {ParallelogramLight{place - glm::vec3(half, 0, half),
+                               {glm::vec3(2 * half, 0, 0), glm::vec3(0, 0, 2 * half)},
+                               {Rgb(1.0f), Rgb(1.0f), Rgb(1.0f), Rgb(1.0f)}}};
+}
+
+void drawAddButtons(Workspace& workspace) {
+    constexpr const char* kLabels[] = {"+ Point", "+ Segment", "+ Parallelogram"};
+    constexpr float kShares[] = {0.24f, 0.31f, 0.45f};
+    const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
+    for (int kind = 0; kind < 3; ++kind) {
+        if (kind > 0) ImGui::SameLine();
+        if (!ImGui::Button(kLabels[kind], {kShares[kind] * width, 0.0f})) continue;
+        std::vector<Light> lights = workspace.edit.scene->lights;
+        lights.push_back(newLight(kind, boundsOf(*workspace.edit.scene)));
+        workspace.view.selectedLight = static_cast<int>(lights.size()) - 1;
+        workspace.view.selectedHandle = 0;
+        workspace.setLights(std::move(lights));
+    }
+}
+
+void drawList(Workspace& workspace) {
+    const std::vector<Light>& lights = workspace.edit.scene->lights;
+    for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
+        const bool selected = i == workspace.view.selectedLight;
+        const std::string label = fmt::format("Light {}: {}", i, kindOf(lights[static_cast<std::size_t>(i)]));
+        if (!ImGui::Selectable(label.c_str(), selected)) continue;
+        workspace.view.selectedLight = selected ? -1 : i;
+        workspace.view.selectedHandle = 0;
+    }
+    if (lights.empty()) dimText("No light: surfaces stay black unless shading is off.");
+}
+
+void drawSelected(Workspace& workspace) {
+    const auto index = static_cast<std::size_t>(workspace.view.selectedLight);
+    std::vector<Light> lights = workspace.edit.scene->lights;
+    Light& light = lights[index];
+    const SceneBounds bounds = boundsOf(*workspace.edit.scene);
+    const float speed = 0.002f * glm::distance(bounds.lower, bounds.upper);
+
+    labelledRow("Handle");
+    if (ImGui::BeginCombo("##handle", handleName(light, workspace.view.selectedHandle))) {
+        for (int handle = 0; handle < static_cast<int>(handlesOf(light).size()); ++handle)
+            if (ImGui::Selectable(handleName(light, handle), handle == workspace.view.selectedHandle))
+                workspace.view.selectedHandle = handle;
+        ImGui::EndCombo();
+    }
+    tooltip("The point that the three arrows in the picture move. A click on a light picks one too.");
+    bool edited = std::visit([&](auto& shape) { return drawShape(shape, speed); }, light.shape);
+    bool inverseSquare = light.falloff == Falloff::InverseSquare;
+    labelledRow("Inverse-square falloff");
+    if (ImGui::Checkbox("##falloff", &inverseSquare)) {
+        light.falloff = inverseSquare ? Falloff::InverseSquare : Falloff::None;
+        edited = true;
+    }
+    tooltip("Light grows weaker with the square of the distance.");
+    if (ImGui::Button("Remove", {-1.0f, 0.0f})) {
+        lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(index));
+        edited = true;
+        workspace.view.selectedLight = -1;
+    }
+    if (edited) workspace.setLights(std::move(lights));
+}
+
+}  // namespace
+
+void drawLightsPanel(Workspace& workspace) {
+    drawList(workspace);
+    if (workspace.view.selectedLight >= 0) {
+        ImGui::Separator();
+        drawSelected(workspace);
+        ImGui::Separator();
+    }
+    drawAddButtons(workspace);
+    ImGui::Spacing();
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+#include <utility>
+
+#include <algorithm>
+
+#include "viewer/panels/panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+constexpr const char* kTitle = "Open a scene";
+
+bool isScene(const std::filesystem::path& path) {
+    std::string suffix = path.extension().string();
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return suffix == ".toml" || suffix == ".obj";
+}
+
+}  // namespace
+
+void OpenDialog::enter(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::directory_iterator list(folder, failed);
+    if (failed) {
+        problem_ = fmt::format("cannot read {}: {}", folder.string(), failed.message());
+        return;
+    }
+    problem_.clear();
+    folder_ = folder;
+    typed_ = folder.string();
+    entries_.clear();
+    for (const auto& item : list) {
+        const std::string name = item.path().filename().string();
+        std::error_code ignored;
+        const bool isFolder = item.is_directory(ignored);
+        if (!name.starts_with(".") && (isFolder || isScene(item.path())))
+            entries_.push_back({name, isFolder});
+    }
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        return a.folder != b.folder ? a.folder : a.name < b.name;
+    });
+    if (folder_.has_parent_path() && folder_ != folder_.root_path())
+        entries_.insert(entries_.begin(), {"..", true});
+}
+
+/// Returns whether `typed_` now names the file to open.
+bool OpenDialog::drawEntries() {
+    std::string entered;
+    bool chosen = false;
+    ImGui::BeginChild("entries", {0.0f, -2.2f * ImGui::GetFrameHeightWithSpacing()}, true);
+    for (const Entry& entry : entries_) {
+        const std::string label = entry.folder ? entry.name + "/" : entry.name;
+        if (!ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) continue;
+        if (entry.folder) {
+            entered = entry.name;
+        } else {
+            typed_ = (folder_ / entry.name).string();
+            chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        }
+    }
+    if (entries_.empty()) dimText("no folder, .toml or .obj here");
+    ImGui::EndChild();
+    if (!entered.empty()) enter((folder_ / entered).lexically_normal());
+    return chosen;
+}
+
+void OpenDialog::draw(Workspace& workspace) {
+    if (std::exchange(workspace.openDialogRequested, false)) {
+        std::error_code ignored;
+        enter(folder_.empty() ? std::filesystem::current_path(ignored) : folder_);
+        ImGui::OpenPopup(kTitle);
+    }
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize(
+        {std::min(scaled(620.0f), display.x * 0.9f), std::min(scaled(460.0f), display.y * 0.8f)},
+        ImGuiCond_Appearing);
+    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    bool open = ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    open |= drawEntries();
+    if (problem_.empty())
+        dimText("A scene (.toml), a mesh (.obj) or builtin:NAME; double-click opens.");
+    else
+        coloredText(kErrorText, problem_);
+    open |= ImGui::Button("Open", {scaled(90.0f), 0.0f});
+    ImGui::SameLine();
+    const bool cancel = ImGui::Button("Cancel", {scaled(90.0f), 0.0f}) || workspace.closeDialogs;
+    std::error_code ignored;
+    if (open && std::filesystem::is_directory(typed_, ignored)) {
+        enter(std::filesystem::path(typed_).lexically_normal());
+    } else if (open && !typed_.empty()) {
+        workspace.open(typed_);
+        ImGui::CloseCurrentPopup();
+    }
+    if (cancel) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace rayscope::viewer

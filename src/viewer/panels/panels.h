@@ -1,0 +1,59 @@
+#pragma once
+// One function per part of the window. Each draws itself from the workspace and writes what the user changes
+// back into it.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+void drawMenuBar(Workspace& workspace);
+void drawStatusBar(Workspace& workspace, float height);
+void drawKeysWindow(Workspace& workspace);
+void drawStatisticsWindow(Workspace& workspace);
+void drawErrorBox(Workspace& workspace);
+
+// Groups of the side panel.
+void drawScenePanel(Workspace& workspace);
+void drawCameraPanel(Workspace& workspace);
+void drawLightsPanel(Workspace& workspace);
+void drawSettingsPanel(Workspace& workspace);
+void drawRaysPanel(Workspace& workspace);
+
+/// A list of folders and scene files in which one is chosen.
+class OpenDialog {
+  public:
+    /// Opens when the workspace asks for it.
+    void draw(Workspace& workspace);
+
+  private:
+    struct Entry {
+        std::string name;
+        bool folder;
+    };
+    void enter(const std::filesystem::path& folder);
+    bool drawEntries();
+
+    std::filesystem::path folder_;
+    std::vector<Entry> entries_;
+    std::string typed_, problem_;
+};
+
+/// Size, samples and name of a render to a file, then its progress.
+class RenderDialog {
+  public:
+    void draw(Workspace& workspace);
+
+  private:
+    void drawForm(Workspace& workspace);
+    void drawProgress(Workspace& workspace);
+
+    int size_[2] = {800, 800};
+    int samples_ = 64;
+    std::string path_ = "render.png";
+    std::string problem_;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,69 @@
+#include "viewer/panels/widgets.h"
+
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+void coloredText(const ImVec4& color, std::string_view words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    text(words);
+    ImGui::PopStyleColor();
+}
+
+void dimText(std::string_view words) { coloredText(kDimText, words); }
+
+void wrappedText(std::string_view words) {
+    ImGui::PushTextWrapPos(0.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+}
+
+bool labelledRow(std::string_view label, bool emphasised) {
+    constexpr float kShare = 0.49f;
+    const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    if (emphasised)
+        text(label);
+    else
+        coloredText({0.74f, 0.76f, 0.79f, 1.0f}, label);
+    const bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    ImGui::SameLine(start + kShare * width);
+    ImGui::SetNextItemWidth((1.0f - kShare) * width);
+    return reset;
+}
+
+void tooltip(std::string_view words) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
+    text(words);
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool colorRow(const char* label, Rgb& color) {
+    labelledRow(label);
+    ImGui::PushID(label);
+    const bool edited = ImGui::ColorEdit3(
+        "##color", &color.x,
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+    ImGui::PopID();
+    return edited;
+}
+
+bool vectorRow(const char* label, glm::vec3& value, float speed) {
+    labelledRow(label);
+    ImGui::PushID(label);
+    const bool edited = ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g");
+    ImGui::PopID();
+    return edited;
+}
+
+bool choiceButton(const char* label, bool chosen, float width) {
+    if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
+    const bool pressed = ImGui::Button(label, {width, 0.0f});
+    if (chosen) ImGui::PopStyleColor();
+    return pressed;
+}
+
+}  // namespace rayscope::viewer

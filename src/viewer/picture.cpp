@@ -1,0 +1,106 @@
+#include "viewer/picture.h"
+
+#include "viewer/overlay/light_overlay.h"
+
+namespace rayscope::viewer {
+
+namespace {
+/// Time per frame for taking tiles: of 33 ms, what is left beside drawing on a slow machine.
+constexpr double kCollectSeconds = 0.006;
+/// How strongly lines show that lie behind surfaces.
+constexpr float kHiddenOpacity = 0.28f;
+}  // namespace
+
+HandleSize handleSize(float scale) {
+    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
+}
+
+Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
+    const ViewState& view = workspace.view;
+    return {workspace.edit,
+            view.raster,
+            view.traced,
+            view.overlay,
+            workspace.viewSize,
+            workspace.rays.version(),
+            workspace.rays.filter,
+            view.selectedLight,
+            view.selectedHandle,
+            hovered,
+            view.scale};
+}
+
+void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
+    if (loaded_ != workspace.edit.scene) {
+        loaded_ = workspace.edit.scene;
+        raster_.setScene(loaded_);
+    }
+    bool changed = target_.resize(workspace.viewSize.x, workspace.viewSize.y);
+    if (workspace.view.traced)
+        changed |= traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
+    Inputs inputs = inputsOf(workspace, hovered);
+    if (!changed && inputs == drawn_) return;
+    redraw(workspace, inputs);
+    drawn_ = std::move(inputs);
+}
+
+void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
+    const ViewFrame frame = viewFrame(inputs.state.camera, inputs.size.x, inputs.size.y);
+    target_.bind();
+    if (inputs.traced)
+        traced_.draw(inputs.state.settings);
+    else
+        raster_.draw(frame, inputs.raster);
+    if (inputs.overlay) drawOverlays(workspace, inputs, frame);
+    const glm::ivec2 size = inputs.size;
+    RenderTarget::unbind(size.x, size.y);
+}
+
+void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
+    const std::vector<Light>& lights = inputs.state.scene->lights;
+    OverlayLines lines = lightLines(lights, inputs.selectedLight, frame, static_cast<double>(inputs.scale));
+    if (const DebugRays::Shot* shot = workspace.rays.shot()) {
+        const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
+        const OverlayLines rays = debugRayLines(shot->tree, inputs.filter, size);
+        lines.insert(lines.end(), rays.begin(), rays.end());
+    }
+    const glm::mat4 toClip = viewProjection(frame, raster_.bounds());
+    const glm::vec2 viewport(inputs.size);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    sceneLines_.upload(lines);
+    if (inputs.traced) {
+        glDisable(GL_DEPTH_TEST);
+        sceneLines_.draw(toClip, viewport, inputs.scale, 1.0f);
+    } else {
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GREATER);
+        sceneLines_.draw(toClip, viewport, inputs.scale, kHiddenOpacity);
+        glDepthFunc(GL_LEQUAL);
+        sceneLines_.draw(toClip, viewport, inputs.scale, 1.0f);
+        glDepthFunc(GL_LESS);
+        glDisable(GL_DEPTH_TEST);
+    }
+    if (inputs.selectedLight >= 0) {
+        const Light& light = lights[static_cast<std::size_t>(inputs.selectedLight)];
+        const glm::dvec3 center(handlesOf(light)[static_cast<std::size_t>(inputs.selectedHandle)]);
+        handleLines_.upload(handleLines(frame, center, inputs.hovered, handleSize(inputs.scale)));
+        handleLines_.draw(toClip, viewport, inputs.scale, 1.0f);
+    }
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+RgbImage Picture::rasterImage(const Workspace& workspace) {
+    Inputs bare = inputsOf(workspace, std::nullopt);
+    bare.overlay = bare.traced = false;
+    redraw(workspace, bare);
+    drawn_ = {};  // the next update() draws the overlays again
+    target_.bind();
+    RgbImage image = readFramebuffer(0, 0, bare.size.x, bare.size.y);
+    RenderTarget::unbind(bare.size.x, bare.size.y);
+    return image;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+
+#include "viewer/gl/line_batch.h"
+#include "viewer/gl/render_target.h"
+#include "viewer/light_handles.h"
+#include "viewer/raster_view.h"
+#include "viewer/traced_view.h"
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+/// The picture area: one of the two views with the overlays on it, redrawn only when something changed.
+class Picture {
+  public:
+    /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
+    void update(Workspace& workspace, std::optional<Grip> hovered);
+
+    /// The finished picture; rows start at the bottom.
+    GLuint texture() const { return target_.texture(); }
+
+    /// What is shown, without overlays, as a linear image of the view's size.
+    RgbImage rasterImage(const Workspace& workspace);
+    const RgbImage& tracedImage() const { return traced_.image(); }
+    const SceneBounds& sceneBounds() const { return raster_.bounds(); }
+    bool computing() const { return traced_.computingBloom(); }
+
+  private:
+    /// All that the picture depends on besides the traced image.
+    struct Inputs {
+        EditState state;
+        RasterStyle raster;
+        bool traced = false, overlay = false;
+        glm::ivec2 size{0};
+        int raysVersion = 0;
+        DebugRayFilter filter;
+        int selectedLight = -1, selectedHandle = 0;
+        std::optional<Grip> hovered;
+        float scale = 1.0f;
+        bool operator==(const Inputs&) const = default;
+    };
+    Inputs inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const;
+    void redraw(const Workspace& workspace, const Inputs& inputs);
+    void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
+
+    RenderTarget target_;
+    RasterView raster_;
+    TracedView traced_;
+    LineBatch sceneLines_, handleLines_;
+    Inputs drawn_;
+    std::shared_ptr<const SceneDescription> loaded_;
+};
+
+/// Sizes of the handle in pixels at this scale.
+HandleSize handleSize(float scale);
+
+}  // namespace rayscope::viewer

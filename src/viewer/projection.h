@@ -1,0 +1,32 @@
+#pragma once
+// Where points of the scene appear in the picture: the rasterised view, the overlays and the handles use the
+// camera of the tracer.
+#include <rayscope/scene.h>
+#include <optional>
+
+namespace rayscope::viewer {
+
+/// A camera as an orthonormal frame. Pixels count from the top left corner of the picture; the centre of
+/// pixel (x, y) is (x + 0.5, y + 0.5).
+struct ViewFrame {
+    glm::dvec3 eye{0.0}, right{1.0, 0.0, 0.0}, up{0.0, 1.0, 0.0}, forward{0.0, 0.0, -1.0};
+    double tanHalfFov = 1.0;  ///< of the vertical angle
+    int width = 1, height = 1;
+
+    double aspect() const { return static_cast<double>(width) / height; }
+
+    /// Unit direction from the eye through a point of the picture.
+    glm::dvec3 directionThrough(glm::dvec2 pixel) const;
+    /// The point of the picture where `point` appears; nothing if it is not before the camera.
+    std::optional<glm::dvec2> project(glm::dvec3 point) const;
+    /// Size of a pixel, in scene units, at the depth of `point`.
+    double unitsPerPixelAt(glm::dvec3 point) const;
+};
+
+/// The frame of the tracer's camera, also where it looks along `up`.
+ViewFrame viewFrame(const CameraDescription& camera, int width, int height);
+
+/// OpenGL clip coordinates with the near and far plane fitted to `bounds`.
+glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds);
+
+}  // namespace rayscope::viewer

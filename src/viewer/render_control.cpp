@@ -1,0 +1,97 @@
+#include "viewer/render_control.h"
+
+#include <algorithm>
+#include <thread>
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// A coarse picture should be complete this soon, so that the scene follows the hand.
+constexpr double kPreviewSeconds = 0.07;
+/// A picture that takes longer than this is given up for a newer one, even if it has holes.
+constexpr double kMostPatience = 0.4;
+
+int threadsFor(int wanted) {
+    if (wanted > 0) return wanted;
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+}
+
+bool sameImage(const RenderRequest& a, const RenderRequest& b) {
+    return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
+           changed(a.settings, b.settings) <= Invalidates::Display;
+}
+
+}  // namespace
+
+RenderControl::RenderControl(int threads) : threads_(threadsFor(threads)), session_(threads_) {}
+
+int RenderControl::previewDivisor(const Wish& wish) const {
+    const double pixels = static_cast<double>(wish.width) * wish.height;
+    int divisor = 1;
+    while (divisor < 8 && pixels / (divisor * divisor) > pixelsPerSecond_ * kPreviewSeconds) divisor *= 2;
+    return divisor;
+}
+
+/// While the camera moves, a new picture waits until the last one has a sample in every pixel: otherwise the
+/// tiles that come last would never be seen.
+bool RenderControl::mayInterrupt() const {
+    const bool complete = status_.samples > 0 || status_.state == RenderState::Done;
+    const bool failed = status_.state == RenderState::Failed || status_.state == RenderState::Idle;
+    return complete || failed ||
+           std::chrono::duration<double>(Clock::now() - submittedAt_).count() > kMostPatience;
+}
+
+void RenderControl::submit(const Wish& wish, int divisor) {
+    RenderRequest request;
+    request.scene = wish.state.scene;
+    request.settings = wish.state.settings;
+    request.camera = wish.state.camera;
+    request.width = std::max(1, wish.width / divisor);
+    request.height = std::max(1, wish.height / divisor);
+    if (wish.moving || !wish.traced) request.settings.spp = 1;
+    if (anySubmitted_ && sameImage(submitted_, request)) return;
+    submitted_ = request;
+    anySubmitted_ = true;
+    coarse_ = wish.moving;
+    submittedAt_ = Clock::now();
+    session_.submit(std::move(request));
+    status_ = session_.status();
+}
+
+void RenderControl::update(const Wish& wish) {
+    status_ = session_.status();
+    const bool measurable = status_.state == RenderState::Rendering || status_.state == RenderState::Done;
+    if (measurable && status_.elapsedSeconds > 0.01) {
+        const double samples = status_.progress * status_.targetSamples;
+        const double traced = samples * submitted_.width * submitted_.height;
+        pixelsPerSecond_ = std::max(1e3, traced / status_.elapsedSeconds);
+    }
+    if (!wish.moving)
+        submit(wish, 1);
+    else if (wish.traced && (!anySubmitted_ || !coarse_ || mayInterrupt()))
+        submit(wish, previewDivisor(wish));
+}
+
+void RenderControl::togglePause() {
+    if (paused())
+        session_.resume();
+    else
+        session_.pause();
+}
+
+double RenderControl::raysPerSecond() const {
+    return status_.elapsedSeconds > 0.0 ? static_cast<double>(status_.rays) / status_.elapsedSeconds : 0.0;
+}
+
+std::shared_ptr<const World> RenderControl::settledWorld() const {
+    const RenderState state = session_.status().state;
+    const bool compiled = state == RenderState::Rendering || state == RenderState::Done;
+    return compiled && !coarse_ ? session_.world() : nullptr;
+}
+
+bool RenderControl::busy() const {
+    return status_.state == RenderState::Compiling || status_.state == RenderState::Rendering;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,57 @@
+#pragma once
+#include <rayscope/render_session.h>
+#include <chrono>
+#include <memory>
+
+#include "viewer/edit_state.h"
+
+namespace rayscope::viewer {
+
+/// Decides what the session renders at any moment: the present state at full size when the user pauses, a
+/// coarse picture that keeps up with the hand while the camera moves, and one sample per pixel (which keeps
+/// the world compiled for debug rays) while the rasterised view is shown.
+class RenderControl {
+  public:
+    /// `threads` 0 leaves one core to the window.
+    explicit RenderControl(int threads);
+
+    struct Wish {
+        EditState state;
+        int width = 1, height = 1;
+        bool moving = false;  ///< the camera or a light is being dragged
+        bool traced = false;  ///< the ray-traced view is shown
+    };
+    /// Submits what follows from the wish, if that is something new. To be called in each frame.
+    void update(const Wish& wish);
+
+    void togglePause();
+    bool paused() const { return status_.state == RenderState::Paused; }
+
+    RenderSession& session() { return session_; }
+    int threads() const { return threads_; }
+    /// As of the last update().
+    const RenderStatus& status() const { return status_; }
+    double raysPerSecond() const;
+
+    /// The world of the present state at full size; null while it is being compiled or a coarse one is shown.
+    std::shared_ptr<const World> settledWorld() const;
+    /// Whether something is on its way to the screen.
+    bool busy() const;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    int previewDivisor(const Wish& wish) const;
+    bool mayInterrupt() const;
+    void submit(const Wish& wish, int divisor);
+
+    int threads_;
+    RenderSession session_;
+    RenderStatus status_;
+    RenderRequest submitted_;
+    bool anySubmitted_ = false, coarse_ = false;
+    Clock::time_point submittedAt_{};
+    double pixelsPerSecond_ = 2e6;  ///< samples traced per second, as seen lately
+};
+
+}  // namespace rayscope::viewer

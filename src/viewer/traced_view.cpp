@@ -1,0 +1,86 @@
+#include "viewer/traced_view.h"
+
+#include <algorithm>
+#include <utility>
+#include <cmath>
+
+#include "post/bloom.h"
+
+namespace rayscope::viewer {
+
+TracedView::TracedView() { glGenVertexArrays(1, &emptyVertexArray_); }
+
+TracedView::~TracedView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
+
+/// The picture so far stays as a placeholder, scaled, until tiles of the new size arrive.
+void TracedView::resize(int width, int height) {
+    RgbImage scaled(width, height);
+    if (!image_.empty())
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                scaled.at(x, y) = image_.at(x * image_.width / width, y * image_.height / height);
+    image_ = std::move(scaled);
+    texture_ = GlTexture::floatImage(width, height);
+    texture_.upload(0, 0, width, height, image_.pixels.data());
+}
+
+void TracedView::take(const TileView& tile) {
+    if (tile.imageWidth != image_.width || tile.imageHeight != image_.height)
+        resize(tile.imageWidth, tile.imageHeight);
+    for (int y = 0; y < tile.height; ++y) {
+        const auto row = tile.mean.begin() + static_cast<std::ptrdiff_t>(y) * tile.width;
+        std::copy(row, row + tile.width,
+                  image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(tile.x0, tile.y0 + y)));
+    }
+    texture_.upload(tile.x0, tile.y0, tile.width, tile.height, tile.mean.data());
+}
+
+bool TracedView::update(RenderSession& session, const Settings& settings, double budgetSeconds) {
+    const int tiles = session.collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
+    if (tiles > 0) bloomOutdated_ = true;
+    const bool bloomArrived = updateBloom(settings);
+    return bloomArrived || tiles > 0;
+}
+
+bool TracedView::updateBloom(const Settings& settings) {
+    bool arrived = false;
+    if (bloom_.valid() && bloom_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+        const RgbImage result = bloom_.get();
+        bloomTexture_ = GlTexture::floatImage(result.width, result.height);
+        bloomTexture_.upload(0, 0, result.width, result.height, result.pixels.data());
+        bloomShown_ = settings.bloom;
+        arrived = true;
+    }
+    if (!settings.bloom) {
+        const bool wasShown = std::exchange(bloomShown_, false);
+        bloomOutdated_ = true;
+        return arrived || wasShown;
+    }
+    if (settings != bloomSettings_) bloomOutdated_ = true;
+    if (!bloom_.valid() && bloomOutdated_ && !image_.empty()) {
+        bloomSettings_ = settings;
+        bloomOutdated_ = false;
+        bloom_ = std::async(std::launch::async,
+                            [image = image_, settings] { return applyBloom(image, settings); });
+    }
+    return arrived;
+}
+
+void TracedView::draw(const Settings& settings) {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    if (texture_.empty()) {
+        glClearColor(0.1f, 0.105f, 0.115f, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+        return;
+    }
+    shader_.use();
+    shader_.set("image", 0);
+    shader_.set("exposureFactor", std::exp2(settings.exposure));
+    shader_.set("courseCurve", settings.tone == ToneCurve::Course ? 1 : 0);
+    (bloomShown_ ? bloomTexture_ : texture_).bind(0);
+    glBindVertexArray(emptyVertexArray_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,46 @@
+#pragma once
+#include <rayscope/render_session.h>
+#include <chrono>
+#include <future>
+#include <optional>
+
+#include "viewer/gl/shader.h"
+#include "viewer/gl/texture.h"
+
+namespace rayscope::viewer {
+
+/// The ray-traced picture on its way to the screen: changed tiles go to a float texture; a shader applies
+/// exposure and tone curve, so that those cost nothing. Bloom is computed beside the window's thread.
+class TracedView {
+  public:
+    TracedView();
+    ~TracedView();
+
+    /// Takes what changed, for at most `budgetSeconds`. Returns whether the picture is another one now.
+    bool update(RenderSession& session, const Settings& settings, double budgetSeconds);
+
+    /// Fills the bound target.
+    void draw(const Settings& settings);
+
+    /// Linear means as far as they have been taken; samples of a pixel's tile are not told apart.
+    const RgbImage& image() const { return image_; }
+    bool computingBloom() const { return bloom_.valid(); }
+
+  private:
+    void take(const TileView& tile);
+    void resize(int width, int height);
+    bool updateBloom(const Settings& settings);
+
+    Shader shader_{"display"};
+    GLuint emptyVertexArray_ = 0;
+    RgbImage image_;
+    GlTexture texture_;
+
+    /// Bloom of a copy of the image; done again when image or settings changed.
+    std::future<RgbImage> bloom_;
+    GlTexture bloomTexture_;
+    Settings bloomSettings_;
+    bool bloomOutdated_ = true, bloomShown_ = false;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,31 @@
+#include "viewer/viewer.h"
+
+#include <fmt/format.h>
+
+#include "viewer/application.h"
+
+namespace rayscope {
+
+int runViewer(const ViewerOptions& options) {
+    constexpr int kWrongInput = 2;
+    viewer::LoadedScene first = viewer::loadWithNotes(options.scene, false);
+    if (!first.scene) {
+        fmt::print(stderr, "{}\n", first.error);
+        return kWrongInput;
+    }
+    try {
+        viewer::Application(options, std::move(first)).run();
+    } catch (const viewer::NoDisplay& problem) {
+        fmt::print(stderr, "error: {}\n", problem.what());
+        return kWrongInput;
+    } catch (const InputError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return kWrongInput;
+    } catch (const std::runtime_error& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
+        return kWrongInput;
+    }
+    return 0;
+}
+
+}  // namespace rayscope

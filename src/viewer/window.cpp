@@ -1,0 +1,164 @@
+#include "viewer/window.h"
+
+#include <epoxy/gl.h>
+// GLFW must come after the loader.
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cctype>
+#include <utility>
+
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+std::string lastGlfwError() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "unknown reason";
+}
+
+/// Shortcuts go by the letter on the key, not by its place: Ctrl+Z is Ctrl+Z on every layout.
+int letterOf(int key, int scancode) {
+    if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+    const int letter = std::toupper(static_cast<unsigned char>(name[0]));
+    return letter >= 'A' && letter <= 'Z' ? letter : key;
+}
+
+Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+
+}  // namespace
+
+Window::Window(int width, int height) {
+    glfwSetErrorCallback(nullptr);
+    if (!glfwInit())
+        throw NoDisplay(fmt::format(
+            "no display to open a window on ({}); 'rayscope render SCENE -o FILE' works without one",
+            lastGlfwError()));
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(width, height, "Rayscope", nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::string reason = lastGlfwError();
+        glfwTerminate();
+        throw NoDisplay(fmt::format(
+            "the display offers no OpenGL 3.3 ({}); 'rayscope render SCENE -o FILE' works without it",
+            reason));
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(window_, this);
+
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+    installCallbacks();
+    // Dear ImGui calls the callbacks that are there before its own.
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Window::~Window() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::installCallbacks() {
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        ownerOf(w).anyEvent_ = true;
+        if (action != GLFW_RELEASE) ownerOf(w).keys_.push_back({letterOf(key, scancode), modifiers});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        ownerOf(w).anyEvent_ = true;
+        for (int i = 0; i < count; ++i) ownerOf(w).dropped_.emplace_back(paths[i]);
+    });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { ownerOf(w).anyEvent_ = true; });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { ownerOf(w).anyEvent_ = true; });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { ownerOf(w).anyEvent_ = true; });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { ownerOf(w).anyEvent_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { ownerOf(w).anyEvent_ = true; });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { ownerOf(w).anyEvent_ = true; });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { ownerOf(w).anyEvent_ = true; });
+}
+
+bool Window::shouldClose() const { return glfwWindowShouldClose(window_); }
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
+void Window::copyText(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
+bool Window::isKeyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
+void Window::wake() { glfwPostEmptyEvent(); }
+
+void Window::toggleFullScreen() {
+    if (fullScreen_) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2], windowed_[3], 0);
+    } else {
+        GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+        const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+        if (mode == nullptr) return;
+        glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+        glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    fullScreen_ = !fullScreen_;
+}
+
+bool Window::handleEvents(double seconds) {
+    anyEvent_ = false;
+    if (seconds > 0.0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+    return anyEvent_;
+}
+
+glm::ivec2 Window::framebufferSize() const {
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+float Window::contentScale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::max(x, 1.0f);
+}
+
+void Window::beginFrame() {
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Window::endFrame(const std::function<void()>& beforeSwap) {
+    ImGui::Render();
+    const glm::ivec2 size = framebufferSize();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, size.x, size.y);
+    glClearColor(0.09f, 0.095f, 0.105f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (beforeSwap) beforeSwap();
+    glfwSwapBuffers(window_);
+}
+
+void Window::applyScale(float scale) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    applyTheme(scale);
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,117 @@
+#include "base/atomic_file.h"
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "support/expect_input_error.h"
+#include "support/temporary_folder.h"
+
+namespace rayscope {
+namespace {
+
+using test::inputErrorOf;
+using test::readText;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Makes every file end at `bytes`, as a disk does that is full.
+class FullDisk {
+  public:
+    explicit FullDisk(rlim_t bytes) : oldHandler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &old_);
+        const rlimit limit{bytes, old_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &old_);
+        std::signal(SIGXFSZ, oldHandler_);
+    }
+
+  private:
+    rlimit old_{};
+    void (*oldHandler_)(int);
+};
+
+TEST(AtomicFile, WritesAndReplaces) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.json");
+    writeFileAtomically(path, "one");
+    EXPECT_EQ(readText(path), "one");
+    writeFileAtomically(path, "two");
+    EXPECT_EQ(readText(path), "two");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNothingElse) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.json", "old");
+    std::string message;
+    {
+        const FullDisk limit(1000);
+        message = inputErrorOf([&] { writeFileAtomically(path, std::string(5000, 'x')); });
+    }
+    EXPECT_THAT(message, AllOf(HasSubstr(path), HasSubstr("cannot be written: File too large")));
+    EXPECT_EQ(readText(path), "old");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
+TEST(AtomicFile, ADeviceIsWrittenToDirectly) {
+    writeFileAtomically("/dev/null", "gone");
+    EXPECT_THAT(inputErrorOf([] { writeFileAtomically("/dev/full", "x"); }),
+                HasSubstr("No space left on device"));
+    struct stat status {};
+    ASSERT_EQ(::stat("/dev/full", &status), 0);
+    EXPECT_TRUE(S_ISCHR(status.st_mode));
+}
+
+TEST(AtomicFile, ALinkStaysALink) {
+    const TemporaryFolder folder;
+    folder.write("target", "old");
+    std::filesystem::create_symlink("target", folder.file("link"));
+    writeFileAtomically(folder.file("link"), "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+    EXPECT_EQ(readText(folder.file("target")), "new");
+}
+
+TEST(AtomicFile, TheRightsOfTheOldFileStay) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("a.json", "old");
+    ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+    writeFileAtomically(path, "new");
+    struct stat status {};
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 0777, 0640u);
+}
+
+TEST(AtomicFile, SaysWhyADestinationIsImpossible) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.file("no/such/a.json")); }),
+                AllOf(HasSubstr("there is no folder"), HasSubstr("create it")));
+    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.path().string()); }),
+                HasSubstr("is a folder"));
+    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(""); }), HasSubstr("without a name"));
+    const std::string file = folder.write("file", "");
+    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(file + "/a.json"); }),
+                HasSubstr("there is no folder"));
+}
+
+TEST(AtomicFile, AFolderWithoutWriteAccessIsRefusedAtOnce) {
+    if (::geteuid() == 0) {
+        // Nothing is forbidden to root, except in a file system that is read-only for everybody.
+        EXPECT_THAT(inputErrorOf([] { writeFileAtomically("/proc/rayscope.json", "x"); }),
+                    AllOf(HasSubstr("/proc/rayscope.json"), HasSubstr("cannot be written")));
+        return;
+    }
+    const TemporaryFolder folder;
+    ASSERT_EQ(::chmod(folder.path().c_str(), 0500), 0);
+    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.file("a.json")); }),
+                HasSubstr("no permission"));
+    ::chmod(folder.path().c_str(), 0700);
+}
+
+}  // namespace
+}  // namespace rayscope

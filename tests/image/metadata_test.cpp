@@ -1,0 +1,95 @@
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
+#include <gtest/gtest.h>
+#include <rayscope/image.h>
+
+#include <vector>
+
+#include "image/codecs.h"
+#include "image/test_images.h"
+#include "support/temporary_folder.h"
+
+namespace rayscope {
+namespace {
+
+using namespace std::string_literals;
+using test::bigEndianAt;
+using test::gradient;
+
+struct Chunk {
+    std::string type, data;
+};
+
+std::vector<Chunk> chunksOf(const std::string& png) {
+    std::vector<Chunk> chunks;
+    constexpr std::size_t kSignature = 8;
+    for (std::size_t at = kSignature; at + 12 <= png.size();) {
+        const std::size_t length = bigEndianAt(png, at);
+        chunks.push_back({png.substr(at + 4, 4), png.substr(at + 8, length)});
+        at += 12 + length;
+    }
+    return chunks;
+}
+
+/// CRC-32 bit by bit, straight from its definition as a division of polynomials.
+std::uint32_t slowCrc(const std::string& bytes) {
+    std::uint32_t crc = ~0u;
+    for (const char byte : bytes) {
+        crc ^= static_cast<std::uint8_t>(byte);
+        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1u) ? (crc >> 1) ^ 0xedb88320u : crc >> 1;
+    }
+    return ~crc;
+}
+
+TEST(Metadata, PngHoldsItAsTextWhereReadersLookForIt) {
+    const std::string png = encodePng(
+        gradient(5, 4), {{"seed", "7"}, {"scene", "K\u00fcche.toml"}, {"command", ""}}, ToneCurve::Srgb);
+    const std::vector<Chunk> chunks = chunksOf(png);
+    ASSERT_EQ(chunks.size(), 7u);
+    EXPECT_EQ(chunks[0].type, "IHDR");
+    EXPECT_EQ(chunks[1].type + chunks[1].data, "sRGB\0"s);
+    EXPECT_EQ(chunks[2].type + chunks[2].data, "tEXtrayscope:command\0"s);
+    EXPECT_EQ(chunks[3].type + chunks[3].data, "iTXtrayscope:scene\0\0\0\0\0K\u00fcche.toml"s);
+    EXPECT_EQ(chunks[4].type + chunks[4].data, "tEXtrayscope:seed\0"s + "7");
+    EXPECT_EQ(chunks[5].type, "IDAT");
+    EXPECT_EQ(chunks[6].type, "IEND");
+}
+
+TEST(Metadata, EveryPngChunkHasItsChecksum) {
+    const std::string png = encodePng(gradient(5, 4), {{"seed", "7"}}, ToneCurve::Course);
+    std::size_t at = 8;
+    for (const Chunk& chunk : chunksOf(png)) {
+        EXPECT_NE(chunk.type, "sRGB") << "values without the curve must not claim to have it";
+        EXPECT_EQ(bigEndianAt(png, at + 8 + chunk.data.size()), slowCrc(chunk.type + chunk.data))
+            << chunk.type;
+        at += 12 + chunk.data.size();
+    }
+    EXPECT_EQ(at, png.size());
+    EXPECT_EQ(test::decode(png).width, 5);
+}
+
+TEST(Metadata, ExrHoldsItAsAttributes) {
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("a.exr");
+    // Keys that are also names of attributes which OpenEXR defines itself, with other types.
+    const ImageMetadata metadata{
+        {"seed", "7"}, {"version", "1.2.3"}, {"channels", "all"}, {"settings", "spp = 4\n"}};
+    writeImage(path, gradient(5, 4), metadata);
+    const Imf::InputFile file(path.c_str());
+    for (const auto& [key, value] : metadata) {
+        const auto* attribute = file.header().findTypedAttribute<Imf::StringAttribute>("rayscope:" + key);
+        ASSERT_NE(attribute, nullptr) << key;
+        EXPECT_EQ(attribute->value(), value);
+    }
+}
+
+TEST(Metadata, TheSameImageAndMetadataGiveTheSameFile) {
+    const RgbImage image = gradient(33, 21);
+    const ImageMetadata metadata{{"seed", "7"}};
+    EXPECT_EQ(encodeExr(image, metadata), encodeExr(image, metadata));
+    EXPECT_EQ(encodePng(image, metadata, ToneCurve::Srgb), encodePng(image, metadata, ToneCurve::Srgb));
+}
+
+}  // namespace
+}  // namespace rayscope

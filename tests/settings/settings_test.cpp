@@ -1,0 +1,201 @@
+#include <rayscope/settings.h>
+
+#include <cctype>
+#include <set>
+
+#include "settings/table.h"
+#include "support/expect_input_error.h"
+
+namespace rayscope {
+namespace {
+
+using test::inputErrorOf;
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Texts that the setting accepts, none of them the default.
+std::vector<std::string> otherValues(const SettingInfo& info) {
+    std::vector<std::string> values;
+    const auto add = [&](std::string value) {
+        if (value != info.defaultValue) values.push_back(std::move(value));
+    };
+    if (info.kind == "boolean") {
+        add("true");
+        add("false");
+    }
+    for (const std::string_view choice : info.choices) add(std::string(choice));
+    if (info.kind == "integer") {
+        add(std::to_string(static_cast<long long>(info.lowest)));
+        add(std::to_string(static_cast<long long>(info.highest)));
+    }
+    if (info.kind == "number") {
+        add("0.1");  // no float is exactly this: it must come back as it was written
+        add(std::to_string(static_cast<long long>(info.highest)));
+    }
+    return values;
+}
+
+TEST(Settings, EveryKeyKeepsEveryValueItAccepts) {
+    for (const SettingInfo& info : describeSettings()) {
+        const std::vector<std::string> values = otherValues(info);
+        ASSERT_FALSE(values.empty()) << info.key;
+        for (const std::string& value : values) {
+            Settings settings;
+            assign(settings, info.key, value);
+            Settings again;
+            assign(again, info.key, textOf(settings, info.key));
+            EXPECT_EQ(settings, again) << info.key << " = " << value;
+            EXPECT_NE(settings, Settings{}) << info.key << " = " << value;
+        }
+    }
+}
+
+TEST(Settings, PrintedValuesAreTheOnesWritten) {
+    Settings settings;
+    assign(settings, "exposure", "0.1");
+    EXPECT_EQ(textOf(settings, "exposure"), "0.1");
+    assign(settings, "texture_filter", "mipmap");
+    EXPECT_EQ(textOf(settings, "texture_filter"), "mipmap");
+    EXPECT_EQ(settings.textureFilter, TextureFilter::Mipmap);
+    assign(settings, "shading", "false");
+    EXPECT_EQ(textOf(settings, "shading"), "false");
+}
+
+TEST(Settings, ChangesOneFieldOnly) {
+    for (const SettingInfo& info : describeSettings()) {
+        Settings settings;
+        assign(settings, info.key, otherValues(info).front());
+        for (const std::string_view key : settingKeys()) {
+            const bool same = textOf(settings, key) == textOf(Settings{}, key);
+            EXPECT_EQ(same, key != info.key) << key << " after a change of " << info.key;
+        }
+    }
+}
+
+TEST(Settings, DefaultsAreWithinTheirRanges) {
+    for (const SettingInfo& info : describeSettings()) {
+        Settings settings;
+        EXPECT_NO_THROW(assign(settings, info.key, info.defaultValue)) << info.key;
+        EXPECT_EQ(settings, Settings{}) << info.key;
+    }
+}
+
+TEST(Settings, NumbersOutsideTheirRangeAreRefusedAndChangeNothing) {
+    for (const SettingInfo& info : describeSettings()) {
+        if (info.kind != "integer" && info.kind != "number") continue;
+        const auto outside = {std::to_string(static_cast<long long>(info.lowest) - 1),
+                              std::to_string(static_cast<long long>(info.highest) + 1000)};
+        for (const std::string& value : outside) {
+            Settings settings;
+            EXPECT_THAT(inputErrorOf([&] { assign(settings, info.key, value); }),
+                        AllOf(HasSubstr(std::string(info.key)), HasSubstr("from "), HasSubstr(value)));
+            EXPECT_EQ(settings, Settings{});
+        }
+    }
+}
+
+TEST(Settings, TextThatIsNoValueIsRefused) {
+    for (const SettingInfo& info : describeSettings()) {
+        for (const char* value : {"", " ", "nan", "1x", "0x10", "99999999999999999999", "1e999", "True"}) {
+            Settings settings;
+            EXPECT_THAT(inputErrorOf([&] { assign(settings, info.key, value); }), HasSubstr("expected"))
+                << info.key << " = " << value;
+        }
+    }
+}
+
+TEST(Settings, MistypedNamesGetTheNearestOne) {
+    Settings settings;
+    EXPECT_THAT(inputErrorOf([&] { assign(settings, "max_dpeth", "3"); }),
+                HasSubstr("did you mean 'max_depth'"));
+    EXPECT_THAT(inputErrorOf([&] { assign(settings, "sampler", "sobel"); }),
+                AllOf(HasSubstr("independent, jittered or sobol"), HasSubstr("did you mean 'sobol'")));
+    EXPECT_THAT(inputErrorOf([&] { textOf(settings, "bvh_builde"); }),
+                HasSubstr("did you mean 'bvh_builder'"));
+}
+
+TEST(Settings, TheWorstChangeDecides) {
+    const Settings defaults;
+    EXPECT_EQ(changed(defaults, defaults), Invalidates::Nothing);
+    Settings settings;
+    settings.exposure = 1.0f;
+    EXPECT_EQ(changed(defaults, settings), Invalidates::Display);
+    settings.maxDepth = 1;
+    EXPECT_EQ(changed(defaults, settings), Invalidates::Film);
+    settings.bvhLeafSize = 1;
+    EXPECT_EQ(changed(defaults, settings), Invalidates::Accel);
+    EXPECT_EQ(changed(settings, defaults), Invalidates::Accel);
+}
+
+TEST(Settings, EveryFieldThatDiffersIsNoticed) {
+    forEachSetting([](const auto& row) {
+        EXPECT_NE(row.invalidates, Invalidates::Nothing) << row.text.key;
+        const std::vector<SettingInfo> infos = describeSettings();
+        for (const SettingInfo& info : infos) {
+            if (info.key != row.text.key) continue;
+            Settings settings;
+            assign(settings, info.key, otherValues(info).front());
+            EXPECT_EQ(changed(Settings{}, settings), row.invalidates) << info.key;
+        }
+    });
+}
+
+TEST(Settings, TheTableReadsWell) {
+    std::set<std::string_view> keys, labels;
+    for (const SettingInfo& info : describeSettings()) {
+        EXPECT_TRUE(keys.insert(info.key).second) << info.key << " stands twice";
+        EXPECT_TRUE(labels.insert(info.label).second) << info.label << " stands twice";
+        for (const char c : info.key)
+            EXPECT_TRUE(std::islower(static_cast<unsigned char>(c)) ||
+                        std::isdigit(static_cast<unsigned char>(c)) || c == '_')
+                << info.key;
+        ASSERT_FALSE(info.help.empty()) << info.key;
+        EXPECT_EQ(info.help.back(), '.') << info.key << ": the help should be a sentence";
+        EXPECT_FALSE(info.group.empty()) << info.key;
+    }
+}
+
+TEST(Settings, ScriptsFindTheNamesTheyRelyOn) {
+    const std::vector<std::string_view> keys = settingKeys();
+    for (const char* key : {"shading",
+                            "recursion",
+                            "max_depth",
+                            "hard_shadows",
+                            "soft_shadows",
+                            "texture_mapping",
+                            "texture_filter",
+                            "normal_interpolation",
+                            "environment",
+                            "reflection_map",
+                            "glossy",
+                            "glossy_sigma",
+                            "glossy_samples",
+                            "transparency",
+                            "transparent_shadows",
+                            "depth_of_field",
+                            "lens_samples",
+                            "sharp_zone",
+                            "motion_blur",
+                            "spp",
+                            "sampler",
+                            "segment_samples",
+                            "parallelogram_samples",
+                            "bloom",
+                            "bloom_filter",
+                            "bloom_sigma",
+                            "bloom_threshold",
+                            "bloom_size",
+                            "bloom_scale",
+                            "bloom_debug",
+                            "bvh",
+                            "bvh_builder",
+                            "bvh_bins",
+                            "bvh_max_level",
+                            "bvh_leaf_size",
+                            "exposure",
+                            "tone"})
+        EXPECT_THAT(keys, testing::Contains(key));
+}
+
+}  // namespace
+}  // namespace rayscope
