@@ -76,7 +76,7 @@ struct MeshInstance {
     std::shared_ptr<const MeshData> data{};
     Transform transform{};
     std::vector<std::uint32_t> materials{};  ///< slot of the mesh → index into SceneDescription::materials
-    glm::vec3 motion{0.0f};                ///< displacement during the shutter, scene units
+    glm::vec3 motion{0.0f};                  ///< displacement during the shutter, scene units
 };
 
 struct SphereInstance {
