@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -53,11 +54,11 @@ struct Material {
 /// Triangles with shared vertices, immutable once read. `normals` and `texCoords` are empty or as long as
 /// `positions`.
 struct MeshData {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> texCoords;  ///< (0, 0) is the lower left corner of the image
-    std::vector<glm::uvec3> triangles;
-    std::vector<std::uint16_t> materialSlots;  ///< per triangle, or empty if all use slot 0
+    std::vector<glm::vec3> positions{};
+    std::vector<glm::vec3> normals{};
+    std::vector<glm::vec2> texCoords{};  ///< (0, 0) is the lower left corner of the image
+    std::vector<glm::uvec3> triangles{};
+    std::vector<std::uint16_t> materialSlots{};  ///< per triangle, or empty if all use slot 0
 };
 
 /// scale, then rotation about x, y, z in this order (degrees), then translation; or any affine map.
@@ -76,7 +77,7 @@ struct MeshInstance {
     std::shared_ptr<const MeshData> data{};
     Transform transform{};
     std::vector<std::uint32_t> materials{};  ///< slot of the mesh → index into SceneDescription::materials
-    glm::vec3 motion{0.0f};                ///< displacement during the shutter, scene units
+    glm::vec3 motion{0.0f};                  ///< displacement during the shutter, scene units
 };
 
 struct SphereInstance {
@@ -181,6 +182,9 @@ struct SceneRequirements {
     std::vector<Requirement> list;  ///< the same facts in words
 };
 SceneRequirements requirementsOf(const SceneDescription& scene);
+
+/// Why the setting with this key changes nothing in this scene, or an empty text if it may change something.
+std::string_view withoutEffectOn(const SceneRequirements& scene, std::string_view setting);
 
 /// What is odd about the scene, for the person who made it: energy above one, degenerate triangles, unused
 /// things …

@@ -37,24 +37,25 @@ float areaScale(const Bounds4& box) {
 }  // namespace
 
 RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, refs.size(), 16384), RangeBounds{},
-        [&](const tbb::blocked_range<std::size_t>& block, RangeBounds bounds) {
-            throwIfStopped(stop);
-            for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
-            return bounds;
-        },
-        [](RangeBounds a, const RangeBounds& b) {
-            a.box.extend(b.box);
-            a.centroids.extend(b.centroids);
-            return a;
-        });
+    using Block = tbb::blocked_range<std::size_t>;
+    const auto extend = [&](const Block& block, RangeBounds bounds) {
+        throwIfStopped(stop);
+        for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
+        return bounds;
+    };
+    const Block all(0, refs.size(), 16384);
+    if (!all.is_divisible()) return extend(all, {});
+    return tbb::parallel_reduce(all, RangeBounds{}, extend, [](RangeBounds a, const RangeBounds& b) {
+        a.box.extend(b.box);
+        a.centroids.extend(b.centroids);
+        return a;
+    });
 }
 
 BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& settings) {
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
-    std::span<PrimitiveRef> refs = collected.refs;
+    const std::span<PrimitiveRef> refs = collected.refs();
     TreeSkeleton skeleton(refs.size(), settings);
     if (!refs.empty()) {
         const float scale = areaScale(boundsOf(refs, settings.stop).box);
@@ -70,7 +71,7 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 break;
         }
     }
-    collected.refs = {};
+    collected.storage.reset();
     BinaryTree tree = skeleton.compact();
     tree.droppedPrimitives = collected.dropped;
     return tree;

@@ -23,8 +23,7 @@ struct MedianBuilder {
             for (std::size_t i = tree.begin; i < tree.end; ++i) skeleton.slot(i) = refs[i].primitive;
             return;
         }
-        const std::size_t half = tree.size() / 2;
-        halve(range, half, tree.level % 3);
+        const std::size_t half = halveAtMedian(range, tree.level % 3, skeleton.settings().stop);
         const auto [left, right] = skeleton.split(tree, box, tree.begin + half);
         if (tree.size() < kParallelSize) {
             build(left);
@@ -33,19 +32,21 @@ struct MedianBuilder {
             tbb::parallel_invoke([&] { build(left); }, [&] { build(right); });
         }
     }
-
-    void halve(std::span<PrimitiveRef> range, std::size_t half, int axis) const {
-        std::size_t comparisons = 0;
-        const auto less = [&](const PrimitiveRef& a, const PrimitiveRef& b) {
-            if (++comparisons % 8192 == 0) throwIfStopped(skeleton.settings().stop);
-            const float ca = a.centroid(axis), cb = b.centroid(axis);
-            return ca < cb || (ca == cb && a.primitive < b.primitive);
-        };
-        std::nth_element(range.begin(), range.begin() + static_cast<std::ptrdiff_t>(half), range.end(), less);
-    }
 };
 
 }  // namespace
+
+std::size_t halveAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop) {
+    std::size_t comparisons = 0;
+    const auto less = [&](const PrimitiveRef& a, const PrimitiveRef& b) {
+        if (++comparisons % 16384 == 0) throwIfStopped(stop);
+        const float ca = a.centroid(axis), cb = b.centroid(axis);
+        return ca < cb || (ca == cb && a.primitive < b.primitive);
+    };
+    const std::size_t half = refs.size() / 2;
+    std::nth_element(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(half), refs.end(), less);
+    return half;
+}
 
 void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs) {
     MedianBuilder{skeleton, refs}.build(skeleton.whole());

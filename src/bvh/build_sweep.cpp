@@ -1,15 +1,18 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "bvh/builders.h"
+#include "bvh/sort_centroids.h"
+#include "bvh/statistics.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope {
 namespace {
 
-constexpr std::size_t kParallelSize = 4096;
+constexpr std::size_t kParallelSize = 4096;   ///< from here on children are built at the same time
+constexpr std::size_t kParallelAxes = 65536;  ///< … and axes are swept at the same time
+constexpr std::size_t kStopInterval = 16384;
 
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
@@ -34,11 +37,11 @@ class SweepBuilder {
           firstSlot_(firstSlot),
           scale_(scale),
           onRight_(refs.size()) {
-        for (int axis = 0; axis < 3; ++axis) {
-            areas_[axis].resize(refs.size());
-            scratch_[axis].resize(refs.size());
-            sort(axis);
-        }
+        forEachAxis(refs.size(), [this](int axis) {
+            order_[axis] = orderByCentroid(refs_, axis, stop_);
+            areas_[axis].resize(refs_.size());
+            scratch_[axis].resize(refs_.size());
+        });
     }
 
     void build(const Subtree& tree) {
@@ -47,9 +50,9 @@ class SweepBuilder {
         if (skeleton_.mustBeLeaf(tree)) return makeLeaf(tree, boxOf(begin, end));
         Bounds4 box;
         const Split split = bestSplit(tree, box);
-        const float area = box.halfArea(scale_), count = static_cast<float>(tree.size());
+        const float area = box.halfArea(scale_);
         if (tree.size() <= static_cast<std::size_t>(skeleton_.settings().leafSize) &&
-            count * kIntersectionCost * area <= kTraversalCost * area + kIntersectionCost * split.cost)
+            leafCost(area, tree.size()) <= splitCost(area, split.cost))
             return makeLeaf(tree, box);
 
         partition(begin, end, split);
@@ -63,14 +66,14 @@ class SweepBuilder {
     }
 
   private:
-    void sort(int axis) {
-        std::vector<std::uint32_t>& order = order_[axis];
-        order.resize(refs_.size());
-        std::iota(order.begin(), order.end(), 0u);
-        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-            const float ca = refs_[a].centroid(axis), cb = refs_[b].centroid(axis);
-            return ca < cb || (ca == cb && a < b);
-        });
+    /// The axes are independent of one another; for long ranges they are worked on at the same time.
+    template <class Work>
+    static void forEachAxis(std::size_t size, const Work& work) {
+        if (size < kParallelAxes) {
+            for (int axis = 0; axis < 3; ++axis) work(axis);
+        } else {
+            tbb::parallel_invoke([&] { work(0); }, [&] { work(1); }, [&] { work(2); });
+        }
     }
 
     Bounds4 boxOf(std::size_t begin, std::size_t end) const {
@@ -87,16 +90,23 @@ class SweepBuilder {
 
     Split bestSplit(const Subtree& tree, Bounds4& box) {
         const std::size_t begin = tree.begin - firstSlot_, end = tree.end - firstSlot_;
+        Split splits[3];
+        Bounds4 boxes[3];
+        forEachAxis(tree.size(), [&](int axis) { splits[axis] = sweep(axis, begin, end, boxes[axis]); });
+        box = boxes[0];
         Split best;
-        bool distinct = false;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Split split = sweep(axis, begin, end, box);
+        for (const Split& split : splits)
             if (split.isBetterThan(best)) best = split;
-            distinct |=
-                refs_[order_[axis][begin]].centroid(axis) != refs_[order_[axis][end - 1]].centroid(axis);
-        }
-        if (!distinct || TreeSkeleton::mustBeHalved(tree)) return {best.cost, begin + tree.size() / 2, 0, 0};
+        if (TreeSkeleton::mustBeHalved(tree) || !haveDistinctCentroids(begin, end))
+            return {best.cost, begin + tree.size() / 2, 0, 0};
         return best;
+    }
+
+    bool haveDistinctCentroids(std::size_t begin, std::size_t end) const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (refs_[order_[axis][begin]].centroid(axis) != refs_[order_[axis][end - 1]].centroid(axis))
+                return true;
+        return false;
     }
 
     /// Areas of all boxes from the right, then costs from the left.
@@ -105,6 +115,7 @@ class SweepBuilder {
         std::vector<float>& rightArea = areas_[axis];
         Bounds4 right;
         for (std::size_t i = end; i-- > begin;) {
+            if (i % kStopInterval == 0) throwIfStopped(stop_);
             right.extend(refs_[order[i]].bounds());
             rightArea[i] = right.halfArea(scale_);
         }
@@ -112,6 +123,7 @@ class SweepBuilder {
         Split best;
         Bounds4 left;
         for (std::size_t i = begin + 1; i < end; ++i) {
+            if (i % kStopInterval == 0) throwIfStopped(stop_);
             left.extend(refs_[order[i - 1]].bounds());
             const float cost = left.halfArea(scale_) * static_cast<float>(i - begin) +
                                rightArea[i] * static_cast<float>(end - i);
@@ -125,23 +137,27 @@ class SweepBuilder {
     /// Moves what belongs to the left child to the front in all three orders, and keeps each order otherwise.
     void partition(std::size_t begin, std::size_t end, const Split& split) {
         for (std::size_t i = begin; i < end; ++i) onRight_[order_[split.axis][i]] = i >= split.middle;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (axis == split.axis) continue;
-            std::vector<std::uint32_t>& order = order_[axis];
-            std::vector<std::uint32_t>& right = scratch_[axis];
-            std::size_t lefts = begin, rights = begin;
-            for (std::size_t i = begin; i < end; ++i) {
-                const std::uint32_t ref = order[i];
-                if (onRight_[ref]) {
-                    right[rights++] = ref;
-                } else {
-                    order[lefts++] = ref;
-                }
+        forEachAxis(end - begin, [&](int axis) {
+            if (axis != split.axis) partition(axis, begin, end);
+        });
+    }
+
+    void partition(int axis, std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t>& order = order_[axis];
+        std::vector<std::uint32_t>& right = scratch_[axis];
+        std::size_t lefts = begin, rights = begin;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i % kStopInterval == 0) throwIfStopped(stop_);
+            const std::uint32_t ref = order[i];
+            if (onRight_[ref]) {
+                right[rights++] = ref;
+            } else {
+                order[lefts++] = ref;
             }
-            std::copy(right.begin() + static_cast<std::ptrdiff_t>(begin),
-                      right.begin() + static_cast<std::ptrdiff_t>(rights),
-                      order.begin() + static_cast<std::ptrdiff_t>(lefts));
         }
+        std::copy(right.begin() + static_cast<std::ptrdiff_t>(begin),
+                  right.begin() + static_cast<std::ptrdiff_t>(rights),
+                  order.begin() + static_cast<std::ptrdiff_t>(lefts));
     }
 
     TreeSkeleton& skeleton_;

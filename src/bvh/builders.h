@@ -3,6 +3,7 @@
 #include <span>
 
 #include "bvh/bounds.h"
+#include "bvh/statistics.h"
 #include "bvh/tree_skeleton.h"
 
 namespace rayscope {
@@ -19,9 +20,18 @@ struct RangeBounds {
 };
 RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop);
 
-/// Cost model of the surface area heuristic: entering a node costs as much as testing a primitive.
-inline constexpr float kTraversalCost = 1.0f;
-inline constexpr float kIntersectionCost = 1.0f;
+/// Costs of the surface area heuristic, times the area of the root's box. `children` is the sum over both
+/// children of their area times the number of their primitives.
+inline float leafCost(float area, std::size_t size) {
+    return static_cast<float>(kIntersectionCost) * area * static_cast<float>(size);
+}
+inline float splitCost(float area, float children) {
+    return static_cast<float>(kTraversalCost) * area + static_cast<float>(kIntersectionCost) * children;
+}
+
+/// Moves the half with the smaller centroids (of equal ones, the smaller numbers) to the front; returns its
+/// size.
+std::size_t halveAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop);
 
 /// Object median: halves at the median centroid; the axes take turns with the level.
 void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);

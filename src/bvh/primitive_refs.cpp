@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "bvh/ray_query.h"
@@ -72,26 +73,39 @@ bool isFinite(const AccelInput& input, std::size_t primitive, const PrimitiveBox
     return true;
 }
 
+PrimitiveRef makeRef(const AccelInput& input, std::size_t primitive) {
+    const PrimitiveBox box = primitiveBox(input, primitive);
+    PrimitiveRef ref{};
+    std::copy_n(box.planes, 3, ref.lower);
+    std::copy_n(box.planes + 4, 3, ref.upper);
+    ref.primitive = isFinite(input, primitive, box) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
+    return ref;
+}
+
 }  // namespace
 
 PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop) {
     checkSize(input);
     checkIndices(input, stop);
     PrimitiveRefs result;
-    result.refs.resize(input.triangles.size() + input.spheres.size());
-    tbb::parallel_for(Block(0, result.refs.size(), kGrain), [&](const Block& block) {
-        throwIfStopped(stop);
-        for (std::size_t i = block.begin(); i < block.end(); ++i) {
-            const PrimitiveBox box = primitiveBox(input, i);
-            PrimitiveRef& ref = result.refs[i];
-            std::copy_n(box.planes, 3, ref.lower);
-            std::copy_n(box.planes + 4, 3, ref.upper);
-            ref.primitive = isFinite(input, i, box) ? static_cast<std::uint32_t>(i) : kNoPrimitive;
-            ref.unused = 0;
-        }
-    });
-    result.dropped = static_cast<std::uint32_t>(
-        std::erase_if(result.refs, [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; }));
+    const std::size_t count = input.triangles.size() + input.spheres.size();
+    result.storage = std::make_unique_for_overwrite<PrimitiveRef[]>(count);
+    const std::size_t dropped = tbb::parallel_reduce(
+        Block(0, count, kGrain), std::size_t{0},
+        [&](const Block& block, std::size_t sum) {
+            throwIfStopped(stop);
+            for (std::size_t i = block.begin(); i < block.end(); ++i) {
+                result.storage[i] = makeRef(input, i);
+                sum += result.storage[i].primitive == kNoPrimitive;
+            }
+            return sum;
+        },
+        std::plus<>{});
+    if (dropped > 0)
+        (void)std::remove_if(result.storage.get(), result.storage.get() + count,
+                             [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; });
+    result.count = count - dropped;
+    result.dropped = static_cast<std::uint32_t>(dropped);
     return result;
 }
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "bvh/stop_check.h"
 
 namespace rayscope {
 namespace {
+
+constexpr std::size_t kStopInterval = 65536;
 
 BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
     return {{box.lower[0], box.lower[1], box.lower[2]},
@@ -38,33 +41,46 @@ bool TreeSkeleton::mustBeHalved(const Subtree& tree) {
     return static_cast<int>(std::bit_width(tree.size())) >= kMaxTreeLevel - tree.level;
 }
 
+std::size_t TreeSkeleton::countNodes() const {
+    std::vector<std::uint32_t> stack{0};
+    std::size_t count = 0;
+    while (!stack.empty()) {
+        if (count++ % kStopInterval == 0) throwIfStopped(settings_.stop);
+        const BinaryNode& node = nodes_[stack.back()];
+        stack.pop_back();
+        if (!node.isLeaf()) stack.insert(stack.end(), {node.first + 1, node.first});
+    }
+    return count;
+}
+
 BinaryTree TreeSkeleton::compact() {
     BinaryTree tree;
-    tree.primitives = std::move(primitives_);
-    if (count_ == 0) return tree;
+    if (count_ > 0) {
+        tree.nodes.reserve(countNodes());
+        tree.nodes.push_back(nodes_[0]);
+    }
     struct Waiting {
         std::uint32_t node;
         int level;
     };
-    std::vector<Waiting> stack{{0, 0}};
-    tree.nodes.push_back(nodes_[0]);
+    std::vector<Waiting> stack;
+    if (count_ > 0) stack.push_back({0, 0});
     while (!stack.empty()) {
         const auto [number, level] = stack.back();
         stack.pop_back();
         tree.levels = std::max(tree.levels, level + 1);
         BinaryNode& node = tree.nodes[number];
         if (node.isLeaf()) continue;
-        if (number % 4096 == 0) throwIfStopped(settings_.stop);
-        const std::uint32_t place = node.first;
         const auto children = static_cast<std::uint32_t>(tree.nodes.size());
-        node.first = children;
+        if (children % kStopInterval == 1) throwIfStopped(settings_.stop);
+        const std::uint32_t place = std::exchange(node.first, children);
         tree.nodes.push_back(nodes_[place]);
         tree.nodes.push_back(nodes_[place + 1]);
         stack.push_back({children + 1, level + 1});
         stack.push_back({children, level + 1});
     }
+    tree.primitives = std::move(primitives_);
     nodes_.reset();
-    tree.nodes.shrink_to_fit();
     return tree;
 }
 

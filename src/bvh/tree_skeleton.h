@@ -46,9 +46,12 @@ class TreeSkeleton {
 
     const BuildSettings& settings() const { return settings_; }
 
+    /// Squeezes out the empty places; the skeleton is used up.
     BinaryTree compact();
 
   private:
+    std::size_t countNodes() const;
+
     std::size_t count_;
     BuildSettings settings_;
     std::unique_ptr<BinaryNode[]> nodes_;

@@ -208,6 +208,7 @@ void RenderSession::pause() {
 void RenderSession::resume() {
     const std::scoped_lock guard(state_->lock);
     state_->paused = false;
+    if (state_->status.state == RenderState::Paused) state_->status.state = RenderState::Compiling;
     state_->changedState.notify_all();
 }
 
@@ -292,7 +293,7 @@ RenderState RenderSession::wait(double seconds) {
     std::unique_lock guard(state_->lock);
     const auto settled = [&] {
         const RenderState state = state_->status.state;
-        return !state_->pending && state != RenderState::Compiling && state != RenderState::Rendering;
+        return state != RenderState::Compiling && state != RenderState::Rendering;
     };
     const auto limit = std::chrono::duration<double>(std::min(seconds, 1e8));
     state_->changedState.wait_for(guard, std::chrono::duration_cast<Clock::duration>(limit), settled);

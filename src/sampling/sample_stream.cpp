@@ -82,15 +82,19 @@ glm::vec2 SampleStream::independent(std::uint64_t key, int k) const {
             toUnitFloat(static_cast<std::uint32_t>(bits >> 32))};
 }
 
-glm::vec2 SampleStream::jittered(std::uint64_t key, Dim dim, int k, int n) const {
-    // A single point per sample is stratified over the samples of the pixel, several among themselves.
-    const bool overPixel = n == 1 && (dim == Dim::Pixel || dim == Dim::Lens || dim == Dim::Time);
-    const int cells = overPixel ? samplesPerPixel_ : n;
-    auto cell = static_cast<std::uint32_t>(overPixel ? index_ % cells : k);
-    if (overPixel) cell = permute(cell, static_cast<std::uint32_t>(cells), key);
+/// Several points of one sample are stratified among themselves, a single one over the samples of the pixel.
+SampleStream::Stratum SampleStream::stratum(std::uint64_t key, int k, int n) const {
+    if (n > 1) return {k, n};
+    const auto index = static_cast<std::uint32_t>(index_ % samplesPerPixel_);
+    return {static_cast<int>(permute(index, static_cast<std::uint32_t>(samplesPerPixel_), key)),
+            samplesPerPixel_};
+}
+
+glm::vec2 SampleStream::jittered(std::uint64_t key, int k, int n) const {
+    const auto [cell, cells] = stratum(key, k, n);
     const int rows = gridRows(cells), columns = cells / rows;
     const glm::vec2 offset = independent(key, k);
-    const int column = static_cast<int>(cell) % columns, row = static_cast<int>(cell) / columns;
+    const int column = cell % columns, row = cell / columns;
     const glm::vec2 point((static_cast<float>(column) + offset.x) / static_cast<float>(columns),
                           (static_cast<float>(row) + offset.y) / static_cast<float>(rows));
     return glm::min(point, glm::vec2(1.0f - 0x1p-24f));
@@ -100,7 +104,7 @@ glm::vec2 SampleStream::get2D(Dim dim, PathKey vertex, std::uint32_t which, int 
     const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 32) | which;
     const std::uint64_t key = hashPair(hashPair(pixelKey_, vertex.value), place);
     if (pattern_ == SamplePattern::Independent) return independent(key, k);
-    if (pattern_ == SamplePattern::Jittered) return jittered(key, dim, k, n);
+    if (pattern_ == SamplePattern::Jittered) return jittered(key, k, n);
 
     const SobolBlock block = blockOf(dim, vertex, which, n);
     const std::uint64_t shuffle = block.sharesIndex ? mix(pixelKey_) : mix(key);
@@ -114,11 +118,12 @@ glm::vec2 SampleStream::get2D(Dim dim, PathKey vertex, std::uint32_t which, int 
 }
 
 float SampleStream::get1D(Dim dim, PathKey vertex, std::uint32_t which, int k, int n) const {
-    if (pattern_ == SamplePattern::Jittered && n > 1) {
+    if (pattern_ == SamplePattern::Jittered) {
         const std::uint64_t key =
             hashPair(hashPair(pixelKey_, vertex.value),
                      (std::uint64_t{1} << 63) | (static_cast<std::uint64_t>(dim) << 32) | which);
-        const float x = (static_cast<float>(k) + independent(key, k).x) / static_cast<float>(n);
+        const auto [cell, cells] = stratum(key, k, n);
+        const float x = (static_cast<float>(cell) + independent(key, k).x) / static_cast<float>(cells);
         return x < 1.0f ? x : 1.0f - 0x1p-24f;
     }
     return get2D(dim, vertex, which, k, n).x;

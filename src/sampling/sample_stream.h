@@ -23,14 +23,18 @@ class SampleStream {
     SampleStream(SamplePattern pattern, std::uint64_t seed, int x, int y, int index, int samplesPerPixel);
 
     /// Point `k` of the `n` points that this sample takes of (dim, vertex, which), in [0, 1)^2. `which` tells
-    /// lights apart. The n points of one sample are stratified among themselves unless the pattern is
-    /// independent; Sobol points are also stratified over the samples of the pixel.
+    /// lights apart. Unless the pattern is independent, the n points of one sample are stratified among
+    /// themselves, and a single one over the samples of the pixel; Sobol points are stratified in both ways.
     glm::vec2 get2D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const;
     float get1D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const;
 
   private:
     glm::vec2 independent(std::uint64_t key, int k) const;
-    glm::vec2 jittered(std::uint64_t key, Dim dim, int k, int n) const;
+    glm::vec2 jittered(std::uint64_t key, int k, int n) const;
+    struct Stratum {
+        int cell, cells;
+    };
+    Stratum stratum(std::uint64_t key, int k, int n) const;
 
     SamplePattern pattern_;
     std::uint64_t pixelKey_;  ///< of seed and pixel

@@ -171,7 +171,8 @@ class PatchMesh {
 }  // namespace
 
 MeshData generate(const TeapotShape& shape) {
-    const auto scaled = [&](int steps) { return std::max(1, (steps * shape.resolution + 8) / 16); };
+    // Half a tube needs two steps to have an inside.
+    const auto scaled = [&](int steps) { return std::max(2, (steps * shape.resolution + 8) / 16); };
     PatchMesh mesh;
     for (const Revolved& part : kRevolved)
         for (int quarter = 0; quarter < 4; ++quarter)

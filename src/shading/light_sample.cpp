@@ -36,7 +36,10 @@ LightSample sampleLight(const Light& light, const glm::vec2& u) {
     return std::visit([&](const auto& shape) { return sampleShape(shape, glm::dvec2(u)); }, light.shape);
 }
 
-bool isPointLight(const Light& light) { return std::holds_alternative<PointLight>(light.shape); }
+int dimensionsOf(const Light& light) {
+    if (std::holds_alternative<PointLight>(light.shape)) return 0;
+    return std::holds_alternative<SegmentLight>(light.shape) ? 1 : 2;
+}
 
 LightSampleGrid sampleGrid(const Light& light, const Settings& settings) {
     const LightSampleCount rule = settings.lightSampleCount;

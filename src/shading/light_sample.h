@@ -22,6 +22,7 @@ struct LightSampleGrid {
 };
 LightSampleGrid sampleGrid(const Light& light, const Settings& settings);
 
-bool isPointLight(const Light& light);
+/// 0 for a point, 1 for a segment, 2 for a parallelogram: how many coordinates of `u` sampleLight() uses.
+int dimensionsOf(const Light& light);
 
 }  // namespace rayscope

@@ -74,8 +74,8 @@ void compileMaterials(World& world, const World* previous) {
 void compileLights(World& world) {
     const Settings& settings = world.settings;
     for (const Light& light : world.description->lights)
-        world.lights.push_back({light, sampleGrid(light, settings), isPointLight(light),
-                                isPointLight(light) ? settings.hardShadows : settings.softShadows});
+        world.lights.push_back({light, sampleGrid(light, settings), dimensionsOf(light),
+                                dimensionsOf(light) == 0 ? settings.hardShadows : settings.softShadows});
     if (!settings.transparentShadows) return;
     for (const SurfaceMaterial& material : world.materials) world.attenuatesShadows |= material.opacity < 1.0;
 }

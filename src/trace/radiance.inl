@@ -155,10 +155,9 @@ void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Bra
     const glm::vec3 from = at.originOutside();
     for (int k = 0; k < n; ++k) {
         const auto which = static_cast<std::uint32_t>(index);
-        const glm::vec2 u = compiled.isPoint ? glm::vec2(0.0f)
-                            : compiled.grid.rows > 1
-                                ? stream_.get2D(Dim::Light, branch.key, which, k, n)
-                                : glm::vec2(stream_.get1D(Dim::Light, branch.key, which, k, n));
+        glm::vec2 u(0.0f);
+        if (compiled.dimensions == 1) u.x = stream_.get1D(Dim::Light, branch.key, which, k, n);
+        if (compiled.dimensions == 2) u = stream_.get2D(Dim::Light, branch.key, which, k, n);
         LightConnection connection{static_cast<int>(index), k, from, sampleLight(compiled.light, u)};
         const glm::dvec3 toLight = connection.at.position - glm::dvec3(from);
         const double distance = glm::length(toLight);

@@ -35,7 +35,7 @@ struct Body {
 struct CompiledLight {
     Light light;
     LightSampleGrid grid;
-    bool isPoint = false;
+    int dimensions = 0;  ///< of its shape: 0 point, 1 segment, 2 parallelogram
     bool castsShadows = true;
 };
 

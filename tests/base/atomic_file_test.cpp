@@ -6,14 +6,14 @@
 
 #include <csignal>
 
-#include "expect_input_error.h"
-#include "temporary_folder.h"
+#include "support/expect_input_error.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {
 
-using test::contentOf;
 using test::inputErrorOf;
+using test::readText;
 using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -40,9 +40,9 @@ TEST(AtomicFile, WritesAndReplaces) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.json");
     writeFileAtomically(path, "one");
-    EXPECT_EQ(contentOf(path), "one");
+    EXPECT_EQ(readText(path), "one");
     writeFileAtomically(path, "two");
-    EXPECT_EQ(contentOf(path), "two");
+    EXPECT_EQ(readText(path), "two");
     EXPECT_EQ(folder.entries(), 1u);
 }
 
@@ -55,7 +55,7 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNothingElse) {
         message = inputErrorOf([&] { writeFileAtomically(path, std::string(5000, 'x')); });
     }
     EXPECT_THAT(message, AllOf(HasSubstr(path), HasSubstr("cannot be written: File too large")));
-    EXPECT_EQ(contentOf(path), "old");
+    EXPECT_EQ(readText(path), "old");
     EXPECT_EQ(folder.entries(), 1u);
 }
 
@@ -74,7 +74,7 @@ TEST(AtomicFile, ALinkStaysALink) {
     std::filesystem::create_symlink("target", folder.file("link"));
     writeFileAtomically(folder.file("link"), "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
-    EXPECT_EQ(contentOf(folder.file("target")), "new");
+    EXPECT_EQ(readText(folder.file("target")), "new");
 }
 
 TEST(AtomicFile, TheRightsOfTheOldFileStay) {

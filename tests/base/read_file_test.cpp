@@ -1,7 +1,7 @@
 #include "base/read_file.h"
 
-#include "expect_input_error.h"
-#include "temporary_folder.h"
+#include "support/expect_input_error.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {

@@ -4,18 +4,18 @@
 
 #include <csignal>
 
-#include "expect_input_error.h"
 #include "image/codecs.h"
 #include "image/test_images.h"
-#include "temporary_folder.h"
+#include "support/expect_input_error.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {
 
-using test::contentOf;
 using test::decode;
 using test::gradient;
 using test::inputErrorOf;
+using test::readText;
 using test::stbFile;
 using test::TemporaryFolder;
 using testing::AllOf;
@@ -128,7 +128,7 @@ TEST(BadOutput, AFullDiskLeavesTheOldImage) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
     writeImage(path, gradient(4, 4));
-    const std::string old = contentOf(path);
+    const std::string old = readText(path);
 
     auto* const oldHandler = std::signal(SIGXFSZ, SIG_IGN);
     rlimit limit{};
@@ -140,7 +140,7 @@ TEST(BadOutput, AFullDiskLeavesTheOldImage) {
     std::signal(SIGXFSZ, oldHandler);
 
     EXPECT_THAT(message, AllOf(HasSubstr("a.exr"), HasSubstr("cannot be written")));
-    EXPECT_EQ(contentOf(path), old);
+    EXPECT_EQ(readText(path), old);
     EXPECT_EQ(folder.entries(), 1u);
 }
 

@@ -8,7 +8,7 @@
 
 #include "image/codecs.h"
 #include "image/test_images.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "image/srgb.h"
 #include "image/test_images.h"
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {

@@ -3,8 +3,8 @@
 #include <cctype>
 #include <set>
 
-#include "expect_input_error.h"
 #include "settings/table.h"
+#include "support/expect_input_error.h"
 
 namespace rayscope {
 namespace {

@@ -7,7 +7,7 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 ln -s "$SOURCE/scenes" scenes
 
-commands() { awk '/^```sh$/ {inside = 1; next} /^```/ {inside = 0} inside && !/^ *(#|$)/' "$SOURCE/README.md"; }
+commands() { awk '/^ *```sh$/ {inside = 1; next} /^ *```/ {inside = 0} inside && !/^ *(#|$)/' "$SOURCE/README.md"; }
 
 # What a line of the README runs here: nothing for those that would open a window, build, or fetch.
 translated() {

@@ -26,6 +26,8 @@ class TemporaryFolder {
     const std::filesystem::path& path() const { return path_; }
     std::string file(std::string_view name) const { return (path_ / name).string(); }
 
+    std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+
     /// Writes a file into the folder and returns its path.
     std::string write(std::string_view name, std::string_view content) const {
         std::ofstream(path_ / name, std::ios::binary) << content;
@@ -41,7 +43,7 @@ class TemporaryFolder {
 };
 
 /// All bytes of a file, "" if there is none.
-inline std::string contentOf(const std::string& path) {
+inline std::string readText(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/binary_tree.h"
+
+namespace rayscope {
+
+/// The surface area heuristic's cost model: visiting an inner node costs as much as testing a primitive.
+inline constexpr double kTraversalCost = 1.0;
+inline constexpr double kIntersectionCost = 1.0;
+
+/// The shape of a tree in numbers.
+struct TreeStatistics {
+    /// Expected cost of a random line that meets the root's box: the sum over all nodes of the area of their
+    /// box relative to the root's, times kTraversalCost for inner nodes and kIntersectionCost per primitive
+    /// for leaves (Goldsmith, Salmon 1987). If the root has no area, every relative area counts as 1.
+    double sahCost = 0.0;
+    std::size_t nodes = 0;
+    std::size_t leaves = 0;
+    std::size_t primitives = 0;
+    std::size_t bytes = 0;                   ///< of nodes and primitive numbers
+    int levels = 0;                          ///< including the root
+    std::vector<std::size_t> leavesAtLevel;  ///< index: level, the root is 0
+    std::vector<std::size_t> leavesOfSize;   ///< index: number of primitives
+};
+
+TreeStatistics statisticsOf(const BinaryTree& tree);
+
+}  // namespace rayscope

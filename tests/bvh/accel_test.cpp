@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "bvh/binary_tree.h"
+#include "bvh/meshes.h"
+
+namespace rayscope::test {
+namespace {
+
+const Ray kRay{{0.25f, 0.25f, -1}, {0, 0, 1}};
+
+Geometry oneTriangle() {
+    Geometry geometry;
+    geometry.addTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    return geometry;
+}
+
+void expectEmpty(const Accel& accel) {
+    Hit hit{1, 2, 3, 4};
+    EXPECT_FALSE(accel.closestHit(kRay, hit));
+    EXPECT_TRUE(sameHit(hit, Hit{}));
+    EXPECT_FALSE(accel.anyHit(kRay));
+    std::vector<Hit> hits(3, Hit{1, 2, 3, 4});
+    std::vector<std::uint8_t> occluded(3, 1);
+    const std::vector<Ray> rays(3, kRay);
+    accel.closestHits(rays, hits);
+    accel.anyHits(rays, occluded);
+    for (const Hit& each : hits) EXPECT_TRUE(sameHit(each, Hit{}));
+    EXPECT_EQ(occluded, std::vector<std::uint8_t>(3, 0));
+    EXPECT_EQ(accel.binaryTree(), nullptr);
+    EXPECT_TRUE(accel.input().triangles.empty());
+}
+
+TEST(Accel, DefaultIsMissedByEveryRay) {
+    expectEmpty(Accel{});
+    EXPECT_EQ(Accel{}.bytes(), 0u);
+}
+
+TEST(Accel, BuiltOverNothingIsEmpty) { expectEmpty(Accel::build({})); }
+
+TEST(Accel, MovedFromIsEmptyAndMovedToIsWhole) {
+    const Geometry geometry = oneTriangle();
+    Accel first = Accel::build(geometry.input());
+    Accel second = std::move(first);
+    expectEmpty(first);
+    Hit hit;
+    ASSERT_TRUE(second.closestHit(kRay, hit));
+    EXPECT_TRUE(sameHit(hit, {1.0f, 0, 0.25f, 0.25f}));
+    first = std::move(second);
+    expectEmpty(second);
+    EXPECT_TRUE(first.anyHit(kRay));
+    EXPECT_GT(first.bytes(), 0u);
+    EXPECT_EQ(first.input().triangles.size(), 1u);
+}
+
+TEST(Accel, SpheresCountAfterTriangles) {
+    Geometry geometry = oneTriangle();
+    geometry.spheres = {{{0.25f, 0.25f, 5}, 1.0f}, {{0.25f, 0.25f, -0.5f}, 0.25f}};
+    const Accel accel = Accel::build(geometry.input());
+    Hit hit;
+    ASSERT_TRUE(accel.closestHit(kRay, hit));
+    EXPECT_TRUE(sameHit(hit, {0.25f, 2, 0, 0}));
+    ASSERT_TRUE(accel.closestHit({kRay.origin, kRay.direction, 1.0f, 9.0f}, hit));
+    EXPECT_TRUE(sameHit(hit, {5.0f, 1, 0, 0}));
+}
+
+}  // namespace
+}  // namespace rayscope::test

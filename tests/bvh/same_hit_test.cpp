@@ -1,0 +1,208 @@
+// A hit is a function of ray and geometry: every builder, every query and the watched walk agree with brute
+// force.
+#include <gtest/gtest.h>
+
+#include "bvh/meshes.h"
+#include "bvh/traverse.h"
+
+namespace rayscope::test {
+namespace {
+
+struct BuilderCase {
+    BuildSettings settings;
+    const char* name;
+};
+
+std::vector<BuilderCase> builderCases() {
+    std::vector<BuilderCase> cases;
+    const auto add = [&](const char* name, BvhBuilder builder, int leafSize, int maxLevel, int bins) {
+        BuildSettings settings;
+        settings.builder = builder;
+        settings.leafSize = leafSize;
+        settings.maxLevel = maxLevel;
+        settings.bins = bins;
+        cases.push_back({settings, name});
+    };
+    add("median", BvhBuilder::Median, 1, 64, 32);
+    add("median, leaves of 4", BvhBuilder::Median, 4, 64, 32);
+    add("sweep", BvhBuilder::Sah, 1, 64, 32);
+    add("sweep, leaves of 4", BvhBuilder::Sah, 4, 64, 32);
+    add("2 bins", BvhBuilder::SahBinned, 1, 64, 2);
+    add("32 bins", BvhBuilder::SahBinned, 4, 64, 32);
+    add("4096 bins", BvhBuilder::SahBinned, 8, 64, 4096);
+    add("level 3", BvhBuilder::SahBinned, 4, 3, 8);
+    add("level 0", BvhBuilder::Sah, 4, 0, 8);
+    return cases;
+}
+
+struct CountingObserver {
+    int enteredNodes = 0, skippedNodes = 0, missedNodes = 0, testedPrimitives = 0;
+    void entered(std::uint32_t, float) { ++enteredNodes; }
+    void skipped(std::uint32_t, float) { ++skippedNodes; }
+    void missed(std::uint32_t) { ++missedNodes; }
+    void tested(std::uint32_t, bool) { ++testedPrimitives; }
+};
+
+TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
+    for (const Geometry& scene : awkwardScenes()) {
+        const std::vector<Ray> rays = awkwardRays(scene, 3000, 99);
+        std::vector<Hit> expected(rays.size());
+        std::vector<std::uint8_t> occluded(rays.size());
+        std::size_t hits = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits += closestHitBruteForce(scene.input(), rays[i], expected[i]);
+            occluded[i] = anyHitBruteForce(scene.input(), rays[i]);
+            ASSERT_EQ(occluded[i] != 0, expected[i].primitive != kNoPrimitive)
+                << scene.name << ": " << text(rays[i]);
+        }
+        EXPECT_GT(hits, rays.size() / 50) << scene.name << ": too few hits to say anything";
+        for (const BuilderCase& builder : builderCases()) {
+            const Accel accel = Accel::build(scene.input(), builder.settings);
+            std::vector<Hit> batch(rays.size());
+            std::vector<std::uint8_t> anyBatch(rays.size(), 7);
+            accel.closestHits(rays, batch);
+            accel.anyHits(rays, anyBatch);
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const auto where = [&] { return scene.name + ", " + builder.name + ": " + text(rays[i]); };
+                Hit hit;
+                const bool found = accel.closestHit(rays[i], hit);
+                ASSERT_TRUE(sameHit(hit, expected[i]))
+                    << where() << "\nfound " << text(hit) << "\nbrute " << text(expected[i]);
+                ASSERT_EQ(found, hit.primitive != kNoPrimitive) << where();
+                ASSERT_TRUE(sameHit(batch[i], hit)) << where();
+                ASSERT_EQ(accel.anyHit(rays[i]), occluded[i] != 0) << where();
+                ASSERT_EQ(anyBatch[i], occluded[i]) << where();
+                if (i % 16 == 0) {
+                    CountingObserver watched;
+                    Hit watchedHit;
+                    ASSERT_EQ(closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
+                              found);
+                    ASSERT_TRUE(sameHit(watchedHit, hit)) << where();
+                }
+            }
+        }
+    }
+}
+
+TEST(SameHit, ObserverSeesEveryNodeOnce) {
+    const Geometry scene = soup(2000, 0.2, 17);
+    const Accel accel = Accel::build(scene.input());
+    const BinaryTree& tree = *accel.binaryTree();
+    for (const Ray& ray : awkwardRays(scene, 500, 3)) {
+        struct Seen {
+            const BinaryTree& tree;
+            std::vector<char> fate;
+            int expectedChildren = 0, reportedChildren = -1;  // the root is nobody's child
+            std::vector<std::uint32_t> tests;
+            void note(std::uint32_t node, char what) {
+                ASSERT_EQ(fate[node], 0);
+                fate[node] = what;
+                ++reportedChildren;
+            }
+            void entered(std::uint32_t node, float) {
+                note(node, 'e');
+                if (!tree.nodes[node].isLeaf()) expectedChildren += 2;
+            }
+            void skipped(std::uint32_t node, float) { note(node, 's'); }
+            void missed(std::uint32_t node) { note(node, 'm'); }
+            void tested(std::uint32_t primitive, bool) { tests.push_back(primitive); }
+        } seen{tree, std::vector<char>(tree.nodes.size()), 0, -1, {}};
+        Hit hit;
+        const bool found = closestHit(tree, scene.input(), ray, hit, seen);
+        if (seen.reportedChildren < 0) continue;  // not traceable
+        EXPECT_EQ(seen.reportedChildren, seen.expectedChildren);
+        if (found) {
+            EXPECT_NE(std::find(seen.tests.begin(), seen.tests.end(), hit.primitive), seen.tests.end());
+        }
+    }
+}
+
+TEST(SameHit, EqualDistanceGoesToTheSmallerNumber) {
+    Geometry scene = soup(1, 1.0, 2);
+    for (int i = 0; i < 50; ++i) scene.triangles.push_back(scene.triangles[0]);
+    const glm::vec3 middle = (scene.corner(0, 0) + scene.corner(0, 1) + scene.corner(0, 2)) / 3.0f;
+    const Ray ray{middle + glm::vec3(1, 2, 3), glm::vec3(-1, -2, -3)};
+    for (const BuilderCase& builder : builderCases()) {
+        Hit hit;
+        ASSERT_TRUE(Accel::build(scene.input(), builder.settings).closestHit(ray, hit));
+        EXPECT_EQ(hit.primitive, 0u) << builder.name;
+    }
+}
+
+TEST(SameHit, RaysThatAreNotRaysMiss) {
+    const Geometry scene = soup(100, 2.0, 2);
+    const Accel accel = Accel::build(scene.input());
+    constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
+                    kInf = std::numeric_limits<float>::infinity();
+    const std::vector<Ray> rays = {
+        {{kNaN, 0, 0}, {0, 0, 1}},          {{0, 0, -9}, {0, kNaN, 1}},        {{0, 0, -9}, {0, 0, 0}},
+        {{0, 0, -9}, {0, -0.0f, 0}},        {{0, 0, -9}, {0, 0, kInf}},        {{-kInf, 0, 0}, {1, 0, 0}},
+        {{0, 0, -9}, {0, 0, 1}, kNaN, 9},   {{0, 0, -9}, {0, 0, 1}, 0, kNaN},  {{0, 0, -9}, {0, 0, 1}, 5, 5},
+        {{0, 0, -9}, {0, 0, 1}, 20.0f, 10}, {{0, 0, -9}, {0, 0, 1}, 0, -1.0f},
+    };
+    for (const Ray& ray : rays) {
+        Hit hit{1, 2, 3, 4};
+        EXPECT_FALSE(accel.closestHit(ray, hit)) << text(ray);
+        EXPECT_TRUE(sameHit(hit, Hit{})) << text(ray);
+        EXPECT_FALSE(accel.anyHit(ray)) << text(ray);
+    }
+}
+
+TEST(SameHit, IntervalIsOpenBelowAndClosedAbove) {
+    Geometry scene = soup(300, 0.4, 31);
+    Random random(4);
+    for (int i = 0; i < 20; ++i) scene.spheres.push_back({random.inCube(), 0.1f});
+    const Accel accel = Accel::build(scene.input());
+    int tried = 0;
+    for (Ray ray : awkwardRays(scene, 3000, 8)) {
+        ray.tMin = 0.0f;
+        ray.tMax = std::numeric_limits<float>::infinity();
+        Hit hit, again;
+        if (!accel.closestHit(ray, hit)) continue;
+        ++tried;
+        ray.tMax = hit.t;
+        ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
+        ASSERT_TRUE(accel.anyHit(ray));
+        ray.tMax = std::nextafter(hit.t, 0.0f);
+        ASSERT_FALSE(accel.closestHit(ray, again)) << text(ray);
+        ASSERT_FALSE(accel.anyHit(ray));
+        ray.tMax = std::numeric_limits<float>::infinity();
+        ray.tMin = std::nextafter(hit.t, 0.0f);
+        ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
+        ray.tMin = hit.t;
+        if (accel.closestHit(ray, again)) {
+            ASSERT_GT(again.t, hit.t);
+        }
+    }
+    EXPECT_GT(tried, 1000);
+}
+
+TEST(SameHit, DirectionScaledByAPowerOfTwoScalesOnlyT) {
+    const Geometry scene = soup(300, 0.4, 77);
+    const Accel accel = Accel::build(scene.input());
+    int tried = 0;
+    for (Ray ray : awkwardRays(scene, 400, 12)) {
+        ray.tMin = 0.0f;
+        ray.tMax = std::numeric_limits<float>::infinity();
+        Hit hit;
+        if (!accel.closestHit(ray, hit)) continue;
+        for (int k = -90; k <= 90; k += 15) {
+            Ray scaled = ray;
+            for (int axis = 0; axis < 3; ++axis) scaled.direction[axis] = std::ldexp(ray.direction[axis], k);
+            bool exact = true;  // no component became denormal
+            for (int axis = 0; axis < 3; ++axis)
+                exact &= std::ldexp(scaled.direction[axis], -k) == ray.direction[axis];
+            if (!exact) continue;
+            Hit expected = hit, found;
+            expected.t = std::ldexp(hit.t, -k);
+            if (std::ldexp(expected.t, k) != hit.t) continue;
+            ASSERT_TRUE(accel.closestHit(scaled, found));
+            ASSERT_TRUE(sameHit(found, expected)) << k << " " << text(ray) << text(found) << text(expected);
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 1000);
+}
+
+}  // namespace
+}  // namespace rayscope::test

@@ -1,0 +1,87 @@
+#pragma once
+// Tracing single samples of a world, and counting what they draw.
+#include <array>
+
+#include "support/test_scenes.h"
+#include "trace/path_observer.h"
+#include "trace/radiance.h"
+
+namespace rayscope::test {
+
+/// Looks at one point: the whole image is 2e-7 radians wide, so its extent is below the rounding of floats.
+inline CameraDescription pointCamera(const glm::vec3& from, const glm::vec3& at) {
+    CameraDescription camera;
+    camera.lookFrom = from;
+    camera.lookAt = at;
+    camera.fov = 1e-5f;
+    const glm::vec3 along = glm::abs(glm::normalize(at - from));
+    camera.up = along.y < 0.9f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
+    return camera;
+}
+
+/// Counts every event by kind.
+struct CountingObserver {
+    std::array<int, 4> segments{};  ///< by RayKind
+    std::array<int, 7> ends{};      ///< by RayEnd
+    std::array<int, 4> lights{};    ///< light samples by Visibility
+    int hits = 0, terms = 0;
+
+    void segment(const Segment& s) { ++segments[static_cast<std::size_t>(s.kind)]; }
+    void hit(const Interaction&) { ++hits; }
+    void lightSampled(const LightConnection& c, const glm::dvec3&) {
+        ++lights[static_cast<std::size_t>(c.visibility)];
+    }
+    void added(const glm::dvec3&) { ++terms; }
+    void ended(const Segment&, RayEnd why) { ++ends[static_cast<std::size_t>(why)]; }
+
+    int count(RayKind kind) const { return segments[static_cast<std::size_t>(kind)]; }
+    int count(RayEnd end) const { return ends[static_cast<std::size_t>(end)]; }
+    int lightSamples() const { return lights[0] + lights[1] + lights[2] + lights[3]; }
+    bool operator==(const CountingObserver&) const = default;
+};
+
+/// Keeps the values themselves.
+struct RecordingObserver {
+    std::vector<Segment> segments;
+    std::vector<Interaction> hits;
+    std::vector<LightConnection> lights;
+    std::vector<glm::dvec3> lightValues;
+
+    void segment(const Segment& s) { segments.push_back(s); }
+    void hit(const Interaction& at) { hits.push_back(at); }
+    void lightSampled(const LightConnection& c, const glm::dvec3& value) {
+        lights.push_back(c);
+        lightValues.push_back(value);
+    }
+    void added(const glm::dvec3&) {}
+    void ended(const Segment&, RayEnd) {}
+};
+
+}  // namespace rayscope::test
+
+namespace rayscope {
+// Instantiated once, in support/observers.cpp.
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
+                                      test::CountingObserver&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
+                                      test::RecordingObserver&);
+}  // namespace rayscope
+
+namespace rayscope::test {
+
+/// The mean of the first `count` samples of a pixel.
+template <class Observer>
+RgbSum pixelMean(const World& world, std::uint64_t seed, int x, int y, int count, Observer& observer) {
+    RgbSum sum(0.0);
+    for (int i = 0; i < count; ++i) sum += radiance(world, seed, {x, y, i}, observer).radiance;
+    return sum / static_cast<double>(count);
+}
+inline RgbSum pixelMean(const World& world, std::uint64_t seed, int x, int y, int count) {
+    NullObserver silent;
+    return pixelMean(world, seed, x, y, count, silent);
+}
+
+/// One sample of the pixel (0, 0), for scenes without chance.
+inline RgbSum firstSample(const World& world) { return pixelMean(world, 0, 0, 0, 1); }
+
+}  // namespace rayscope::test

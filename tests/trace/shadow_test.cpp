@@ -1,0 +1,93 @@
+// The edge of a half-plane's shadow, hard under a point light.
+#include "support/closed_forms.h"
+#include "support/statistics.h"
+#include "support/tracing.h"
+
+namespace rayscope::test {
+namespace {
+
+constexpr int kWidth = 64;
+
+/// A floor seen from straight above, a half-plane x < 0 at a quarter of the light's height. Shadow falls
+/// where the line to the light crosses the half-plane.
+struct HalfPlane {
+    SceneDescription scene;
+    double edge;  ///< where on the floor the shadow ends: lit beyond
+};
+HalfPlane halfPlaneScene(const glm::vec3& light) {
+    HalfPlane made;
+    made.scene.materials = {material(Rgb(0.5f))};
+    made.scene.meshes = {quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}),
+                         quad({-9, light.y / 4, 9}, {9, 0, 0}, {0, 0, -18})};
+    made.scene.lights = {pointLight(light)};
+    made.edge = -static_cast<double>(light.x) / 3.0;  // similar triangles over the edge at x = 0
+    // Below the half-plane, so that it does not hide the floor.
+    CameraDescription camera;
+    camera.lookFrom = {0, light.y / 5, 0};
+    camera.lookAt = {0, 0, 0};
+    camera.up = {0, 0, -1};
+    camera.fov = 70.0f;
+    made.scene.cameras = {camera};
+    return made;
+}
+
+/// Column of the shadow's edge, as the sum of the row's brightness relative to the lit side.
+double edgeColumn(const World& world, const World& lit) {
+    double shadowed = 0.0;
+    for (int x = 0; x < kWidth; ++x) {
+        const double full = pixelMean(lit, 1, x, 0, 1024).x;
+        shadowed += 1.0 - pixelMean(world, 1, x, 0, 1024).x / full;
+    }
+    return shadowed;
+}
+
+TEST(HardShadow, HasItsEdgeWhereGeometrySays) {
+    for (const bool shading : {true, false}) {
+        double worst = 0.0;
+        for (const float lightX : {-1.0f, 0.0f, 0.7f, 1.3f}) {
+            const HalfPlane made = halfPlaneScene({lightX, 4.0f, 0.0f});
+            Settings settings;
+            settings.shading = shading;
+            const auto world = compileScene(made.scene, settings, kWidth, 1);
+            settings.hardShadows = false;
+            const auto lit = compileScene(made.scene, settings, kWidth, 1);
+            const double expected = world->camera.project({made.edge, 0.0, 0.0}).x;
+            worst = std::max(worst, std::abs(edgeColumn(*world, *lit) - expected));
+        }
+        EXPECT_LT(worst, 0.01);
+        reportDeviation(
+            shading ? "hard shadow, edge position" : "hard shadow with shading off, edge position", worst,
+            "pixels");
+    }
+}
+
+TEST(HardShadow, IsDecidedRightForEverySample) {
+    const HalfPlane made = halfPlaneScene({0.7f, 4.0f, 0.0f});
+    const auto world = compileScene(made.scene, {}, kWidth, kWidth);
+    RecordingObserver record;
+    for (int y = 0; y < kWidth; ++y)
+        for (int x = 0; x < kWidth; ++x) radiance(*world, 1, {x, y, 0}, record);
+    ASSERT_EQ(record.lights.size(), std::size_t{kWidth * kWidth});
+    double closest = 1.0;
+    for (std::size_t i = 0; i < record.lights.size(); ++i) {
+        const double beyond = record.hits[i].position.x - made.edge;
+        const bool visible = record.lights[i].visibility == Visibility::Visible;
+        EXPECT_TRUE(visible == (beyond > 0.0) || std::abs(beyond) < 1e-6) << beyond;
+        closest = std::min(closest, std::abs(beyond));
+    }
+    EXPECT_LT(closest, 1e-3);  // some came near enough to be a test
+}
+
+TEST(HardShadow, NeitherTheSurfaceItselfNorThingsBehindTheLightCastOne) {
+    SceneDescription scene;
+    scene.materials = {material(Rgb(1.0f))};
+    scene.meshes = {quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}), quad({-9, 3, 9}, {18, 0, 0}, {0, 0, -18})};
+    scene.lights = {pointLight({0, 3, 0})};  // exactly in the upper plane: a lamp that is geometry as well
+    scene.cameras = {pointCamera({1, 2, 1}, glm::vec3(0.5f, 0, 0))};
+    CountingObserver counter;
+    pixelMean(*compileScene(scene, {}, 1, 1), 0, 0, 0, 1, counter);
+    EXPECT_EQ(counter.lights[static_cast<int>(Visibility::Visible)], 1);
+}
+
+}  // namespace
+}  // namespace rayscope::test
