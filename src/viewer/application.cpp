@@ -2,8 +2,8 @@
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-#include <utility>
 #include <imgui.h>
+#include <utility>
 
 #include <algorithm>
 

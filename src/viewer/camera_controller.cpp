@@ -55,12 +55,13 @@ void zoomToward(CameraDescription& camera, glm::dvec3 anchor, double factor) {
     const glm::dvec3 eye(camera.lookFrom), target(camera.lookAt);
     const glm::dvec3 newEye = anchor + (eye - anchor) * factor;
     const glm::dvec3 newTarget = anchor + (target - anchor) * factor;
-    // Eye and target are stored as float32; keep a thousand steps between them so that the direction has
-    // three digits.
+    // Eye and target are stored as float32: a thousand steps between them leave three digits to the
+    // direction, and the squares of distances must stay finite.
     const double magnitude = std::max(glm::length(newEye), glm::length(newTarget));
     const double resolution = magnitude * std::numeric_limits<float>::epsilon();
     const double distance = glm::length(newEye - newTarget);
-    if (distance < 1000.0 * resolution || !(distance < std::numeric_limits<float>::max())) return;
+    const double farthest = 0.1 * std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
+    if (distance < 1000.0 * resolution || !(magnitude < farthest)) return;
     camera.lookFrom = glm::vec3(newEye);
     camera.lookAt = glm::vec3(newTarget);
 }

@@ -15,13 +15,13 @@ void orbit(CameraDescription& camera, glm::dvec2 dragged);
 void pan(CameraDescription& camera, glm::dvec2 dragged, int pictureHeight);
 
 /// Scales the distance of the camera to `anchor` by `factor`; what lies there stays under the cursor, and the
-/// view direction stays. Does nothing where the new distance is below what float32 resolves.
+/// view direction stays. Does nothing where float32 would no longer resolve the result.
 void zoomToward(CameraDescription& camera, glm::dvec3 anchor, double factor);
 
 /// The point under `pixel` at the depth of the look-at point: the anchor of a zoom when nothing is hit.
 glm::dvec3 pointAtFocusDepth(const CameraDescription& camera, const ViewFrame& frame, glm::dvec2 pixel);
 
-/// Turns the camera on the spot.
+/// Turns the camera on the spot, to where the mouse went.
 void look(CameraDescription& camera, glm::dvec2 dragged);
 
 /// Moves on the spot by `step` = (right, up, forward), in scene units.

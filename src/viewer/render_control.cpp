@@ -17,9 +17,27 @@ int threadsFor(int wanted) {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
 }
 
+/// Whether both show the same, whatever their size and number of samples.
+bool sameView(const RenderRequest& a, const RenderRequest& b) {
+    Settings settings = a.settings;
+    settings.spp = b.settings.spp;
+    return a.scene == b.scene && a.camera == b.camera &&
+           changed(settings, b.settings) <= Invalidates::Display;
+}
+
 bool sameImage(const RenderRequest& a, const RenderRequest& b) {
-    return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
-           changed(a.settings, b.settings) <= Invalidates::Display;
+    return sameView(a, b) && a.width == b.width && a.height == b.height && a.settings.spp == b.settings.spp;
+}
+
+RenderRequest requestFor(const RenderControl::Wish& wish, int divisor) {
+    RenderRequest request;
+    request.scene = wish.state.scene;
+    request.settings = wish.state.settings;
+    request.camera = wish.state.camera;
+    request.width = std::max(1, wish.width / divisor);
+    request.height = std::max(1, wish.height / divisor);
+    if (divisor > 1 || wish.moving || !wish.traced) request.settings.spp = 1;
+    return request;
 }
 
 }  // namespace
@@ -42,18 +60,10 @@ bool RenderControl::mayInterrupt() const {
            std::chrono::duration<double>(Clock::now() - submittedAt_).count() > kMostPatience;
 }
 
-void RenderControl::submit(const Wish& wish, int divisor) {
-    RenderRequest request;
-    request.scene = wish.state.scene;
-    request.settings = wish.state.settings;
-    request.camera = wish.state.camera;
-    request.width = std::max(1, wish.width / divisor);
-    request.height = std::max(1, wish.height / divisor);
-    if (wish.moving || !wish.traced) request.settings.spp = 1;
-    if (anySubmitted_ && sameImage(submitted_, request)) return;
+void RenderControl::submit(RenderRequest request, bool coarse) {
+    if (submitted_ && sameImage(*submitted_, request)) return;
     submitted_ = request;
-    anySubmitted_ = true;
-    coarse_ = wish.moving;
+    coarse_ = coarse;
     submittedAt_ = Clock::now();
     session_.submit(std::move(request));
     status_ = session_.status();
@@ -64,13 +74,20 @@ void RenderControl::update(const Wish& wish) {
     const bool measurable = status_.state == RenderState::Rendering || status_.state == RenderState::Done;
     if (measurable && status_.elapsedSeconds > 0.01) {
         const double samples = status_.progress * status_.targetSamples;
-        const double traced = samples * submitted_.width * submitted_.height;
+        const double traced = samples * submitted_->width * submitted_->height;
         pixelsPerSecond_ = std::max(1e3, traced / status_.elapsedSeconds);
     }
-    if (!wish.moving)
-        submit(wish, 1);
-    else if (wish.traced && (!anySubmitted_ || !coarse_ || mayInterrupt()))
-        submit(wish, previewDivisor(wish));
+    if (!wish.traced) {
+        if (!wish.moving) submit(requestFor(wish, 1), false);
+        return;
+    }
+    RenderRequest full = requestFor(wish, 1);
+    const bool sameAsBefore = submitted_ && sameView(*submitted_, full);
+    const int divisor = previewDivisor(wish);
+    // What was not seen yet is shown coarsely first, if the whole picture would take too long.
+    const bool preview = wish.moving || (!sameAsBefore && divisor > 1);
+    if (coarse_ && !mayInterrupt()) return;
+    submit(preview ? requestFor(wish, divisor) : std::move(full), preview);
 }
 
 void RenderControl::togglePause() {

@@ -2,14 +2,15 @@
 #include <rayscope/render_session.h>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "viewer/edit_state.h"
 
 namespace rayscope::viewer {
 
-/// Decides what the session renders at any moment: the present state at full size when the user pauses, a
-/// coarse picture that keeps up with the hand while the camera moves, and one sample per pixel (which keeps
-/// the world compiled for debug rays) while the rasterised view is shown.
+/// Decides what the session renders at any moment: a coarse picture that keeps up with the hand while the
+/// camera moves or something was edited, then the present state at full size; and one sample per pixel (which
+/// keeps the world compiled for debug rays) while the rasterised view is shown.
 class RenderControl {
   public:
     /// `threads` 0 leaves one core to the window.
@@ -43,13 +44,13 @@ class RenderControl {
 
     int previewDivisor(const Wish& wish) const;
     bool mayInterrupt() const;
-    void submit(const Wish& wish, int divisor);
+    void submit(RenderRequest request, bool coarse);
 
     int threads_;
     RenderSession session_;
     RenderStatus status_;
-    RenderRequest submitted_;
-    bool anySubmitted_ = false, coarse_ = false;
+    std::optional<RenderRequest> submitted_;
+    bool coarse_ = false;  ///< what was submitted last is a preview
     Clock::time_point submittedAt_{};
     double pixelsPerSecond_ = 2e6;  ///< samples traced per second, as seen lately
 };

@@ -1,8 +1,8 @@
 #include "viewer/traced_view.h"
 
 #include <algorithm>
-#include <utility>
 #include <cmath>
+#include <utility>
 
 #include "post/bloom.h"
 

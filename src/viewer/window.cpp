@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -64,8 +65,7 @@ Window::Window(int width, int height) {
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
     installCallbacks();
-    // Dear ImGui calls the callbacks that are there before its own.
-    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -77,22 +77,54 @@ Window::~Window() {
     glfwTerminate();
 }
 
+/// Every event keeps the loop awake and goes on to Dear ImGui.
 void Window::installCallbacks() {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+        ownerOf(w).takeKey(key, scancode, action, modifiers);
+    });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
         ownerOf(w).anyEvent_ = true;
-        if (action != GLFW_RELEASE) ownerOf(w).keys_.push_back({letterOf(key, scancode), modifiers});
+        ImGui_ImplGlfw_CharCallback(w, code);
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int modifiers) {
+        ownerOf(w).anyEvent_ = true;
+        ImGui_ImplGlfw_MouseButtonCallback(w, button, action, modifiers);
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+        ownerOf(w).anyEvent_ = true;
+        ImGui_ImplGlfw_ScrollCallback(w, x, y);
+    });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+        ownerOf(w).anyEvent_ = true;
+        ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+    });
+    glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
+        ownerOf(w).anyEvent_ = true;
+        ImGui_ImplGlfw_CursorEnterCallback(w, entered);
     });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         ownerOf(w).anyEvent_ = true;
         for (int i = 0; i < count; ++i) ownerOf(w).dropped_.emplace_back(paths[i]);
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { ownerOf(w).anyEvent_ = true; });
-    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { ownerOf(w).anyEvent_ = true; });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { ownerOf(w).anyEvent_ = true; });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned) { ownerOf(w).anyEvent_ = true; });
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { ownerOf(w).anyEvent_ = true; });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { ownerOf(w).anyEvent_ = true; });
-    glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { ownerOf(w).anyEvent_ = true; });
+}
+
+/// Dear ImGui looks at the state of keys once per frame; a key that goes up again before that must still be
+/// seen, so its release waits for the next frame.
+void Window::takeKey(int key, int scancode, int action, int modifiers) {
+    anyEvent_ = true;
+    const KeyPress press{letterOf(key, scancode), modifiers};
+    if (action == GLFW_RELEASE && std::count(downSinceFrame_.begin(), downSinceFrame_.end(), key) > 0) {
+        releases_.push_back({key, modifiers});
+        return;
+    }
+    if (action != GLFW_RELEASE) {
+        keys_.push_back(press);
+        downSinceFrame_.push_back(key);
+    }
+    ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, modifiers);
 }
 
 bool Window::shouldClose() const { return glfwWindowShouldClose(window_); }
@@ -118,6 +150,12 @@ void Window::toggleFullScreen() {
 
 bool Window::handleEvents(double seconds) {
     anyEvent_ = false;
+    downSinceFrame_.clear();
+    for (const KeyPress& release : std::exchange(releases_, {})) {
+        ImGui_ImplGlfw_KeyCallback(window_, release.key, 0, GLFW_RELEASE, release.modifiers);
+        anyEvent_ = true;
+        seconds = 0.0;
+    }
     if (seconds > 0.0)
         glfwWaitEventsTimeout(seconds);
     else

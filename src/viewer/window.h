@@ -1,9 +1,9 @@
 #pragma once
 #include <rayscope/vector.h>
 #include <functional>
-#include <utility>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 struct GLFWwindow;
@@ -56,9 +56,12 @@ class Window {
 
   private:
     void installCallbacks();
+    void takeKey(int key, int scancode, int action, int modifiers);
 
     GLFWwindow* window_ = nullptr;
     std::vector<KeyPress> keys_;
+    std::vector<int> downSinceFrame_;
+    std::vector<KeyPress> releases_;  ///< of keys that went down since the last frame
     std::vector<std::string> dropped_;
     bool anyEvent_ = false;
     bool fullScreen_ = false;

@@ -90,8 +90,11 @@ TEST(CameraController, lookTurnsOnTheSpot) {
     look(camera, {25.0, 0.0});
     EXPECT_EQ(camera.lookFrom, someCamera().lookFrom);
     EXPECT_NEAR(distanceOf(camera), distanceOf(someCamera()), 1e-5f);
-    // Dragging to the right pulls the scene to the right, so the old target is there now.
-    EXPECT_GT(viewFrame(camera, 400, 400).project(glm::dvec3(someCamera().lookAt))->x, 200.0);
+    // The view turns with the mouse, as in games: what was in the middle is on the left now.
+    EXPECT_LT(viewFrame(camera, 400, 400).project(glm::dvec3(someCamera().lookAt))->x, 200.0);
+    camera = someCamera();
+    look(camera, {0.0, 25.0});
+    EXPECT_LT(viewFrame(camera, 400, 400).project(glm::dvec3(someCamera().lookAt))->y, 200.0);
 }
 
 TEST(CameraController, walkGoesAlongTheView) {

@@ -69,7 +69,9 @@ TEST(History, forgetsTheOldestBeyondItsLimit) {
 
 TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
     SceneDescription scene;
-    scene.cameras = {{.name = "a"}, {.name = "b", .fov = 30.0f}};
+    scene.cameras.resize(2);
+    scene.cameras[1].name = "b";
+    scene.cameras[1].fov = 30.0f;
     scene.settings = {{"max_depth", "2", {}}, {"spp", "4", {}}};
     CameraOverrides overrides;
     overrides.name = "b";
@@ -83,7 +85,8 @@ TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
 
 TEST(EditState, namesTheNearestCameraAndSetting) {
     SceneDescription scene;
-    scene.cameras = {{.name = "front"}};
+    scene.cameras.resize(1);
+    scene.cameras[0].name = "front";
     CameraOverrides overrides;
     overrides.name = "frint";
     const auto messageOf = [](auto&& open) {

@@ -64,7 +64,7 @@ class Pixels:
 
 
 def convert_to_ppm(*arguments):
-    return subprocess.run([*arguments, "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
+    return subprocess.run([*arguments, "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
 
 
 def wait_for(what, condition, patience=PATIENCE):
@@ -95,7 +95,8 @@ class Viewer:
         wait_for("the first frame", lambda: self.capture().at(*PANEL_PIXEL) != (0, 0, 0))
 
     def _find_window(self):
-        expect(self.process.poll() is None, "the program ended before it opened a window")
+        expect(self.process.poll() is None,
+               "the program ended before it opened a window: " + (self.folder / "viewer.log").read_text())
         return subprocess.run(["xdotool", "search", "--name", "Rayscope"], stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL, text=True).stdout
 
@@ -168,7 +169,7 @@ class Viewer:
 def test_views(viewer):
     raster = viewer.settled_picture()
     red, green, blue = raster.crop(290, 240, 60, 60).mean()
-    expect(red > 2 * green and red > 2 * blue, "the rasterised view shows the red wall")
+    expect(red > 2 * green and red > 2 * blue, f"the rasterised view shows the red wall ({red:.0f} {green:.0f} {blue:.0f})")
     viewer.point(100, 600)
     viewer.key("Tab")
     wait_for("another picture", lambda: viewer.picture().data != raster.data)
@@ -314,7 +315,8 @@ def main():
             print("FAILED:", failure, file=sys.stderr)
             return 1
         finally:
-            display.kill()
+            display.terminate()
+            display.wait()
     return 0
 
 

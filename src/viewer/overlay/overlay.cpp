@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "image/srgb.h"
+
 namespace rayscope::viewer {
 
 void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 color, LineStyle style,
@@ -34,11 +36,8 @@ void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, gl
 glm::vec3 displayColor(Rgb linear) {
     const float largest = std::max({linear.r, linear.g, linear.b, 1.0f});
     glm::vec3 shown;
-    for (int channel = 0; channel < 3; ++channel) {
-        const float value = std::max(linear[channel], 0.0f) / largest;
-        shown[channel] =
-            value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
-    }
+    for (int channel = 0; channel < 3; ++channel)
+        shown[channel] = std::min(1.0f, linearToSrgb(std::max(linear[channel], 0.0f) / largest));
     return shown;
 }
 
