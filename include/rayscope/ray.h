@@ -6,7 +6,7 @@
 namespace rayscope {
 
 /// A half-line: the points origin + t * direction with tMin < t <= tMax.
-/// The direction need not be of unit length; t is in its units.
+/// The direction need not be of unit length; t is in its units. A negative tMin counts as 0.
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -76,7 +77,7 @@ struct MeshInstance {
     std::shared_ptr<const MeshData> data{};
     Transform transform{};
     std::vector<std::uint32_t> materials{};  ///< slot of the mesh → index into SceneDescription::materials
-    glm::vec3 motion{0.0f};                ///< displacement during the shutter, scene units
+    glm::vec3 motion{0.0f};                  ///< displacement during the shutter, scene units
 };
 
 struct SphereInstance {
@@ -181,6 +182,9 @@ struct SceneRequirements {
     std::vector<Requirement> list;  ///< the same facts in words
 };
 SceneRequirements requirementsOf(const SceneDescription& scene);
+
+/// Why the setting with this key changes nothing in this scene, or an empty text if it may change something.
+std::string_view withoutEffectOn(const SceneRequirements& scene, std::string_view setting);
 
 /// What is odd about the scene, for the person who made it: energy above one, degenerate triangles, unused
 /// things …

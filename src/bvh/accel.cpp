@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "bvh/build.h"
+#include "bvh/packed_primitives.h"
 #include "bvh/traverse.h"
 
 namespace rayscope {
@@ -10,8 +11,7 @@ namespace rayscope {
 struct Accel::State {
     AccelInput input;
     BinaryTree tree;
-
-    IndexedPrimitives primitives() const { return {input, tree.primitives}; }
+    PackedPrimitives primitives;
 };
 
 Accel::Accel() = default;
@@ -21,7 +21,11 @@ Accel& Accel::operator=(Accel&&) noexcept = default;
 
 Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     Accel accel;
-    accel.state_ = std::make_unique<State>(State{input, buildBinaryTree(input, settings)});
+    accel.state_ = std::make_unique<State>();
+    State& state = *accel.state_;
+    state.input = input;
+    state.tree = buildBinaryTree(input, settings);
+    state.primitives = PackedPrimitives(input, state.tree, settings.stop);
     return accel;
 }
 
@@ -31,11 +35,11 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         return false;
     }
     NullTraversalObserver nobody;
-    return walkToClosestHit(state_->tree, state_->primitives(), ray, hit, nobody);
+    return walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
-    return state_ && walkToAnyHit(state_->tree, state_->primitives(), ray);
+    return state_ && walkToAnyHit(state_->tree, state_->primitives, ray);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
@@ -60,7 +64,7 @@ const AccelInput& Accel::input() const {
 std::size_t Accel::bytes() const {
     if (!state_) return 0;
     return sizeof(State) + state_->tree.nodes.capacity() * sizeof(BinaryNode) +
-           state_->tree.primitives.capacity() * sizeof(std::uint32_t);
+           state_->tree.primitives.capacity() * sizeof(std::uint32_t) + state_->primitives.bytes();
 }
 
 }  // namespace rayscope

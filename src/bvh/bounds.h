@@ -7,6 +7,7 @@
 namespace rayscope {
 
 using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
 
 inline Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
@@ -42,7 +43,8 @@ struct PrimitiveRef {
         Bounds4 box;
         std::memcpy(&box.lower, lower, sizeof box.lower);
         std::memcpy(&box.upper, upper, sizeof box.upper);
-        box.lower[3] = 0.0f;  // a number read as a float is denormal, and slows down arithmetic a hundredfold
+        // A number read as a float is denormal, and slows down arithmetic a hundredfold.
+        box.lower = reinterpret_cast<Float4>(reinterpret_cast<Int4>(box.lower) & Int4{-1, -1, -1, 0});
         return box;
     }
     /// Halved before adding, so that large coordinates do not overflow.

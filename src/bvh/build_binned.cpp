@@ -27,9 +27,11 @@ struct BinMapping {
         }
     }
 
-    std::size_t bin(Float4 centroid, int axis) const {
-        return static_cast<std::size_t>(
-            std::min(static_cast<int>(((centroid - lowest) * perUnit)[axis]), last));
+    /// On all axes.
+    Int4 bins(Float4 centroid) const {
+        const Int4 bin = __builtin_convertvector((centroid - lowest) * perUnit, Int4);
+        const Int4 limit{last, last, last, last};
+        return bin < limit ? bin : limit;
     }
 
     Float4 lowest, perUnit{};
@@ -54,9 +56,10 @@ class Histogram {
     void add(std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
         for (const PrimitiveRef& ref : refs) {
             const Bounds4 box = ref.bounds();
-            const Float4 centroid = ref.centroid();
+            const Int4 bins = mapping.bins(ref.centroid());
             for (int axis = 0; axis < 3; ++axis) {
-                Bin& place = bins_[static_cast<std::size_t>(axis) * binCount_ + mapping.bin(centroid, axis)];
+                Bin& place =
+                    bins_[static_cast<std::size_t>(axis) * binCount_ + static_cast<std::size_t>(bins[axis])];
                 place.box.extend(box);
                 ++place.count;
             }
@@ -174,9 +177,11 @@ struct BinnedBuilder {
     std::size_t partition(std::span<PrimitiveRef> range, const BinMapping& mapping,
                           const Split& split) const {
         std::size_t asked = 0;
+        const auto firstRightBin = static_cast<int>(split.firstRightBin);
         const auto middle = std::partition(range.begin(), range.end(), [&](const PrimitiveRef& ref) {
             if (++asked % kGrain == 0) throwIfStopped(skeleton.settings().stop);
-            return mapping.bin(ref.centroid(), split.axis) < split.firstRightBin;
+            const Int4 bins = mapping.bins(ref.centroid());
+            return (split.axis == 0 ? bins[0] : split.axis == 1 ? bins[1] : bins[2]) < firstRightBin;
         });
         return static_cast<std::size_t>(middle - range.begin());
     }

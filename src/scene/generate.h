@@ -60,7 +60,7 @@ struct TeapotShape {
 MeshData generate(const TeapotShape& shape);
 
 /// A stylised monkey's head that looks along −z: blended ellipsoids, polygonised on a grid. About one unit in
-/// radius and watertight; 16 gives 968 triangles. At other resolutions four triangles may meet at an edge
+/// radius and watertight; 16 gives 960 triangles. At other resolutions four triangles may meet at an edge
 /// where a fold is thinner than a cell of the grid.
 struct MonkeyShape {
     int resolution = 16;

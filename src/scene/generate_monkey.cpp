@@ -34,9 +34,9 @@ double monkey(Vec3 p) {
     double d = ellipsoid(p, {0, 0.10, 0.08}, {0.52, 0.50, 0.52});               // skull
     d = melt(d, ellipsoid(p, {0, -0.30, -0.30}, {0.33, 0.26, 0.30}), 0.14);     // muzzle
     d = melt(d, ellipsoid(p, {0.17, 0.20, -0.38}, {0.20, 0.09, 0.12}), 0.10);   // brow
-    d = carve(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.12, 0.10, 0.12}), 0.08);  // eye socket
-    d = melt(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.08, 0.07, 0.07}), 0.02);   // eye
-    d = carve(d, ellipsoid(p, {0, -0.36, -0.64}, {0.22, 0.05, 0.18}), 0.06);    // mouth
+    d = carve(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.13, 0.11, 0.12}), 0.14);  // eye socket
+    d = melt(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.09, 0.08, 0.08}), 0.05);   // eye
+    d = carve(d, ellipsoid(p, {0, -0.36, -0.64}, {0.24, 0.07, 0.16}), 0.10);    // mouth
     double ear = ellipsoid(p, {0.70, 0.10, 0.08}, {0.27, 0.30, 0.13});
     ear = carve(ear, ellipsoid(p, {0.74, 0.10, -0.10}, {0.19, 0.22, 0.16}), 0.06);  // its cup
     return melt(d, ear, 0.08);
@@ -77,7 +77,7 @@ class SurfaceNet {
     }
 
   private:
-    static constexpr double kWidth = 1.93;
+    static constexpr double kWidth = 1.9225;
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     static std::size_t cube(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n * n); }

@@ -30,6 +30,8 @@ ObjLines::int_type ObjLines::underflow() {
     if (next_ >= text_.size()) return traits_type::eof();
     const std::size_t begin = next_;
     line_ = nextLine_;
+    const std::size_t first = std::min(text_.find_first_not_of(" \t", begin), text_.size() - 1);
+    const bool isComment = text_[first] == '#';
     std::size_t end = begin;
     for (;;) {
         end = text_.find('\n', end);
@@ -39,7 +41,7 @@ ObjLines::int_type ObjLines::underflow() {
         }
         ++nextLine_;
         const std::size_t last = end > begin && text_[end - 1] == '\r' ? end - 1 : end;
-        if (last == begin || text_[last - 1] != '\\') {
+        if (isComment || last == begin || text_[last - 1] != '\\') {
             ++end;
             break;
         }
@@ -48,8 +50,14 @@ ObjLines::int_type ObjLines::underflow() {
     }
     next_ = end;
     current_ = std::string_view(text_).substr(begin, end - begin);
-    const std::size_t blanks = std::min(current_.find_first_not_of(" \t"), current_.size());
-    if (const std::string_view line = current_.substr(blanks); !line.empty() && !isCommon(line)) other_(line);
+    if (const std::string_view line = std::string_view(text_).substr(first, end - std::min(first, end));
+        !line.empty() && !isCommon(line))
+        other_(line);
+    else if (const std::size_t hash = current_.find('#'); hash != std::string_view::npos && !isComment)
+        // Some programs write remarks behind vertices and faces.
+        std::fill(text_.begin() + static_cast<std::ptrdiff_t>(begin + hash),
+                  text_.begin() + static_cast<std::ptrdiff_t>(begin + current_.find_last_not_of("\r\n") + 1),
+                  ' ');
     setg(text_.data() + begin, text_.data() + begin, text_.data() + end);
     return traits_type::to_int_type(text_[begin]);
 }

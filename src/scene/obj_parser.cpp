@@ -31,6 +31,20 @@ std::string_view argumentOf(std::string_view line) {
     return blank == std::string_view::npos ? std::string_view{} : trim(line.substr(blank));
 }
 
+/// Whether the line holds at least so many words, all of digits, signs, points and exponents.
+bool looksLikeNumbers(std::string_view line, int atLeast) {
+    int words = 0;
+    bool isInWord = false;
+    for (const char c : line) {
+        const bool isBlank = c == ' ' || c == '\t';
+        if (!isBlank && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.' && c != 'e' && c != 'E')
+            return false;
+        words += !isBlank && !isInWord;
+        isInWord = !isBlank;
+    }
+    return words >= atLeast;
+}
+
 /// Listens to tinyobjloader.
 class ObjParser {
   public:
@@ -82,12 +96,12 @@ class ObjParser {
     /// exponents; a line with anything else is read again here: nan and inf are kept, words are errors.
     void correct(glm::vec3& value, int atLeast) {
         const std::string_view line = argumentOf(lines_.current());
-        if (line.find_first_not_of("0123456789+-.eE \t") == std::string_view::npos && !line.empty()) return;
+        if (looksLikeNumbers(line, atLeast)) return;
         const char* at = line.data();
         const char* const end = at + line.size();
         for (int i = 0; i < 3; ++i) {
             while (at != end && (*at == ' ' || *at == '\t')) ++at;
-            if (at == end || *at == '#') {
+            if (at == end) {
                 if (i < atLeast) fail(fmt::format("expected {} numbers, got {}", atLeast, i));
                 return;
             }
@@ -107,6 +121,7 @@ class ObjParser {
             if (++obj_.thinFaces == 1) obj_.firstThinFace = lines_.line();
             return;
         }
+        checkDigits(argumentOf(lines_.current()));
         ring_.clear();
         for (const tinyobj::index_t& index : face) ring_.push_back(vertexOf(index));
         if (ring_.size() > 3)
@@ -115,6 +130,15 @@ class ObjParser {
         for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
             obj_.triangles.emplace_back(ring_[0], ring_[i], ring_[i + 1]);
         addSlots(ring_.size() - 2);
+    }
+
+    /// The library reads numbers that no int can hold as some other number.
+    void checkDigits(std::string_view line) const {
+        std::size_t digits = 0;
+        for (const char c : line) {
+            digits = c >= '0' && c <= '9' ? digits + 1 : 0;
+            if (digits > std::numeric_limits<int>::digits10) fail("an index has more than nine digits");
+        }
     }
 
     std::uint32_t vertexOf(const tinyobj::index_t& index) {

@@ -39,6 +39,12 @@ void setColors(ImVec4* colors) {
     colors[ImGuiCol_Separator] = grey(0.24f);
     colors[ImGuiCol_SeparatorHovered] = accent(0.7f);
     colors[ImGuiCol_SeparatorActive] = accent(1.0f);
+    colors[ImGuiCol_Tab] = grey(0.15f);
+    colors[ImGuiCol_TabHovered] = grey(0.30f);
+    colors[ImGuiCol_TabActive] = grey(0.26f);
+    colors[ImGuiCol_TabUnfocused] = grey(0.15f);
+    colors[ImGuiCol_TabUnfocusedActive] = grey(0.26f);
+    colors[ImGuiCol_NavHighlight] = accent(0.8f);
     colors[ImGuiCol_PlotHistogram] = accent(0.9f);
     colors[ImGuiCol_PlotLines] = accent(1.0f);
     colors[ImGuiCol_TextSelectedBg] = accent(0.45f);

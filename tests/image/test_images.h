@@ -41,7 +41,8 @@ template <class Write>
 std::string stbFile(Write write) {
     std::string file;
     void (*append)(void*, void*, int) = [](void* target, void* data, int size) {
-        static_cast<std::string*>(target)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+        static_cast<std::string*>(target)->append(static_cast<const char*>(data),
+                                                  static_cast<std::size_t>(size));
     };
     write(append, &file);
     return file;

@@ -89,6 +89,18 @@ TEST_F(ObjReader, NamesTheLineOfAWrongIndex) {
               "mesh.obj:4: error: vertex 0 is out of range: expected 1 to 3 or -3 to -1");
 }
 
+TEST_F(ObjReader, IndicesThatNoIntegerHoldsAreErrors) {
+    EXPECT_EQ(failure(kTriangle + "f 1 2 4294967299\n"),
+              "mesh.obj:4: error: an index has more than nine digits");
+}
+
+TEST_F(ObjReader, RemarksAreNoVerticesAndNoFaces) {
+    const auto scene = read("# a path C:\\\nv 0 0 0 # origin\r\nv 1 0 0\nv 0 1 0#\nf 1 2 3 # 4 5\n");
+    EXPECT_EQ(meshOf(scene).positions.size(), 3u);
+    EXPECT_EQ(meshOf(scene).triangles.size(), 1u);
+    EXPECT_TRUE(notes_.empty()) << noted();
+}
+
 TEST_F(ObjReader, AnEmptyFileIsAnError) {
     EXPECT_EQ(failure(""), "mesh.obj: error: no face (a line 'f …') in the file: nothing to see");
     EXPECT_EQ(failure(kTriangle), "mesh.obj: error: no face (a line 'f …') in the file: nothing to see");

@@ -1,6 +1,9 @@
 // The strict reader of scene files: every key, and for each class of error the exact place and words.
 #include <rayscope/settings.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "scene_files.h"
 
 namespace rayscope::test {
@@ -248,6 +251,33 @@ const WrongScene kWrongScenes[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, WrongToml, ::testing::ValuesIn(kWrongScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST_F(TomlScene, TheDocumentationNamesEveryKey) {
+    std::ifstream stream(RAYSCOPE_SOURCE_DIR "/docs/scene-format.md");
+    const std::string page(std::istreambuf_iterator<char>(stream), {});
+    // An unknown key makes the reader list the known ones, which come from its own tables.
+    int lists = 0;
+    for (const char* body :
+         {"x = 1", "[[camera]]\nx = 1", "[[camera]]\nlook_from = [0, 0, 1]\nlens = { x = 1 }",
+          "[[mesh]]\nx = 1", "[[mesh]]\ntransform = { x = 1 }", "[[sphere]]\nx = 1", "[material.a]\nx = 1",
+          "[[light]]\ntype = \"point\"\nx = 1", "[[light]]\ntype = \"segment\"\nx = 1",
+          "[[light]]\ntype = \"parallelogram\"\nx = 1", "[environment]\nx = 1"}) {
+        std::string list = failure(std::string(body) + "\n");
+        ASSERT_THAT(list, HasSubstr("; expected ")) << body;
+        list.erase(0, list.find("; expected ") + 11);
+        std::replace(list.begin(), list.end(), ',', ' ');
+        std::istringstream words(list);
+        for (std::string key; words >> key;) {
+            if (key == "or") continue;
+            const bool isNamed = page.find(key + "`") != std::string::npos ||
+                                 page.find(key + "]") != std::string::npos ||
+                                 page.find(key + ".NAME") != std::string::npos;
+            EXPECT_TRUE(isNamed) << key;
+        }
+        ++lists;
+    }
+    EXPECT_EQ(lists, 11);
+}
 
 TEST_F(TomlScene, NeedsAVersionItKnows) {
     EXPECT_EQ(errorOf(write("none.toml", "title = \"a\"\n")),

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
-#include <utility>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <utility>
 
 #include <algorithm>
 

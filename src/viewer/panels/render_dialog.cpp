@@ -1,7 +1,7 @@
 #include <fmt/format.h>
-#include <utility>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <utility>
 
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
@@ -49,7 +49,9 @@ void RenderDialog::drawForm(Workspace& workspace) {
     }
     if (workspace.job) drawOutcome(*workspace.job);
     ImGui::Spacing();
-    if (ImGui::Button("Render", {scaled(110.0f), 0.0f})) {
+    const bool entered =
+        !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
+    if (ImGui::Button("Render", {scaled(110.0f), 0.0f}) || entered) {
         EditState state = workspace.edit;
         state.settings.spp = samples_;
         try {

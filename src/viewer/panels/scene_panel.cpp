@@ -25,16 +25,21 @@ void drawSceneChoice(Workspace& workspace) {
     if (ImGui::Button("Open...", {-1.0f, 0.0f})) workspace.openDialogRequested = true;
 }
 
+/// "1 mesh", "5 materials"; nothing for none.
+void appendCount(std::string& words, std::size_t count, const char* one, const char* many) {
+    if (count == 0) return;
+    if (!words.empty()) words += ", ";
+    words += fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 void drawCounts(const SceneDescription& scene, const SceneRequirements& needs) {
-    const auto row = [](const char* label, std::string_view value) {
-        labelledRow(label);
-        text(value);
-    };
-    row("Triangles", fmt::format("{}", needs.triangles));
-    if (needs.spheres > 0) row("Spheres", fmt::format("{}", needs.spheres));
-    row("Meshes", fmt::format("{}", scene.meshes.size()));
-    row("Materials", fmt::format("{}", scene.materials.size()));
-    row("Lights", fmt::format("{}", scene.lights.size()));
+    std::string words;
+    appendCount(words, needs.triangles, "triangle", "triangles");
+    appendCount(words, scene.meshes.size(), "mesh", "meshes");
+    appendCount(words, needs.spheres, "sphere", "spheres");
+    appendCount(words, scene.materials.size(), "material", "materials");
+    appendCount(words, scene.lights.size(), "light", "lights");
+    wrappedText(words.empty() ? "empty" : words);
 }
 
 void drawRequirements(const SceneRequirements& needs) {

@@ -1,0 +1,43 @@
+#include "viewer/camera_text.h"
+
+#include <gtest/gtest.h>
+
+namespace rayscope::viewer {
+namespace {
+
+TEST(CameraText, comesBackBitForBit) {
+    CameraDescription camera;
+    camera.lookFrom = {0.1f, -3.3333333f, 1e-20f};
+    camera.lookAt = {1e7f, 2.0f, -0.7f};
+    camera.fov = 33.3f;
+    EXPECT_EQ(withOptions(CameraDescription{}, toOptions(camera)), camera);
+}
+
+TEST(CameraText, changesOnlyWhatItNames) {
+    CameraDescription camera;
+    camera.up = {0.0f, 0.0f, 1.0f};
+    const CameraDescription changed = withOptions(camera, "  --fov=20 ");
+    EXPECT_EQ(changed.fov, 20.0f);
+    EXPECT_EQ(changed.up, camera.up);
+}
+
+TEST(CameraText, saysWhatIsWrong) {
+    const auto messageOf = [](const char* text) {
+        try {
+            withOptions(CameraDescription{}, text);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(messageOf("--look-form 1,2,3").find("--look-from"), std::string::npos);
+    EXPECT_NE(messageOf("--look-from 1,2").find("three numbers"), std::string::npos);
+    EXPECT_NE(messageOf("--look-from 1,2,3,4").find("three numbers"), std::string::npos);
+    EXPECT_NE(messageOf("--look-from nan,2,3").find("three numbers"), std::string::npos);
+    EXPECT_NE(messageOf("--fov").find("a number"), std::string::npos);
+    EXPECT_NE(messageOf("--fov 180").find("between 0 and 180"), std::string::npos);
+    EXPECT_NE(messageOf("--look-from 0,0,0 --look-at 0,0,0").find("differ"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rayscope::viewer

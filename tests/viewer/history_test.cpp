@@ -1,0 +1,105 @@
+#include "viewer/history.h"
+
+#include <gtest/gtest.h>
+
+namespace rayscope::viewer {
+namespace {
+
+EditState stateWithDepth(int depth) {
+    EditState state;
+    state.settings.maxDepth = depth;
+    return state;
+}
+
+TEST(History, goesBackAndForth) {
+    History history(stateWithDepth(0));
+    history.record(stateWithDepth(1));
+    history.record(stateWithDepth(2));
+    EXPECT_EQ(history.undo(), stateWithDepth(1));
+    EXPECT_EQ(history.undo(), stateWithDepth(0));
+    EXPECT_FALSE(history.canUndo());
+    EXPECT_EQ(history.redo(), stateWithDepth(1));
+    EXPECT_EQ(history.redo(), stateWithDepth(2));
+    EXPECT_FALSE(history.canRedo());
+}
+
+TEST(History, recordsOnlyChanges) {
+    History history(stateWithDepth(0));
+    history.record(stateWithDepth(0));
+    EXPECT_FALSE(history.canUndo());
+}
+
+TEST(History, aChangeAfterUndoForgetsWhatWasUndone) {
+    History history(stateWithDepth(0));
+    history.record(stateWithDepth(1));
+    history.undo();
+    history.record(stateWithDepth(7));
+    EXPECT_FALSE(history.canRedo());
+    EXPECT_EQ(history.present(), stateWithDepth(7));
+    EXPECT_EQ(history.undo(), stateWithDepth(0));
+}
+
+TEST(History, coversCameraSettingsAndScene) {
+    EditState first;
+    first.scene = std::make_shared<const SceneDescription>();
+    EditState camera = first, scene = first;
+    camera.camera.fov = 20.0f;
+    scene.scene = withLights(*first.scene, {Light{PointLight{}}});
+    History history(first);
+    history.record(camera);
+    EXPECT_TRUE(history.canUndo());
+    history.record(scene);
+    EXPECT_EQ(history.undo().camera.fov, 20.0f);
+    EXPECT_TRUE(history.present().scene->lights.empty());
+    EXPECT_EQ(history.redo().scene->lights.size(), 1u);
+}
+
+TEST(History, forgetsTheOldestBeyondItsLimit) {
+    History history(stateWithDepth(0));
+    for (int i = 1; i < static_cast<int>(History::kMostStates) + 50; ++i) {
+        EditState state;
+        state.settings.spp = i + 16;
+        history.record(state);
+    }
+    std::size_t steps = 0;
+    for (; history.canUndo(); history.undo()) ++steps;
+    EXPECT_EQ(steps, History::kMostStates - 1);
+    EXPECT_EQ(history.present().settings.spp, 50 + 16);
+}
+
+TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
+    SceneDescription scene;
+    scene.cameras = {{.name = "a"}, {.name = "b", .fov = 30.0f}};
+    scene.settings = {{"max_depth", "2", {}}, {"spp", "4", {}}};
+    CameraOverrides overrides;
+    overrides.name = "b";
+    overrides.lookAt = glm::vec3(1.0f);
+    const EditState state = openingState(scene, {{"spp", "9", {}}}, overrides);
+    EXPECT_EQ(state.settings.maxDepth, 2);
+    EXPECT_EQ(state.settings.spp, 9);
+    EXPECT_EQ(state.camera.fov, 30.0f);
+    EXPECT_EQ(state.camera.lookAt, glm::vec3(1.0f));
+}
+
+TEST(EditState, namesTheNearestCameraAndSetting) {
+    SceneDescription scene;
+    scene.cameras = {{.name = "front"}};
+    CameraOverrides overrides;
+    overrides.name = "frint";
+    const auto messageOf = [](auto&& open) {
+        try {
+            open();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(messageOf([&] { openingState(scene, {}, overrides); }).find("'front'"), std::string::npos);
+    EXPECT_NE(messageOf([&] {
+                  openingState(scene, {{"max_dept", "2", {"x.toml", 3, 1}}}, {});
+              }).find("x.toml:3:1"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace rayscope::viewer

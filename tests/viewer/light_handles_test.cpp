@@ -1,0 +1,101 @@
+#include "viewer/light_handles.h"
+
+#include <gtest/gtest.h>
+
+namespace rayscope::viewer {
+namespace {
+
+ViewFrame someFrame() {
+    CameraDescription camera;
+    camera.lookFrom = {3.0f, 2.0f, 4.0f};
+    return viewFrame(camera, 640, 480);
+}
+
+const Light kSegment{SegmentLight{{glm::vec3(0, 0, 0), glm::vec3(2, 0, 0)}, {Rgb(1), Rgb(1)}}};
+const Light kParallelogram{ParallelogramLight{glm::vec3(0), {glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)}, {}}};
+
+TEST(LightHandles, theFirstHandleMovesTheWholeLight) {
+    for (const Light& light : {Light{PointLight{glm::vec3(1, 2, 3), Rgb(1)}}, kSegment, kParallelogram}) {
+        const auto before = handlesOf(light);
+        const auto after = handlesOf(withHandleMoved(light, 0, before[0] + glm::vec3(0, 1, 0)));
+        ASSERT_EQ(before.size(), after.size());
+        for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i], before[i] + glm::vec3(0, 1, 0));
+    }
+}
+
+TEST(LightHandles, theOthersMoveOnePointAndLeaveTheRest) {
+    for (const Light& light : {kSegment, kParallelogram}) {
+        const auto before = handlesOf(light);
+        for (std::size_t moved = 1; moved < before.size(); ++moved) {
+            const glm::vec3 place(0.25f, 5.0f, 0.5f);
+            const auto after = handlesOf(withHandleMoved(light, static_cast<int>(moved), place));
+            for (std::size_t i = 1; i < before.size(); ++i)
+                EXPECT_LT(glm::distance(after[i], i == moved ? place : before[i]), 1e-6f);
+        }
+    }
+}
+
+TEST(LightHandles, anAxisHasItsLengthOnTheScreenAtAnyDistance) {
+    CameraDescription camera;
+    camera.lookFrom = {0.0f, 0.0f, 5.0f};
+    const HandleSize size;
+    for (const float z : {0.0f, 2.0f, -40.0f}) {
+        const ViewFrame frame = viewFrame(camera, 640, 480);
+        const glm::dvec3 center(0.0, 0.0, z);
+        const glm::dvec2 a = *frame.project(center),
+                         b = *frame.project(axisEnd(frame, center, Grip::X, size));
+        EXPECT_NEAR(glm::distance(a, b), size.axis, 1e-6);
+    }
+}
+
+TEST(LightHandles, picksThePartUnderTheCursor) {
+    const ViewFrame frame = someFrame();
+    const HandleSize size;
+    const glm::dvec3 center(0.1, 0.2, 0.3);
+    EXPECT_EQ(pickGrip(frame, center, *frame.project(center), size), Grip::Free);
+    for (const Grip grip : {Grip::X, Grip::Y, Grip::Z}) {
+        const glm::dvec2 nearEnd =
+            glm::mix(*frame.project(center), *frame.project(axisEnd(frame, center, grip, size)), 0.9);
+        EXPECT_EQ(pickGrip(frame, center, nearEnd, size), grip);
+    }
+    EXPECT_FALSE(pickGrip(frame, center, *frame.project(center) + glm::dvec2(200.0, 0.0), size));
+}
+
+TEST(LightHandles, draggingAlongAnAxisFollowsTheCursorOnThatAxis) {
+    const ViewFrame frame = someFrame();
+    const glm::dvec3 center(0.1, 0.2, 0.3);
+    for (const Grip grip : {Grip::X, Grip::Y, Grip::Z}) {
+        const glm::dvec3 goal = center + 0.7 * axisOf(grip);
+        const glm::dvec3 moved = dragged(frame, center, grip, *frame.project(center), *frame.project(goal));
+        EXPECT_LT(glm::distance(moved, goal), 1e-9);
+    }
+}
+
+TEST(LightHandles, draggingFreelyKeepsTheDepthAndFollowsTheCursor) {
+    const ViewFrame frame = someFrame();
+    const glm::dvec3 center(0.1, 0.2, 0.3);
+    const glm::dvec2 start = *frame.project(center), end = start + glm::dvec2(50.0, -30.0);
+    const glm::dvec3 moved = dragged(frame, center, Grip::Free, start, end);
+    EXPECT_LT(glm::distance(*frame.project(moved), end), 1e-9);
+    EXPECT_NEAR(glm::dot(moved - center, frame.forward), 0.0, 1e-12);
+}
+
+TEST(LightHandles, anAxisSeenEndOnStaysWhereItIs) {
+    CameraDescription camera;
+    camera.lookFrom = {0.0f, 0.0f, 5.0f};
+    const ViewFrame frame = viewFrame(camera, 640, 480);
+    EXPECT_EQ(dragged(frame, glm::dvec3(0.0), Grip::Z, {320.0, 240.0}, {330.0, 250.0}), glm::dvec3(0.0));
+}
+
+TEST(LightHandles, aClickPicksTheNearestLight) {
+    const ViewFrame frame = someFrame();
+    const std::vector<Light> lights{Light{PointLight{glm::vec3(0), Rgb(1)}}, kSegment};
+    const auto pick = pickLight(frame, lights, *frame.project({2.0, 0.0, 0.0}) + glm::dvec2(2.0, 1.0), 10.0);
+    ASSERT_TRUE(pick);
+    EXPECT_EQ(pick->light, 1);
+    EXPECT_EQ(pick->handle, 2);
+    EXPECT_FALSE(pickLight(frame, lights, {5.0, 5.0}, 10.0));
+}
+
+}  // namespace
+}  // namespace rayscope::viewer

@@ -1,0 +1,171 @@
+#include "viewer/overlay/overlay.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "render/film.h"
+#include "viewer/debug_rays.h"
+#include "viewer/overlay/light_overlay.h"
+
+namespace rayscope::viewer {
+namespace {
+
+/// A camera ray that hits, its reflection that misses, and one shadow ray of each verdict.
+RayTree handMadeTree() {
+    RayTree tree;
+    RayNode camera;
+    camera.ray.origin = {0.0f, 0.0f, 5.0f};
+    camera.hit = true;
+    camera.position = {0.0f, 0.0f, 1.0f};
+    camera.normal = {0.0f, 0.0f, 1.0f};
+    RayNode reflection;
+    reflection.parent = 0;
+    reflection.kind = RayKind::Reflection;
+    reflection.depth = 1;
+    reflection.ray.origin = camera.position;
+    reflection.ray.direction = {0.0f, 2.0f, 0.0f};
+    tree.nodes = {camera, reflection};
+    for (const Visibility verdict :
+         {Visibility::Visible, Visibility::Blocked, Visibility::Attenuated, Visibility::FacingAway}) {
+        ShadowRay shadow;
+        shadow.from = camera.position;
+        shadow.to = {0.0f, 3.0f, 0.0f};
+        shadow.color = {0.0f, 0.0f, 1.0f};
+        shadow.visibility = verdict;
+        tree.shadowRays.push_back(shadow);
+    }
+    return tree;
+}
+
+DebugRayFilter nothing() { return {false, false, false, false, false, 16}; }
+
+TEST(DebugRaysOverlay, drawsEachRayFromItsOriginToItsEnd) {
+    DebugRayFilter filter = nothing();
+    filter.camera = filter.reflections = true;
+    const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].from, glm::vec3(0.0f, 0.0f, 5.0f));
+    EXPECT_EQ(lines[0].to, glm::vec3(0.0f, 0.0f, 1.0f));
+    // What misses is drawn as long as the scene, whatever the length of its direction.
+    EXPECT_EQ(lines[1].to, glm::vec3(0.0f, 10.0f, 1.0f));
+    EXPECT_NE(lines[0].style, lines[1].style);
+}
+
+TEST(DebugRaysOverlay, showsTheVerdictOnShadowRays) {
+    DebugRayFilter filter = nothing();
+    filter.shadow = true;
+    const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(glm::vec3(lines[0].color), glm::vec3(0.0f, 0.0f, 1.0f)) << "the light's colour";
+    EXPECT_EQ(lines[0].style, LineStyle::Solid);
+    EXPECT_GT(lines[1].color.r, 3.0f * lines[1].color.g) << "blocked is red";
+    EXPECT_EQ(lines[1].style, LineStyle::Dotted);
+    EXPECT_EQ(lines[2].style, LineStyle::Dashed);
+}
+
+TEST(DebugRaysOverlay, drawsNormalsWhereSomethingWasHit) {
+    DebugRayFilter filter = nothing();
+    filter.normals = true;
+    const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].from, glm::vec3(0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(lines[0].to, glm::vec3(0.0f, 0.0f, 1.5f));
+}
+
+TEST(DebugRaysOverlay, depthHidesWhatComesLater) {
+    DebugRayFilter filter;
+    const std::size_t all = debugRayLines(handMadeTree(), filter, 10.0f).size();
+    filter.maxDepth = 0;
+    EXPECT_EQ(debugRayLines(handMadeTree(), filter, 10.0f).size(), all - 1);
+}
+
+TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
+    const std::vector<RayLegendEntry> legend = debugRayLegend();
+    for (std::size_t i = 0; i < legend.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            EXPECT_TRUE(legend[i].color != legend[j].color || legend[i].style != legend[j].style);
+}
+
+TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
+    Diagnostics notes;
+    EditState state = openingState(loadScene("builtin:cornell", notes), {}, {});
+    RenderSession session(1);
+    RenderRequest request;
+    request.scene = state.scene;
+    request.camera = state.camera;
+    request.settings = state.settings;
+    request.settings.spp = 1;
+    request.width = request.height = 48;
+    session.submit(request);
+    ASSERT_EQ(session.wait(60.0), RenderState::Done);
+
+    DebugRays rays;
+    rays.shoot(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
+    ASSERT_TRUE(rays.shot());
+    EXPECT_TRUE(rays.shot()->verdict->matchesFilm);
+    EXPECT_EQ(rays.shot()->tree.nodes[0].ray.origin, state.camera.lookFrom);
+    EXPECT_FALSE(rays.staleFor(state, {48, 48}));
+    EXPECT_TRUE(rays.staleFor(state, {96, 48}));
+
+    EditState other = state;
+    other.settings.exposure = 1.0f;
+    EXPECT_FALSE(rays.staleFor(other, {48, 48}));
+    other.settings.maxDepth = 1;
+    EXPECT_TRUE(rays.staleFor(other, {48, 48}));
+    other = state;
+    other.camera.fov += 1.0f;
+    EXPECT_TRUE(rays.staleFor(other, {48, 48}));
+    rays.clear();
+    EXPECT_FALSE(rays.staleFor(other, {48, 48}));
+}
+
+TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {
+    OverlayLines lines;
+    appendBox(lines, {0, 0, 0}, {1, 2, 3}, glm::vec4(1.0f));
+    ASSERT_EQ(lines.size(), 12u);
+    glm::vec3 sum(0.0f);
+    for (const OverlayLine& line : lines) sum += glm::abs(line.to - line.from);
+    EXPECT_EQ(sum, glm::vec3(4, 8, 12));
+}
+
+TEST(Overlay, sphereOutlineLiesOnTheSphere) {
+    OverlayLines lines;
+    appendSphereOutline(lines, {1, 2, 3}, 0.5f, glm::vec4(1.0f));
+    EXPECT_FALSE(lines.empty());
+    for (const OverlayLine& line : lines)
+        EXPECT_NEAR(glm::distance(line.from, glm::vec3(1, 2, 3)), 0.5f, 1e-6f);
+}
+
+TEST(Overlay, displayColorKeepsTheHueOfBrightLights) {
+    EXPECT_EQ(displayColor(Rgb(15.0f)), glm::vec3(1.0f));
+    const glm::vec3 orange = displayColor({20.0f, 10.0f, 0.0f});
+    EXPECT_NEAR(orange.r, 1.0f, 1e-6f);
+    EXPECT_NEAR(orange.g, 0.7354f, 1e-3f);  // sRGB of one half
+    EXPECT_EQ(orange.b, 0.0f);
+}
+
+TEST(LightOverlay, signsOfPointLightsHaveTheSameSizeOnTheScreenAtAnyDistance) {
+    CameraDescription camera;
+    camera.lookFrom = {0.0f, 0.0f, 10.0f};
+    const ViewFrame frame = viewFrame(camera, 800, 600);
+    const auto reachOf = [&](glm::vec3 place) {
+        double reach = 0.0;
+        for (const OverlayLine& line : lightLines({Light{PointLight{place, Rgb(1)}}}, -1, frame, 1.0))
+            reach = std::max(
+                reach, glm::distance(*frame.project(glm::dvec3(line.to)), *frame.project(glm::dvec3(place))));
+        return reach;
+    };
+    EXPECT_NEAR(reachOf({0, 0, 5}), reachOf({0, 0, -50}), 0.05);
+}
+
+TEST(LightOverlay, segmentsShadeFromOneColorToTheOther) {
+    const Light light{SegmentLight{{glm::vec3(0), glm::vec3(1, 0, 0)}, {Rgb(1, 0, 0), Rgb(0, 0, 1)}}};
+    const OverlayLines lines = lightLines({light}, -1, viewFrame(CameraDescription{}, 100, 100), 1.0);
+    EXPECT_EQ(glm::vec3(lines.front().color), glm::vec3(1, 0, 0));
+    EXPECT_THAT(lines, testing::Contains(testing::Truly([](const OverlayLine& line) {
+                    return line.color.b > line.color.r && line.from.x > 0.5f && line.from.x < 1.0f;
+                })));
+}
+
+}  // namespace
+}  // namespace rayscope::viewer

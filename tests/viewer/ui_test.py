@@ -1,0 +1,322 @@
+"""Drives the real window under a virtual display and judges it by what it shows and saves.
+
+usage: ui_test.py PROGRAM        exits 77 where Xvfb, xdotool or ImageMagick is missing
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+WIDTH, HEIGHT = 1280, 720
+# Where things are at scale 1, in pixels of the window.
+PICTURE = (0, 19, 944, 678)  # x, y, width, height
+PANEL_PIXEL = (950, 690)
+PROGRESS_PIXEL = (4, 697)
+TAB_SCENE, TAB_SETTINGS = (977, 66), (1042, 66)
+HARD_SHADOWS = (1112, 138)
+PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
+
+
+class Failure(Exception):
+    pass
+
+
+class Pixels:
+    """An RGB picture with 8 bits per channel."""
+
+    def __init__(self, ppm):
+        fields, at = [], 0
+        while len(fields) < 4:
+            end = at
+            while ppm[end] not in b" \n\t":
+                end += 1
+            fields.append(ppm[at:end])
+            at = end + 1
+        self.width, self.height, self.data = int(fields[1]), int(fields[2]), ppm[at:]
+
+    def at(self, x, y):
+        start = 3 * (y * self.width + x)
+        return tuple(self.data[start:start + 3])
+
+    def crop(self, x, y, width, height):
+        rows = [self.data[3 * (row * self.width + x):3 * (row * self.width + x + width)] for row in range(y, y + height)]
+        part = Pixels.__new__(Pixels)
+        part.width, part.height, part.data = width, height, b"".join(rows)
+        return part
+
+    def mean(self):
+        count = self.width * self.height
+        return tuple(sum(self.data[channel::3]) / count for channel in range(3))
+
+    def brightness(self):
+        return sum(self.data) / len(self.data)
+
+    def differing(self, other):
+        """Number of pixels that differ."""
+        a, b = self.data, other.data
+        return sum(a[i:i + 3] != b[i:i + 3] for i in range(0, len(a), 3))
+
+    def count(self, wanted):
+        return sum(wanted(*self.data[i:i + 3]) for i in range(0, len(self.data), 3))
+
+
+def convert_to_ppm(*arguments):
+    return subprocess.run([*arguments, "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
+
+
+def wait_for(what, condition, patience=PATIENCE):
+    end = time.monotonic() + patience
+    while time.monotonic() < end:
+        result = condition()
+        if result:
+            return result
+        time.sleep(0.1)
+    raise Failure(f"waited {patience:.0f} s in vain for: {what}")
+
+
+def expect(condition, words):
+    if not condition:
+        raise Failure(words)
+
+
+class Viewer:
+    """A running window, the hands that use it and the eyes that see it."""
+
+    def __init__(self, program, folder, *arguments):
+        self.folder = folder
+        environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"), LIBGL_ALWAYS_SOFTWARE="1")
+        self.log = open(folder / "viewer.log", "w+")
+        self.process = subprocess.Popen([program, "view", "--size", f"{WIDTH}x{HEIGHT}", *arguments], cwd=folder,
+                                        env=environment, stderr=self.log)
+        self.window = wait_for("the window", self._find_window).split()[0]
+        wait_for("the first frame", lambda: self.capture().at(*PANEL_PIXEL) != (0, 0, 0))
+
+    def _find_window(self):
+        expect(self.process.poll() is None, "the program ended before it opened a window")
+        return subprocess.run(["xdotool", "search", "--name", "Rayscope"], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True).stdout
+
+    def do(self, *words):
+        expect(self.process.poll() is None, f"the program ended with {self.process.returncode}")
+        subprocess.run(["xdotool", *map(str, words)], check=True)
+        time.sleep(0.15)
+
+    def key(self, keys):
+        self.do("key", keys)
+
+    def point(self, x, y):
+        self.do("mousemove", x, y)
+        time.sleep(0.25)
+
+    def click(self, x, y):
+        self.point(x, y)
+        self.do("mousedown", 1)
+        self.do("mouseup", 1)
+
+    def drag(self, start, end, steps=8):
+        self.point(*start)
+        self.do("mousedown", 1)
+        for step in range(1, steps + 1):
+            x, y = (a + (b - a) * step // steps for a, b in zip(start, end))
+            self.do("mousemove", x, y)
+        self.do("mouseup", 1)
+
+    def capture(self):
+        return Pixels(convert_to_ppm("import", "-window", "root"))
+
+    def picture(self):
+        return self.capture().crop(*PICTURE)
+
+    def title(self):
+        return subprocess.run(["xdotool", "getwindowname", self.window], stdout=subprocess.PIPE, text=True).stdout
+
+    def settled_picture(self):
+        """The picture once nothing is being traced and it has stopped changing."""
+        def settled():
+            before = self.capture()
+            time.sleep(0.7)
+            after = self.capture()
+            # The bar over the status line is there as long as something is traced.
+            quiet = after.at(*PROGRESS_PIXEL) == after.at(PROGRESS_PIXEL[0], PROGRESS_PIXEL[1] + 6)
+            return quiet and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
+        return wait_for("a picture that stands still", settled)
+
+    def save(self, keys):
+        """The picture that these keys write."""
+        known = set(self.folder.glob("rayscope-*.png"))
+        self.key(keys)
+        wait_for(f"a file after {keys}", lambda: set(self.folder.glob("rayscope-*.png")) - known)
+        [path] = set(self.folder.glob("rayscope-*.png")) - known
+        return Pixels(convert_to_ppm("convert", str(path)))
+
+    def open_by_name(self, name):
+        self.key("ctrl+o")
+        time.sleep(0.5)
+        self.key("ctrl+a")
+        self.do("type", "--delay", "40", name)
+        self.key("Return")
+
+    def quit(self):
+        self.key("ctrl+q")
+        wait_for("the end of the program", lambda: self.process.poll() is not None)
+        expect(self.process.returncode == 0, f"the program ended with {self.process.returncode}")
+
+
+def test_views(viewer):
+    raster = viewer.settled_picture()
+    red, green, blue = raster.crop(290, 240, 60, 60).mean()
+    expect(red > 2 * green and red > 2 * blue, "the rasterised view shows the red wall")
+    viewer.point(100, 600)
+    viewer.key("Tab")
+    wait_for("another picture", lambda: viewer.picture().data != raster.data)
+    traced = viewer.settled_picture()
+    red, green, blue = traced.crop(300, 220, 40, 40).mean()
+    expect(red > 2 * green and red > 2 * blue, "the ray-traced view shows the red wall at the same place")
+    return raster, traced
+
+
+def test_toggle_and_undo(viewer):
+    shadowed = viewer.save("ctrl+s")
+    expect((shadowed.width, shadowed.height) == PICTURE[2:], "the saved image has the size of the picture")
+    viewer.click(*TAB_SETTINGS)
+    viewer.click(*HARD_SHADOWS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    bright = viewer.save("ctrl+s")
+    expect(bright.brightness() > shadowed.brightness() + 1.0, "without shadows the picture is brighter")
+    viewer.key("ctrl+z")
+    viewer.settled_picture()
+    expect(viewer.save("ctrl+s").data == shadowed.data, "undo brings back the same pixels")
+    viewer.key("ctrl+y")
+    viewer.settled_picture()
+    expect(viewer.save("ctrl+s").data == bright.data, "redo brings back the other pixels")
+    viewer.key("ctrl+z")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def is_ray_yellow(red, green, blue):
+    return red > 200 and green > 190 and 40 < blue < 130
+
+
+def test_debug_ray(viewer):
+    before = viewer.settled_picture()
+    viewer.point(360, 300)
+    viewer.key("r")
+    wait_for("the overlay", lambda: viewer.picture().differing(before) > 20)
+    # Seen from where it was shot the camera ray is a point; from the side it is a line.
+    viewer.drag((700, 600), (860, 560))
+    yellow = viewer.settled_picture().count(is_ray_yellow)
+    expect(yellow > 100, f"the camera ray is seen in the ray-traced view ({yellow} pixels)")
+    without = viewer.save("ctrl+s").count(is_ray_yellow)
+    expect(without == 0, "the saved image has no overlay")
+    shot = viewer.save("shift+ctrl+s")
+    expect((shot.width, shot.height) == (WIDTH, HEIGHT), "the screenshot has the size of the window")
+    expect(shot.count(is_ray_yellow) > 100, "the screenshot has the overlay")
+    viewer.key("Tab")
+    viewer.point(100, 600)
+    raster = viewer.settled_picture()
+    expect(raster.count(is_ray_yellow) > 50, "the camera ray is seen in the rasterised view")
+    viewer.key("c")
+    wait_for("the rays to go", lambda: viewer.picture().count(is_ray_yellow) == 0)
+    viewer.key("Home")
+    viewer.settled_picture()
+
+
+def test_typing_is_not_a_shortcut(viewer):
+    """Letters in a text field open no panel, switch no view and shoot no ray."""
+    viewer.open_by_name("builtin:spheres")
+    wait_for("the other scene", lambda: "builtin:spheres" in viewer.title())
+    viewer.point(100, 600)
+    shown = viewer.settled_picture()
+    expect(viewer.capture().at(*PANEL_PIXEL) != (0, 0, 0), "the side panel is still there")
+    expect(shown.count(is_ray_yellow) == 0, "no ray was shot")
+    viewer.key("n")
+    wait_for("a wider picture", lambda: viewer.capture().crop(960, 100, 300, 500).differing(
+        viewer.capture().crop(960, 30, 300, 500)) > 0)
+    viewer.key("n")
+
+
+def test_missing_file(viewer):
+    viewer.settled_picture()
+    before = viewer.picture()
+    viewer.open_by_name("does-not-exist.toml")
+    wait_for("the message", lambda: viewer.picture().differing(before) > 1000)
+    viewer.key("Escape")
+    expect("builtin:spheres" in viewer.title(), "the scene before stays")
+    wait_for("the message to go", lambda: viewer.picture().differing(before) < 1000)
+
+
+def test_keys_window(viewer):
+    before = viewer.settled_picture()
+    viewer.key("F1")
+    wait_for("the list of keys", lambda: viewer.picture().differing(before) > 20000)
+    viewer.key("Escape")
+    wait_for("the list to close", lambda: viewer.picture().differing(before) == 0)
+
+
+def test_render_to_file(viewer):
+    viewer.key("F12")
+    time.sleep(0.5)
+    viewer.key("Return")
+    wait_for("the rendered file", (viewer.folder / "render.png").exists)
+    rendered = Pixels(convert_to_ppm("convert", str(viewer.folder / "render.png")))
+    expect((rendered.width, rendered.height) == PICTURE[2:], "the rendered file has the size of the picture")
+    expect(rendered.brightness() > 5, "the rendered file shows something")
+    viewer.key("Escape")
+    time.sleep(0.5)
+
+
+def test_without_display(program):
+    environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    run = subprocess.run([program, "view"], env=environment, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+    expect(run.returncode == 2, f"without a display the exit code is 2, not {run.returncode}")
+    expect("display" in run.stderr and run.stderr.count("\n") == 1, f"one message about the display: {run.stderr!r}")
+
+
+def run_all(program, folder):
+    test_without_display(program)
+    viewer = Viewer(program, folder, "--set", "spp=4")
+    try:
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_typing_is_not_a_shortcut, test_missing_file,
+                     test_keys_window, test_render_to_file):
+            test(viewer)
+            print(f"ok  {test.__name__}", flush=True)
+        viewer.quit()
+    except Exception:
+        kept = Path(tempfile.gettempdir()) / "rayscope_ui_test_failed.png"
+        subprocess.run(["import", "-window", "root", str(kept)], check=False)
+        print(f"the screen at that moment: {kept}", file=sys.stderr)
+        raise
+    finally:
+        viewer.process.kill()
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
+    if missing:
+        print("skipped: not installed:", ", ".join(missing))
+        return 77
+    read, write = os.pipe()
+    display = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten",
+                                "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as pipe:
+        os.environ["DISPLAY"] = ":" + pipe.readline().strip()
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            run_all(program, Path(folder))
+        except Failure as failure:
+            print("FAILED:", failure, file=sys.stderr)
+            return 1
+        finally:
+            display.kill()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
