@@ -15,4 +15,4 @@ test_packages=(
 )
 
 # Used if they are there; a distribution may not have them.
-optional_packages=(libembree-dev libbenchmark-dev)
+optional_packages=(libembree-dev libbenchmark-dev libgmp-dev)
