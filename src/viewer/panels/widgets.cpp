@@ -55,7 +55,10 @@ bool colorRow(const char* label, Rgb& color) {
 bool vectorRow(const char* label, glm::vec3& value, float speed) {
     labelledRow(label);
     ImGui::PushID(label);
+    // Three numbers with four digits need all the room there is.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2.0f), ImGui::GetStyle().FramePadding.y});
     const bool edited = ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g");
+    ImGui::PopStyleVar();
     ImGui::PopID();
     return edited;
 }
