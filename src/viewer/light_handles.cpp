@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace rayscope::viewer {
 
@@ -35,6 +37,25 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     const double squared = glm::dot(ab, ab);
     const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
     return glm::length(p - (a + ab * t));
+}
+
+/// The lines that a light is drawn with.
+using Edges = std::vector<std::pair<glm::dvec3, glm::dvec3>>;
+Edges edges(const PointLight&) { return {}; }
+Edges edges(const SegmentLight& light) { return {{light.endpoints[0], light.endpoints[1]}}; }
+Edges edges(const ParallelogramLight& light) {
+    const glm::dvec3 a(light.corner), b = a + glm::dvec3(light.edges[0]), c = a + glm::dvec3(light.edges[1]),
+                                      d = b + glm::dvec3(light.edges[1]);
+    return {{a, b}, {a, c}, {b, d}, {c, d}};
+}
+
+double distanceToEdges(const ViewFrame& frame, const Light& light, glm::dvec2 cursor) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : std::visit([](const auto& shape) { return edges(shape); }, light.shape)) {
+        const auto from = frame.project(a), to = frame.project(b);
+        if (from && to) nearest = std::min(nearest, distanceToSegment(cursor, *from, *to));
+    }
+    return nearest;
 }
 
 /// Parameter of the point of the line center + s axis that is nearest to a ray; nothing if they are parallel.
@@ -107,15 +128,19 @@ std::optional<LightPick> pickLight(const ViewFrame& frame, const std::vector<Lig
                                    glm::dvec2 cursor, double reach) {
     std::optional<LightPick> nearest;
     double nearestDistance = reach;
+    const auto consider = [&](std::size_t light, std::size_t handle, double distance) {
+        if (distance > nearestDistance) return;
+        nearestDistance = distance;
+        nearest = LightPick{static_cast<int>(light), static_cast<int>(handle)};
+    };
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::vector<glm::vec3> points = handlesOf(lights[i]);
-        for (std::size_t handle = 0; handle < points.size(); ++handle) {
-            const auto place = frame.project(glm::dvec3(points[handle]));
-            if (!place || glm::length(*place - cursor) > nearestDistance) continue;
-            nearestDistance = glm::length(*place - cursor);
-            nearest = LightPick{static_cast<int>(i), static_cast<int>(handle)};
-        }
+        for (std::size_t handle = 0; handle < points.size(); ++handle)
+            if (const auto place = frame.project(glm::dvec3(points[handle])))
+                consider(i, handle, glm::length(*place - cursor));
     }
+    if (nearest) return nearest;
+    for (std::size_t i = 0; i < lights.size(); ++i) consider(i, 0, distanceToEdges(frame, lights[i], cursor));
     return nearest;
 }
 

@@ -39,7 +39,7 @@ std::optional<Grip> pickGrip(const ViewFrame& frame, glm::dvec3 center, glm::dve
 glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, Grip grip, glm::dvec2 grabbed,
                    glm::dvec2 cursor);
 
-/// The light and handle that appear within `reach` pixels of the cursor.
+/// The handle that appears within `reach` pixels of the cursor, or else the light whose outline does.
 struct LightPick {
     int light = -1, handle = 0;
 };

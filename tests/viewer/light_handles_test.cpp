@@ -97,5 +97,14 @@ TEST(LightHandles, aClickPicksTheNearestLight) {
     EXPECT_FALSE(pickLight(frame, lights, {5.0, 5.0}, 10.0));
 }
 
+TEST(LightHandles, aClickOnTheOutlinePicksTheWholeLight) {
+    const ViewFrame frame = someFrame();
+    const glm::dvec2 onEdge = *frame.project({0.5, 0.0, 0.0});
+    const auto pick = pickLight(frame, {kParallelogram}, onEdge + glm::dvec2(1.0, 1.0), 5.0);
+    ASSERT_TRUE(pick);
+    EXPECT_EQ(pick->light, 0);
+    EXPECT_EQ(pick->handle, 0);
+}
+
 }  // namespace
 }  // namespace rayscope::viewer

@@ -17,6 +17,7 @@ PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
 TAB_SCENE, TAB_SETTINGS = (977, 66), (1042, 66)
 HARD_SHADOWS = (1112, 138)
+LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
 
 
@@ -227,6 +228,23 @@ def test_debug_ray(viewer):
     viewer.settled_picture()
 
 
+def test_light_handle(viewer):
+    """The light of the Cornell box is clicked and its upward arrow pulled down."""
+    before = viewer.settled_picture()
+    viewer.click(*LIGHT)
+    viewer.point(100, 600)
+    selected = viewer.settled_picture()
+    expect(selected.differing(before) > 100, "a selected light has arrows")
+    viewer.drag((LIGHT[0], LIGHT[1] - 50), (LIGHT[0], LIGHT[1] + 60))
+    viewer.point(100, 600)
+    moved = viewer.settled_picture()
+    expect(moved.differing(selected) > 20000, "the scene is lit from the light's new place")
+    viewer.key("ctrl+z")
+    expect(viewer.settled_picture().data == selected.data, "undo puts the light back")
+    viewer.click(100, 600)
+    expect(viewer.settled_picture().data == before.data, "a click beside it lets go of the light")
+
+
 def test_typing_is_not_a_shortcut(viewer):
     """Letters in a text field open no panel, switch no view and shoot no ray."""
     viewer.open_by_name("builtin:spheres")
@@ -282,7 +300,7 @@ def run_all(program, folder):
     test_without_display(program)
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_typing_is_not_a_shortcut, test_missing_file,
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_typing_is_not_a_shortcut, test_missing_file,
                      test_keys_window, test_render_to_file):
             test(viewer)
             print(f"ok  {test.__name__}", flush=True)

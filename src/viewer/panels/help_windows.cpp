@@ -32,7 +32,7 @@ void row(std::string_view left, std::string_view right) {
 
 bool beginKeyTable(const char* name) {
     if (!ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit)) return false;
-    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, scaled(190.0f));
+    ImGui::TableSetupColumn("key", ImGuiTableColumnFlags_WidthFixed, scaled(200.0f));
     ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
     return true;
 }
@@ -42,7 +42,7 @@ bool beginKeyTable(const char* name) {
 void drawKeysWindow(Workspace& workspace) {
     if (!workspace.view.showKeys) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
+    ImGui::SetNextWindowPos({display.x * 0.37f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(scaled(640.0f), display.x * 0.9f), std::min(scaled(620.0f), display.y * 0.88f)},
         ImGuiCond_Appearing);

@@ -97,7 +97,7 @@ void drawSelected(Workspace& workspace) {
     tooltip("The point that the three arrows in the picture move. A click on a light picks one too.");
     bool edited = std::visit([&](auto& shape) { return drawShape(shape, speed); }, light.shape);
     bool inverseSquare = light.falloff == Falloff::InverseSquare;
-    labelledRow("Inverse-square falloff");
+    labelledRow("Inverse-square");
     if (ImGui::Checkbox("##falloff", &inverseSquare)) {
         light.falloff = inverseSquare ? Falloff::InverseSquare : Falloff::None;
         edited = true;

@@ -80,10 +80,10 @@ void drawRow(const Row& row, Settings& settings) {
     const std::string id(row.text.key);
     ImGui::PushID(id.c_str());
     ImGui::BeginDisabled(!idleReason.empty());
-    bool reset = labelledRow(row.text.label, edited);
-    tooltip(explain(row, idleReason));
+    const std::string help = explain(row, idleReason);
+    bool reset = labelledRow(row.text.label, edited, help);
     drawControl(row, settings);
-    tooltip(explain(row, idleReason));
+    tooltip(help);
     ImGui::EndDisabled();
     if (ImGui::BeginPopupContextItem("reset")) {
         if (ImGui::MenuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr,

@@ -18,7 +18,7 @@ void wrappedText(std::string_view words) {
     ImGui::PopTextWrapPos();
 }
 
-bool labelledRow(std::string_view label, bool emphasised) {
+bool labelledRow(std::string_view label, bool emphasised, std::string_view help) {
     constexpr float kShare = 0.49f;
     const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
@@ -27,6 +27,7 @@ bool labelledRow(std::string_view label, bool emphasised) {
     else
         coloredText({0.74f, 0.76f, 0.79f, 1.0f}, label);
     const bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    if (!help.empty()) tooltip(help);
     ImGui::SameLine(start + kShare * width);
     ImGui::SetNextItemWidth((1.0f - kShare) * width);
     return reset;
@@ -54,7 +55,10 @@ bool colorRow(const char* label, Rgb& color) {
 bool vectorRow(const char* label, glm::vec3& value, float speed) {
     labelledRow(label);
     ImGui::PushID(label);
+    // Three numbers with four digits need all the room there is.
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2.0f), ImGui::GetStyle().FramePadding.y});
     const bool edited = ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g");
+    ImGui::PopStyleVar();
     ImGui::PopID();
     return edited;
 }

@@ -17,9 +17,9 @@ void dimText(std::string_view words);
 void coloredText(const ImVec4& color, std::string_view words);
 void wrappedText(std::string_view words);
 
-/// Starts a row: the label on the left, what is drawn next fills the right part. Returns whether the label
-/// was double-clicked.
-bool labelledRow(std::string_view label, bool emphasised = false);
+/// Starts a row: the label, which explains itself with `help`, on the left; what is drawn next fills the
+/// right part. Returns whether the label was double-clicked.
+bool labelledRow(std::string_view label, bool emphasised = false, std::string_view help = {});
 
 /// Words in a box of readable width beside what the cursor is on, also if that is disabled.
 void tooltip(std::string_view words);
