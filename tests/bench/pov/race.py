@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Renders equal pictures with Rayscope and with POV-Ray 3.7 and compares time and error.
 
-    tests/bench/pov/race.py [--program build/release/rayscope] [--rounds 7] [--size 800] [--keep FOLDER]
+    tests/bench/pov/race.py [--program build/release/rayscope] [--rounds 7] [--size 800] [--scene NAME]
+                           [--keep FOLDER]
 
 Both programs get the same triangles, materials, lights and camera, written from one description here, and run on
 all cores, in turns. The error is the RMSE of linear values, clipped to 0 … 1 as POV-Ray's files are, against a
@@ -248,8 +249,11 @@ def main():
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--size", type=int, default=800)
     parser.add_argument("--keep", type=Path, help="folder for scenes and pictures; absent: a temporary one")
+    parser.add_argument("--scene", choices=("cornell", "scales"), help="absent: both")
     options = parser.parse_args()
     for make in (cornell, scales):
+        if options.scene not in (None, make.__name__):
+            continue
         if options.keep:
             folder = options.keep / make.__name__
             folder.mkdir(parents=True, exist_ok=True)
