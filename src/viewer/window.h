@@ -49,8 +49,8 @@ class Window {
     float contentScale() const;
 
     void beginFrame();
-    /// Draws the panels over what was drawn and shows the frame. `beforeSwap` may read the pixels.
-    void endFrame(const std::function<void()>& beforeSwap);
+    /// Draws `behind`, then the panels over it, and shows the frame. `beforeSwap` may read the pixels.
+    void endFrame(const std::function<void()>& behind, const std::function<void()>& beforeSwap);
     /// Rebuilds font and style for this scale; not between beginFrame() and endFrame().
     void applyScale(float scale);
 
