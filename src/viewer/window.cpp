@@ -132,7 +132,6 @@ void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 void Window::copyText(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 bool Window::isKeyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
-void Window::wake() { glfwPostEmptyEvent(); }
 
 void Window::toggleFullScreen() {
     if (fullScreen_) {

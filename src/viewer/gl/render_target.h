@@ -21,9 +21,6 @@ class RenderTarget {
     /// Pixel by pixel, with the lower left corner at (x, y).
     void copyToWindow(int x, int y) const;
 
-    int width() const { return width_; }
-    int height() const { return height_; }
-
   private:
     void release();
 
