@@ -11,8 +11,8 @@ build_packages=(
 
 test_packages=(
     libgtest-dev libgmock-dev clang-format
-    xvfb xdotool x11-utils imagemagick libgl1-mesa-dri             # the window without a screen
+    xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window without a screen
 )
 
 # Used if they are there; a distribution may not have them.
-optional_packages=(libembree-dev libbenchmark-dev)
+optional_packages=(libembree-dev libbenchmark-dev libgmp-dev)

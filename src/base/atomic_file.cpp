@@ -91,13 +91,24 @@ void writeInPlace(const std::string& path, std::string_view bytes) {
     if (!written) throwReason(path, error);
 }
 
+/// The file that takes the place of `target` later. Throws InputError, about `path`, if there can be none.
+TemporaryFile createBeside(const fs::path& target, const std::string& path) {
+    std::error_code ignored;
+    if (fs::is_directory(target, ignored)) throw InputError("is a folder; name a file in it", {path});
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+        throw InputError("cannot be written: there is no folder '" + folder.string() + "'; create it first",
+                         {path});
+    return TemporaryFile(target);
+}
+
 }  // namespace
 
 void writeFileAtomically(const std::string& path, std::string_view bytes) {
+    if (path.empty()) throw InputError("cannot write to a file without a name");
     if (isPipeOrDevice(path)) return writeInPlace(path, bytes);
-    checkFileDestination(path);
     const fs::path target = destinationOf(path);
-    TemporaryFile temporary(target);
+    TemporaryFile temporary = createBeside(target, path);
     if (temporary.descriptor() < 0 || !writeAll(temporary.descriptor(), bytes) || !temporary.moveTo(target))
         throwReason(path, errno);
 }
@@ -108,16 +119,9 @@ void checkFileDestination(const std::string& path) {
         if (::access(path.c_str(), W_OK) != 0) throwReason(path, errno);
         return;
     }
-    std::error_code ignored;
-    const fs::path target = destinationOf(path);
-    if (fs::is_directory(target, ignored)) throw InputError("is a folder; name a file in it", {path});
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, ignored))
-        throw InputError("cannot be written: there is no folder '" + folder.string() + "'; create it first",
-                         {path});
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        throw InputError(
-            "cannot be written: no permission to create files in folder '" + folder.string() + "'", {path});
+    // Only an attempt tells: the rights of a folder say nothing about file systems that refuse for other
+    // reasons.
+    if (createBeside(destinationOf(path), path).descriptor() < 0) throwReason(path, errno);
 }
 
 }  // namespace rayscope

@@ -5,6 +5,7 @@
 #include <rayscope/diagnostics.h>
 #include <algorithm>
 #include <clocale>
+#include <csignal>
 #include <new>
 
 #include "cli/commands.h"
@@ -66,6 +67,8 @@ int runProgram(std::vector<std::string> arguments) {
 }  // namespace rayscope
 
 int main(int argc, char** argv) {
+    // A limit on the size of files should fail a write, as a full disk does, not end the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return rayscope::runProgram(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const rayscope::InputError& error) {

@@ -75,58 +75,70 @@ SobolBlock blockOf(Dim dim, PathKey vertex, std::uint32_t which, int n) {
 
 }  // namespace
 
-glm::vec2 SampleStream::independent(std::uint64_t key, int k) const {
+SamplePoints SampleStream::points(Dim dim, PathKey vertex, std::uint32_t which, int n) const {
+    SamplePoints points;
+    points.pattern_ = pattern_;
+    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 32) | which;
+    points.key_ = hashPair(hashPair(pixelKey_, vertex.value), place);
+    points.index_ = index_;
+    points.samplesPerPixel_ = samplesPerPixel_;
+    points.n_ = n;
+    if (pattern_ != SamplePattern::Sobol) return points;
+    const SobolBlock block = blockOf(dim, vertex, which, n);
+    points.shuffle_ = static_cast<std::uint32_t>(block.sharesIndex ? mix(pixelKey_) : mix(points.key_));
+    points.dimension_ = block.dimension;
+    return points;
+}
+
+glm::vec2 SamplePoints::independent(std::uint64_t key, int k) const {
     const std::uint64_t bits =
         hashPair(key, (static_cast<std::uint64_t>(index_) << 32) | static_cast<std::uint32_t>(k));
     return {toUnitFloat(static_cast<std::uint32_t>(bits)),
             toUnitFloat(static_cast<std::uint32_t>(bits >> 32))};
 }
 
-/// Several points of one sample are stratified among themselves, a single one over the samples of the pixel.
-SampleStream::Stratum SampleStream::stratum(std::uint64_t key, int k, int n) const {
-    if (n > 1) return {k, n};
+SamplePoints::Stratum SamplePoints::stratum(std::uint64_t key, int k) const {
+    if (n_ > 1) return {k, n_};
     const auto index = static_cast<std::uint32_t>(index_ % samplesPerPixel_);
     return {static_cast<int>(permute(index, static_cast<std::uint32_t>(samplesPerPixel_), key)),
             samplesPerPixel_};
 }
 
-glm::vec2 SampleStream::jittered(std::uint64_t key, int k, int n) const {
-    const auto [cell, cells] = stratum(key, k, n);
+glm::vec2 SamplePoints::jittered(int k) const {
+    const auto [cell, cells] = stratum(key_, k);
     const int rows = gridRows(cells), columns = cells / rows;
-    const glm::vec2 offset = independent(key, k);
+    const glm::vec2 offset = independent(key_, k);
     const int column = cell % columns, row = cell / columns;
     const glm::vec2 point((static_cast<float>(column) + offset.x) / static_cast<float>(columns),
                           (static_cast<float>(row) + offset.y) / static_cast<float>(rows));
     return glm::min(point, glm::vec2(1.0f - 0x1p-24f));
 }
 
-glm::vec2 SampleStream::get2D(Dim dim, PathKey vertex, std::uint32_t which, int k, int n) const {
-    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 32) | which;
-    const std::uint64_t key = hashPair(hashPair(pixelKey_, vertex.value), place);
-    if (pattern_ == SamplePattern::Independent) return independent(key, k);
-    if (pattern_ == SamplePattern::Jittered) return jittered(key, k, n);
-
-    const SobolBlock block = blockOf(dim, vertex, which, n);
-    const std::uint64_t shuffle = block.sharesIndex ? mix(pixelKey_) : mix(key);
+/// Number of the point in its sequence: those of one sample follow one another.
+std::uint32_t SamplePoints::shuffled(int k) const {
     const auto number =
-        static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n) + static_cast<std::uint32_t>(k);
-    const std::uint32_t shuffled = owenScramble(number, static_cast<std::uint32_t>(shuffle));
-    const std::uint32_t x = owenScramble(sobol(shuffled, block.dimension), static_cast<std::uint32_t>(key));
+        static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n_) + static_cast<std::uint32_t>(k);
+    return owenScramble(number, shuffle_);
+}
+
+glm::vec2 SamplePoints::get2D(int k) const {
+    if (pattern_ == SamplePattern::Independent) return independent(key_, k);
+    if (pattern_ == SamplePattern::Jittered) return jittered(k);
+    const std::uint32_t number = shuffled(k);
+    const std::uint32_t x = owenScramble(sobol(number, dimension_), static_cast<std::uint32_t>(key_));
     const std::uint32_t y =
-        owenScramble(sobol(shuffled, block.dimension + 1), static_cast<std::uint32_t>(key >> 32));
+        owenScramble(sobol(number, dimension_ + 1), static_cast<std::uint32_t>(key_ >> 32));
     return {toUnitFloat(x), toUnitFloat(y)};
 }
 
-float SampleStream::get1D(Dim dim, PathKey vertex, std::uint32_t which, int k, int n) const {
-    if (pattern_ == SamplePattern::Jittered) {
-        const std::uint64_t key =
-            hashPair(hashPair(pixelKey_, vertex.value),
-                     (std::uint64_t{1} << 63) | (static_cast<std::uint64_t>(dim) << 32) | which);
-        const auto [cell, cells] = stratum(key, k, n);
-        const float x = (static_cast<float>(cell) + independent(key, k).x) / static_cast<float>(cells);
-        return x < 1.0f ? x : 1.0f - 0x1p-24f;
-    }
-    return get2D(dim, vertex, which, k, n).x;
+float SamplePoints::get1D(int k) const {
+    if (pattern_ == SamplePattern::Independent) return independent(key_, k).x;
+    if (pattern_ == SamplePattern::Sobol)
+        return toUnitFloat(owenScramble(sobol(shuffled(k), dimension_), static_cast<std::uint32_t>(key_)));
+    const std::uint64_t key = mix(key_);  // other numbers than those of get2D()
+    const auto [cell, cells] = stratum(key, k);
+    const float x = (static_cast<float>(cell) + independent(key, k).x) / static_cast<float>(cells);
+    return x < 1.0f ? x : 1.0f - 0x1p-24f;
 }
 
 }  // namespace rayscope

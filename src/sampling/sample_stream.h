@@ -15,6 +15,31 @@ struct PathKey {
     bool isRoot() const { return value == 0; }
 };
 
+/// The n points that one sample takes for one purpose, in [0, 1)^2. Unless the pattern is independent they
+/// are stratified among themselves, and a single one over the samples of the pixel; Sobol points are
+/// stratified in both ways.
+class SamplePoints {
+  public:
+    glm::vec2 get2D(int k = 0) const;
+    float get1D(int k = 0) const;
+
+  private:
+    friend class SampleStream;
+    struct Stratum {
+        int cell, cells;
+    };
+    Stratum stratum(std::uint64_t key, int k) const;
+    glm::vec2 independent(std::uint64_t key, int k) const;
+    glm::vec2 jittered(int k) const;
+    std::uint32_t shuffled(int k) const;
+
+    SamplePattern pattern_;
+    std::uint64_t key_;  ///< of everything that names the points but k
+    std::uint32_t shuffle_ = 0;
+    int dimension_ = 0;  ///< of the Sobol sequence
+    int index_, samplesPerPixel_, n_;
+};
+
 /// The random numbers of one sample, as a pure function of (seed, pixel, sample index, vertex, dimension).
 /// Drawing changes nothing, so the order in which numbers are drawn does not matter.
 class SampleStream {
@@ -22,20 +47,18 @@ class SampleStream {
     /// `samplesPerPixel` is the number of indices over which a jittered pattern spreads its grid.
     SampleStream(SamplePattern pattern, std::uint64_t seed, int x, int y, int index, int samplesPerPixel);
 
-    /// Point `k` of the `n` points that this sample takes of (dim, vertex, which), in [0, 1)^2. `which` tells
-    /// lights apart. Unless the pattern is independent, the n points of one sample are stratified among
-    /// themselves, and a single one over the samples of the pixel; Sobol points are stratified in both ways.
-    glm::vec2 get2D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const;
-    float get1D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const;
+    /// The n points of this sample for (dim, vertex, which); `which` tells lights apart.
+    SamplePoints points(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int n = 1) const;
+
+    /// Point k of them.
+    glm::vec2 get2D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const {
+        return points(dim, vertex, which, n).get2D(k);
+    }
+    float get1D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const {
+        return points(dim, vertex, which, n).get1D(k);
+    }
 
   private:
-    glm::vec2 independent(std::uint64_t key, int k) const;
-    glm::vec2 jittered(std::uint64_t key, int k, int n) const;
-    struct Stratum {
-        int cell, cells;
-    };
-    Stratum stratum(std::uint64_t key, int k, int n) const;
-
     SamplePattern pattern_;
     std::uint64_t pixelKey_;  ///< of seed and pixel
     int index_;

@@ -18,17 +18,24 @@ int wrapIndex(int i, int size, TextureWrap wrap) {
     return ((i % size) + size) % size;
 }
 
+/// How much of the pixel [i, i + 1) lies in [from, to).
+double overlap(double from, double to, int i) { return std::min(to, i + 1.0) - std::max(from, 1.0 * i); }
+
+/// Each pixel is the mean of the area under it, so that odd sizes keep the mean of the image as well.
 RgbImage halved(const RgbImage& image) {
     RgbImage half(std::max(1, image.width / 2), std::max(1, image.height / 2));
+    const double columns = static_cast<double>(image.width) / half.width;
+    const double rows = static_cast<double>(image.height) / half.height;
     for (int y = 0; y < half.height; ++y) {
         for (int x = 0; x < half.width; ++x) {
-            // The block of source pixels under this one; odd sizes give blocks of three at some places.
-            const int x0 = x * image.width / half.width, x1 = (x + 1) * image.width / half.width;
-            const int y0 = y * image.height / half.height, y1 = (y + 1) * image.height / half.height;
+            const double x0 = x * columns, x1 = x0 + columns, y0 = y * rows, y1 = y0 + rows;
             RgbSum sum(0.0);
-            for (int j = y0; j < y1; ++j)
-                for (int i = x0; i < x1; ++i) sum += RgbSum(image.at(i, j));
-            half.at(x, y) = Rgb(sum / static_cast<double>((x1 - x0) * (y1 - y0)));
+            for (int j = static_cast<int>(y0); j < std::min(static_cast<int>(std::ceil(y1)), image.height);
+                 ++j)
+                for (int i = static_cast<int>(x0); i < std::min(static_cast<int>(std::ceil(x1)), image.width);
+                     ++i)
+                    sum += overlap(x0, x1, i) * overlap(y0, y1, j) * RgbSum(image.at(i, j));
+            half.at(x, y) = Rgb(sum / (columns * rows));
         }
     }
     return half;

@@ -153,16 +153,17 @@ void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Bra
     const SurfaceMaterial& material = world_.materials[at.material];
     const PhongSurface surface{at.kd, material.ks, material.shininess};
     const glm::vec3 from = at.originOutside();
+    const glm::dvec3 plain = at.kd / static_cast<double>(world_.lights.size());
+    const SamplePoints points = stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
     for (int k = 0; k < n; ++k) {
-        const auto which = static_cast<std::uint32_t>(index);
         glm::vec2 u(0.0f);
-        if (compiled.dimensions == 1) u.x = stream_.get1D(Dim::Light, branch.key, which, k, n);
-        if (compiled.dimensions == 2) u = stream_.get2D(Dim::Light, branch.key, which, k, n);
+        if (compiled.dimensions == 1) u.x = points.get1D(k);
+        if (compiled.dimensions == 2) u = points.get2D(k);
         LightConnection connection{static_cast<int>(index), k, from, sampleLight(compiled.light, u)};
         const glm::dvec3 toLight = connection.at.position - glm::dvec3(from);
         const double distance = glm::length(toLight);
 
-        glm::dvec3 reflected = at.kd / static_cast<double>(world_.lights.size());
+        glm::dvec3 reflected = plain;
         if (settings_.shading) {
             reflected = distance > 0.0
                             ? connection.at.color * phong(surface, at.normal, toLight / distance, at.toViewer)
@@ -258,8 +259,9 @@ void Tracer<O>::reflectGlossy(const Segment& mirrored, const Interaction& at, co
     const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
     const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
     const int n = branch.split ? 1 : settings_.glossySamples;
+    const SamplePoints points = stream_.points(Dim::Glossy, branch.key, 0, n);
     for (int k = 0; k < n; ++k) {
-        const glm::vec2 u = stream_.get2D(Dim::Glossy, branch.key, 0, k, n);
+        const glm::vec2 u = points.get2D(k);
         const glm::dvec3 displaced =
             0.3 * direction + side * (normalDeviate(u.x) * frame.u + normalDeviate(u.y) * frame.v);
         Segment ray = mirrored;

@@ -13,6 +13,15 @@ Workspace::Workspace(EditState first, Diagnostics firstNotes, int threads)
     view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
 }
 
+const SceneRequirements& Workspace::needs() {
+    if (countedScene_ != edit.scene) {
+        needs_ = requirementsOf(*edit.scene);
+        countedScene_ = edit.scene;
+    }
+    needs_.lens = edit.camera.lens.has_value();
+    return needs_;
+}
+
 glm::ivec2 Workspace::imageSize() const {
     const glm::vec2 size = glm::round(glm::vec2(viewSize) * view.resolution);
     return glm::max(glm::ivec2(size), glm::ivec2(1));

@@ -68,6 +68,8 @@ struct Workspace {
     bool openDialogRequested = false, renderDialogRequested = false, closeDialogs = false;
 
     glm::ivec2 imageSize() const;
+    /// What the scene needs, with the lens of the present camera; counted once per scene.
+    const SceneRequirements& needs();
     void tell(std::string text, Severity severity = Severity::Note);
     void setLights(std::vector<Light> lights);
     void open(const std::string& path) { loader.start(path, false); }
@@ -75,6 +77,10 @@ struct Workspace {
     void show(LoadedScene loaded);
     void undo();
     void redo();
+
+  private:
+    std::shared_ptr<const SceneDescription> countedScene_;
+    SceneRequirements needs_;
 };
 
 }  // namespace rayscope::viewer

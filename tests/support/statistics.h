@@ -28,6 +28,12 @@ Estimate estimateOver(int runs, Run&& run) {
     return {mean, std::sqrt(squares / (runs - 1.0) / runs)};
 }
 
+/// Keeps the larger of the two; what is not a number fails the test instead of getting lost.
+inline void takeWorst(double& worst, double deviation) {
+    EXPECT_TRUE(std::isfinite(deviation));
+    if (deviation > worst) worst = deviation;
+}
+
 /// Prints what the report quotes: how far the tracer is from an independent answer.
 inline void reportDeviation(const std::string& what, double deviation, const std::string& unit = "") {
     fmt::print("deviation: {}: {:.2e}{}{}\n", what, deviation, unit.empty() ? "" : " ", unit);

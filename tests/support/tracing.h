@@ -44,11 +44,15 @@ struct CountingObserver {
 struct RecordingObserver {
     std::vector<Segment> segments;
     std::vector<Interaction> hits;
+    std::vector<Ray> hitRays;  ///< that made the hits
     std::vector<LightConnection> lights;
     std::vector<glm::dvec3> lightValues;
 
     void segment(const Segment& s) { segments.push_back(s); }
-    void hit(const Interaction& at) { hits.push_back(at); }
+    void hit(const Interaction& at) {
+        hits.push_back(at);
+        hitRays.push_back(segments.back().ray);
+    }
     void lightSampled(const LightConnection& c, const glm::dvec3& value) {
         lights.push_back(c);
         lightValues.push_back(value);

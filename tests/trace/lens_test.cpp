@@ -83,7 +83,7 @@ TEST(DepthOfField, HasTheCircleOfConfusionOfAThinLens) {
         EXPECT_NEAR(squares.x, variance, 2e-3 * variance + 1e-12);
         EXPECT_NEAR(squares.y, variance, 2e-3 * variance + 1e-12);
         if (expected > 0.0)
-            worst = std::max(worst, std::abs(std::sqrt(2.0 * (squares.x + squares.y)) / blurRadius(d) - 1.0));
+            takeWorst(worst, std::abs(std::sqrt(2.0 * (squares.x + squares.y)) / blurRadius(d) - 1.0));
     }
     reportDeviation("circle of confusion", worst, "relative");
 }
@@ -100,7 +100,7 @@ TEST(DepthOfField, IsSharpOnThePlaneOfFocus) {
             radiance(*world, 0, {x, y, 0}, record);
             ASSERT_FALSE(record.hits.empty());
             for (const Interaction& at : record.hits)
-                worst = std::max(worst, glm::distance(at.position, record.hits.front().position));
+                takeWorst(worst, glm::distance(at.position, record.hits.front().position));
         }
     EXPECT_LT(worst, 8 * kFocus * 0x1p-23);
     reportDeviation("spread on the plane of focus", worst, "scene units");

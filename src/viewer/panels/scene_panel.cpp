@@ -76,13 +76,7 @@ void drawScenePanel(Workspace& workspace) {
         wrappedText(scene->title);
         ImGui::PopStyleColor();
     }
-    // Counting needs a look at every mesh; do it once per scene.
-    static std::shared_ptr<const SceneDescription> counted;
-    static SceneRequirements needs;
-    if (counted != scene) {
-        needs = requirementsOf(*scene);
-        counted = scene;
-    }
+    const SceneRequirements& needs = workspace.needs();
     drawCounts(*scene, needs);
     drawRequirements(needs);
     drawNotes(workspace.sceneNotes);

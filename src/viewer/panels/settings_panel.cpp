@@ -73,10 +73,12 @@ std::string explain(const Row& row, std::string_view idleReason) {
 }
 
 template <class Row>
-void drawRow(const Row& row, Settings& settings) {
+void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs) {
     const Settings defaults;
     const bool edited = settings.*row.member != defaults.*row.member;
-    const std::string_view idleReason = row.idle(settings);
+    // What the scene does not contain comes first: no other setting could change that.
+    std::string_view idleReason = withoutEffectOn(needs, row.text.key);
+    if (idleReason.empty()) idleReason = row.idle(settings);
     const std::string id(row.text.key);
     ImGui::PushID(id.c_str());
     ImGui::BeginDisabled(!idleReason.empty());
@@ -112,7 +114,7 @@ void drawSettingsPanel(Workspace& workspace) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
         if (!ImGui::CollapsingHeader(std::string(group).c_str(), open)) continue;
         forEachSetting([&](const auto& row) {
-            if (row.text.group == group) drawRow(row, workspace.edit.settings);
+            if (row.text.group == group) drawRow(row, workspace.edit.settings, workspace.needs());
         });
         ImGui::Spacing();
     }

@@ -1,0 +1,100 @@
+#include "shading/environment_lookup.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "support/environments.h"
+#include "support/statistics.h"
+
+namespace rayscope {
+namespace {
+
+glm::dvec3 anyDirection(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+}
+
+TEST(CubePoint, AndBackGivesTheDirection) {
+    std::mt19937 random(1);
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < 20000; ++i) directions.push_back(anyDirection(random));
+    for (const double a : {-1.0, 0.0, 1.0})  // every tie between faces
+        for (const double b : {-1.0, 0.0, 1.0})
+            for (const double c : {-1.0, 0.0, 1.0})
+                if (a != 0.0 || b != 0.0 || c != 0.0)
+                    directions.push_back(glm::normalize(glm::dvec3(a, b, c)));
+    for (const glm::dvec3& d : directions) {
+        const CubePoint p = cubePoint(d);
+        ASSERT_TRUE(p.face >= 0 && p.face < 6 && p.s >= 0.0 && p.s <= 1.0 && p.t >= 0.0 && p.t <= 1.0);
+        EXPECT_LT(glm::distance(glm::normalize(cubeDirection(p.face, p.s, p.t)), d), 1e-15);
+    }
+}
+
+const glm::dvec3 kAxis = glm::normalize(glm::dvec3(0.3, 0.7, -0.4));
+Rgb gradient(const glm::dvec3& d) { return Rgb(static_cast<float>(0.5 + 0.5 * glm::dot(d, kAxis))); }
+
+TEST(EnvironmentLookup, OfAGradientIsTheGradient) {
+    std::mt19937 random(2);
+    const auto cube = test::cubeOf(128, gradient), equirect = test::equirectOf(512, 256, gradient);
+    double worstCube = 0.0, worstEquirect = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const glm::dvec3 d = anyDirection(random);
+        const double exact = 0.5 + 0.5 * glm::dot(d, kAxis);
+        test::takeWorst(worstCube, std::abs(lookup(*cube, d).x - exact));
+        test::takeWorst(worstEquirect, std::abs(lookup(*equirect, d).x - exact));
+    }
+    // Bilinear inside a face is of the second order; across an edge texels of two faces mix, half a texel
+    // apart.
+    EXPECT_LT(worstCube, 1.5e-3);
+    EXPECT_LT(worstEquirect, 1.5e-4);
+    test::reportDeviation("environment look-up, cube of 128", worstCube, "absolute");
+    test::reportDeviation("environment look-up, equirectangular 512 x 256", worstEquirect, "absolute");
+}
+
+/// The jump of the map over a path that crosses edges and corners in small steps: less than a quarter of what
+/// clamping at the edges would give, which is a texel's change.
+TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
+    constexpr int kSize = 128;
+    const auto cube = test::cubeOf(kSize, gradient);
+    const glm::dvec3 corner = glm::normalize(glm::dvec3(1.0));
+    const auto jumpAt = [&](const glm::dvec3& d, const glm::dvec3& across) {
+        const glm::dvec3 a = glm::normalize(d - 1e-9 * across), b = glm::normalize(d + 1e-9 * across);
+        return std::abs(lookup(*cube, a).x - lookup(*cube, b).x);
+    };
+    const double lipschitz = 0.5;
+    double worst = 0.0;
+    for (int i = 0; i <= 1000; ++i) {
+        const double y = 2.0 * i / 1000.0 - 1.0;
+        worst = std::max({worst, jumpAt({1, y, 1}, {1, 0, -1}), jumpAt({-1, y, 1}, {1, 0, 1}),
+                          jumpAt({1, 1, y}, {1, -1, 0}), jumpAt({y, -1, 1}, {0, 1, 1}),
+                          jumpAt({y, 1, -1}, {0, 1, 1})});
+    }
+    test::takeWorst(worst, jumpAt(corner, {1, -1, 0}));
+    EXPECT_LT(worst, 0.5 * 2.0 * lipschitz / kSize);
+    test::reportDeviation("environment, jump over the edges of a cube of 128", worst, "absolute");
+
+    const auto equirect = test::equirectOf(512, 256, gradient);
+    for (const glm::dvec3& d : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0.3, 1)}) {
+        const glm::dvec3 a = glm::normalize(d + glm::dvec3(1e-9, 0, 0)),
+                         b = glm::normalize(d - glm::dvec3(1e-9, 0, 0));
+        EXPECT_NEAR(lookup(*equirect, a).x, lookup(*equirect, b).x, 1e-6);
+    }
+}
+
+TEST(EnvironmentLookup, IsDefinedForEveryDirection) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(),
+                 infinity = std::numeric_limits<double>::infinity();
+    for (const auto& environment :
+         {test::cubeOf(4, gradient), test::equirectOf(8, 4, gradient), test::equirectOf(7, 3, gradient)})
+        for (const glm::dvec3& d : {glm::dvec3(0), glm::dvec3(nan, 0, 1), glm::dvec3(infinity, 0, 0),
+                                    glm::dvec3(-0.0, 1, -0.0), glm::dvec3(1e-300, 0, 0),
+                                    glm::dvec3(0, -1e300, 0), glm::dvec3(1, 1, 1), glm::dvec3(-1, -1, -1)}) {
+            const double value = lookup(*environment, d).x;
+            EXPECT_TRUE(value >= 0.0 && value <= 1.0);
+        }
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,188 @@
+// At the ends of what can be asked for: finite, and with the right limits.
+#include <limits>
+
+#include "support/everything.h"
+#include "support/statistics.h"
+#include "support/tracing.h"
+
+namespace rayscope::test {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity(),
+                kNan = std::numeric_limits<float>::quiet_NaN();
+
+SceneDescription floorUnder(const Light& light, const Material& m = material(Rgb(0.5f), Rgb(0.3f), 10.0f)) {
+    SceneDescription scene;
+    scene.materials = {m};
+    scene.meshes = {quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18})};
+    scene.lights = {light};
+    scene.cameras = {pointCamera({1, 3, 2}, glm::vec3(0))};
+    return scene;
+}
+
+bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
+TEST(Extremes, LightsWithoutExtentArePointLights) {
+    const glm::vec3 at(0.5f, 2, 0.3f);
+    const RgbSum point = firstSample(*compileScene(floorUnder(pointLight(at)), {}, 1, 1));
+    const SegmentLight segment{{at, at}, {Rgb(1), Rgb(1)}};
+    const ParallelogramLight nothing{at, {glm::vec3(0), glm::vec3(0)}, {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}};
+    for (const Light& light : {Light{segment, Falloff::None}, Light{nothing, Falloff::None}})
+        for (const LightSampleCount rule : {LightSampleCount::Fixed, LightSampleCount::PerLength}) {
+            Settings settings;
+            settings.lightSampleCount = rule;
+            EXPECT_LT(glm::distance(firstSample(*compileScene(floorUnder(light), settings, 1, 1)), point),
+                      1e-12);
+        }
+    // One edge of no length leaves a segment: its mean is the segment's.
+    const ParallelogramLight thin{at, {glm::vec3(1, 0, 0), glm::vec3(0)}, {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}};
+    const SegmentLight same{{at, at + glm::vec3(1, 0, 0)}, {Rgb(1), Rgb(1)}};
+    Settings many;
+    many.segmentSamples = 1024;
+    many.parallelogramSamples = 32;
+    EXPECT_NEAR(firstSample(*compileScene(floorUnder({thin, Falloff::None}), many, 1, 1)).x,
+                firstSample(*compileScene(floorUnder({same, Falloff::None}), many, 1, 1)).x, 1e-3);
+}
+
+TEST(Extremes, ALightOnTheSurfaceGivesNumbers) {
+    for (const Falloff falloff : {Falloff::None, Falloff::InverseSquare})
+        for (const float height : {0.0f, 1e-45f, 1e-30f, 1e-20f, 1e-7f, 1e20f, 1e38f})
+            for (const bool shading : {true, false}) {
+                Settings settings;
+                settings.shading = shading;
+                const Light light{PointLight{{0, height, 0}, Rgb(1.0f)}, falloff};
+                const RgbSum value = firstSample(*compileScene(floorUnder(light), settings, 1, 1));
+                EXPECT_TRUE(isFinite(value)) << height;
+                EXPECT_GE(value.x, 0.0);
+            }
+}
+
+TEST(Extremes, ShininessFromZeroToInfinityHasItsLimits) {
+    // The light stands where the mirror image of the eye does: the highlight is ks whatever the shininess.
+    const Light mirrored = pointLight({-1, 3, -2});
+    for (const float shininess : {0.0f, 1e-30f, 1.0f, 1e6f})
+        EXPECT_NEAR(firstSample(*compileScene(floorUnder(mirrored, material(Rgb(0.0f), Rgb(0.3f), shininess)),
+                                              {}, 1, 1))
+                        .x,
+                    static_cast<double>(0.3f), 1e-5)
+            << shininess;
+    const Light beside = pointLight({2, 3, -2});
+    EXPECT_NEAR(
+        firstSample(*compileScene(floorUnder(beside, material(Rgb(0.0f), Rgb(0.3f), 0.0f)), {}, 1, 1)).x,
+        static_cast<double>(0.3f), 1e-12);
+    EXPECT_EQ(
+        firstSample(*compileScene(floorUnder(beside, material(Rgb(0.0f), Rgb(0.3f), 1e6f)), {}, 1, 1)).x,
+        0.0);
+    EXPECT_EQ(
+        firstSample(*compileScene(floorUnder(beside, material(Rgb(0.0f), Rgb(0.3f), kInfinity)), {}, 1, 1)).x,
+        0.0);
+}
+
+/// Glossy reflection in a floor inside a white sphere: the fraction of rays above ground.
+double glossyValue(float sigma, float shininess) {
+    SceneDescription scene = floorUnder(pointLight({0, 1, 0}), material(Rgb(0.0f), Rgb(1.0f), shininess));
+    scene.lights.clear();
+    scene.materials.push_back(material(Rgb(1.0f)));
+    scene.spheres = {{"sky", {glm::vec3(0), 50.0f}, 1, glm::vec3(0)}};
+    scene.cameras = {pointCamera({4, 1.5f, 0.1f}, glm::vec3(0))};
+    Settings settings;
+    settings.shading = false;
+    settings.glossy = true;
+    settings.glossySigma = sigma;
+    settings.glossySamples = 256;
+    const RgbSum value = firstSample(*compileScene(scene, settings, 1, 1));
+    EXPECT_TRUE(isFinite(value));
+    return value.x;
+}
+
+TEST(Extremes, GlossTendsToTheMirrorAndToNoise) {
+    const double mirror = glossyValue(0.0f, 10.0f);
+    EXPECT_EQ(mirror, 1.0);
+    for (const float sigma : {1e-45f, 1e-30f, 1e-10f, 1e-4f})
+        EXPECT_NEAR(glossyValue(sigma, 10.0f), mirror, 1e-12);
+    EXPECT_NEAR(glossyValue(100.0f, 1e6f), mirror, 1e-12);
+    for (const float shininess : {0.0f, 1e-30f}) {
+        // As wide as a lobe can be: half of the rays go below ground.
+        EXPECT_NEAR(glossyValue(100.0f, shininess), 0.5, 0.02);
+    }
+}
+
+TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
+    SceneDescription scene = everythingScene();
+    Settings settings;
+    settings.lensSamples = 2;
+    for (const float fNumber : {0.1f, 1.0f, 1000.0f, 1e30f})
+        for (const float focus : {1e-6f, 1.0f, 1e9f, kInfinity})
+            for (const float focal : {1e-30f, 0.05f, 100.0f}) {
+                scene.cameras[0].lens = Lens{fNumber, focal, focus};
+                const auto world = compileScene(scene, settings, 4, 4);
+                for (int i = 0; i < 16; ++i) EXPECT_TRUE(isFinite(pixelMean(*world, 0, i % 4, i / 4, 1)));
+            }
+    // Stopped down far enough the lens is a pinhole.
+    scene.cameras[0].lens = Lens{1e30f, 0.05f, 2.0f};
+    settings.lensSamples = 1;
+    const auto closed = compileScene(scene, settings, 4, 4);
+    scene.cameras[0].lens.reset();
+    const auto pinhole = compileScene(scene, settings, 4, 4);
+    for (int i = 0; i < 16; ++i)
+        EXPECT_LT(
+            glm::distance(pixelMean(*closed, 0, i % 4, i / 4, 1), pixelMean(*pinhole, 0, i % 4, i / 4, 1)),
+            1e-3);
+}
+
+TEST(Extremes, TextureCoordinatesThatAreNoNumbersReadATexel) {
+    for (const float odd : {kNan, kInfinity, -kInfinity, 1e30f, -1e-9f, 1.0f - 0x1p-24f})
+        for (const TextureFilter filter :
+             {TextureFilter::Nearest, TextureFilter::Bilinear, TextureFilter::Mipmap}) {
+            SceneDescription scene = everythingScene();
+            auto sheet = std::make_shared<MeshData>(*scene.meshes[0].data);
+            for (std::size_t i = 0; i < sheet->texCoords.size(); i += 3) sheet->texCoords[i].x = odd;
+            scene.meshes[0].data = sheet;
+            Settings settings;
+            settings.textureFilter = filter;
+            const auto world = compileScene(scene, settings, 8, 8);
+            for (int i = 0; i < 64; ++i) ASSERT_TRUE(isFinite(pixelMean(*world, 0, i % 8, i / 8, 1))) << odd;
+        }
+}
+
+TEST(Extremes, EmptyAndDegenerateScenesGiveNumbers) {
+    SceneDescription empty;
+    empty.cameras = {frontCamera(1.0f)};
+    EXPECT_EQ(firstSample(*compileScene(empty, {}, 1, 1)), RgbSum(0.0));
+
+    SceneDescription odd = everythingScene();
+    auto sheet = std::make_shared<MeshData>(*odd.meshes[0].data);
+    sheet->positions[5].x = kNan;
+    sheet->positions[40].y = kInfinity;
+    sheet->positions[60] = sheet->positions[61] = sheet->positions[62];
+    odd.meshes[0].data = sheet;
+    odd.spheres.push_back({"point", {{0, 0, 0.5f}, 0.0f}, 0, glm::vec3(0)});
+    odd.spheres.push_back({"none", {{0, 0, 0.5f}, kNan}, 0, glm::vec3(0)});
+    const auto world = compileScene(odd, {}, 12, 12);
+    for (int i = 0; i < 144; ++i) ASSERT_TRUE(isFinite(pixelMean(*world, 0, i % 12, i / 12, 2)));
+}
+
+TEST(Extremes, TheSameSceneAtAnyScaleGivesTheSamePicture) {
+    // Everything is scaled by a power of two, so all roundings but those near the least number are the same.
+    std::vector<RgbSum> reference;
+    for (const int exponent : {0, -20, 20}) {
+        const float s = std::ldexp(1.0f, exponent);
+        SceneDescription scene;
+        scene.materials = {material(Rgb(0.5f), Rgb(0.3f), 10.0f)};
+        scene.meshes = {quad(s * glm::vec3(-2, 0, 2), s * glm::vec3(4, 0, 0), s * glm::vec3(0, 0, -4))};
+        scene.spheres = {{"s", {s * glm::vec3(0.1f, 0.4f, 0), s * 0.4f}, 0, glm::vec3(0)}};
+        scene.lights = {pointLight(s * glm::vec3(1, 2, 1))};
+        CameraDescription camera;
+        camera.lookFrom = s * glm::vec3(0.5f, 1.5f, 2.5f);
+        scene.cameras = {camera};
+        const auto world = compileScene(scene, {}, 24, 24);
+        std::vector<RgbSum> pixels;
+        for (int i = 0; i < 576; ++i) pixels.push_back(pixelMean(*world, 0, i % 24, i / 24, 1));
+        if (reference.empty()) reference = pixels;
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            EXPECT_LT(glm::distance(pixels[i], reference[i]), 1e-5) << exponent << " " << i;
+    }
+}
+
+}  // namespace
+}  // namespace rayscope::test

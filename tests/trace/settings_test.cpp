@@ -1,0 +1,104 @@
+// Every knob turned: the picture of a scene that uses everything must change, or the reason stands here.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "bvh/binary_tree.h"
+#include "image/srgb.h"
+#include "post/develop.h"
+#include "settings/table.h"
+#include "support/everything.h"
+#include "support/tracing.h"
+
+namespace rayscope::test {
+namespace {
+
+constexpr int kWidth = 20, kHeight = 14;
+
+/// The bytes that a user sees.
+std::vector<std::uint8_t> pictureOf(const Settings& settings) {
+    const auto world = compileScene(everythingScene(), settings, kWidth, kHeight);
+    RgbImage mean(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) mean.at(x, y) = Rgb(pixelMean(*world, 1, x, y, settings.spp));
+    std::vector<std::uint8_t> bytes;
+    for (const Rgb& pixel : develop(mean, settings, true).pixels)
+        for (int c = 0; c < 3; ++c) bytes.push_back(encodeByte(pixel[c], settings.tone));
+    return bytes;
+}
+
+/// Everything on that other settings depend on.
+Settings baseFor(std::string_view key) {
+    Settings settings;
+    settings.spp = 2;
+    settings.glossy = settings.bloom = true;
+    settings.glossySamples = settings.segmentSamples = settings.parallelogramSamples = 2;
+    settings.bloomThreshold = 0.3f;
+    settings.bloomDebug = key == "bloom_stage";
+    return settings;
+}
+
+/// Both ends of a setting; sample counts beyond 64 would only take time.
+std::array<std::string, 2> endsOf(const SettingInfo& info) {
+    if (info.kind == "boolean") return {"false", "true"};
+    if (info.kind == "choice") return {std::string(info.choices.front()), std::string(info.choices.back())};
+    const bool samples = info.unit.starts_with("samples") || info.unit == "rays";
+    const double highest =
+        samples ? std::min(info.highest, info.unit == "samples per side" ? 8.0 : 64.0) : info.highest;
+    return {fmt::format("{}", info.lowest), fmt::format("{}", highest)};
+}
+
+/// Settings that decide how an image is found, not what it is.
+bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh"); }
+
+/// What the tree of the first body looks like.
+std::vector<std::uint32_t> treeOf(const Settings& settings) {
+    const auto world = compileScene(everythingScene(), settings, kWidth, kHeight);
+    if (!world->bodies[0].accel) return {};
+    const BinaryTree* tree = world->bodies[0].accel->binaryTree();
+    std::vector<std::uint32_t> shape = tree->primitives;
+    shape.push_back(static_cast<std::uint32_t>(tree->nodes.size()));
+    return shape;
+}
+
+TEST(EverySetting, ChangesThePictureOrSaysWhyNot) {
+    for (const SettingInfo& info : describeSettings()) {
+        Settings low = baseFor(info.key), high = low;
+        const auto [lowest, highest] = endsOf(info);
+        assign(low, info.key, lowest);
+        assign(high, info.key, highest);
+        const bool changed = pictureOf(low) != pictureOf(high);
+        if (onlyShapesTheTree(info.key)) {
+            EXPECT_FALSE(changed) << info.key;
+            EXPECT_NE(treeOf(low), treeOf(high)) << info.key;
+        } else {
+            EXPECT_TRUE(changed) << info.key << " from " << lowest << " to " << highest;
+        }
+    }
+}
+
+/// Where the table says that a setting has no effect, it has none.
+TEST(EverySetting, HasNoEffectWhereTheTableSaysSo) {
+    Settings off;
+    off.spp = 1;
+    off.recursion = off.softShadows = off.hardShadows = off.textureMapping = off.environment =
+        off.depthOfField = false;
+    off.bvh = false;
+    int idle = 0;
+    std::map<std::string_view, std::string_view> reasons;
+    forEachSetting([&](const auto& row) { reasons[row.text.key] = row.idle(off); });
+    for (const SettingInfo& info : describeSettings()) {
+        if (reasons[info.key].empty()) continue;
+        ++idle;
+        Settings low = off, high = off;
+        const auto [lowest, highest] = endsOf(info);
+        assign(low, info.key, lowest);
+        assign(high, info.key, highest);
+        EXPECT_EQ(pictureOf(low), pictureOf(high)) << info.key << ": " << reasons[info.key];
+    }
+    EXPECT_GT(idle, 15);
+}
+
+}  // namespace
+}  // namespace rayscope::test
