@@ -3,6 +3,7 @@
 in vec2 place;
 
 uniform sampler2D image;
+uniform bool onePixelEach;  // image and screen have the same size
 uniform float exposureFactor;
 uniform bool courseCurve;
 
@@ -15,7 +16,11 @@ vec3 srgb(vec3 linear) {
 }
 
 void main() {
-    vec3 radiance = texture(image, vec2(place.x, 1.0 - place.y)).rgb * exposureFactor;
+    ivec2 size = textureSize(image, 0);
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 radiance = onePixelEach ? texelFetch(image, ivec2(pixel.x, size.y - 1 - pixel.y), 0).rgb
+                                 : texture(image, vec2(place.x, 1.0 - place.y)).rgb;
+    radiance *= exposureFactor;
     // What is not a number shows as magenta, never as black.
     if (any(isnan(radiance)) || any(isinf(radiance))) radiance = vec3(1.0, 0.0, 1.0);
     radiance = clamp(radiance, 0.0, 1.0);

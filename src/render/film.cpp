@@ -54,6 +54,12 @@ int Film::completeSamples() const {
     return tiles_.empty() ? 0 : least;
 }
 
+double Film::doneFraction(int targetSamples) const {
+    double sum = 0.0;
+    for (int i = 0; i < tileCount(); ++i) sum += std::min(samples(i), targetSamples);
+    return tiles_.empty() ? 1.0 : sum / (static_cast<double>(tileCount()) * targetSamples);
+}
+
 int Film::tileAt(int x, int y) const {
     return (y - region_.y0) / kTileSize * columns_ + (x - region_.x0) / kTileSize;
 }

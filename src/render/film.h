@@ -46,6 +46,8 @@ class Film {
 
     /// The smallest number of samples that any tile has.
     int completeSamples() const;
+    /// How many of the `targetSamples` that each tile should get are there, as a fraction 0 … 1 of all.
+    double doneFraction(int targetSamples) const;
     /// Sums and sample count of one pixel of the region.
     PixelSums sums(int x, int y, int& samples) const;
 

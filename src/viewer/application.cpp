@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/panels/widgets.h"
 #include "viewer/theme.h"
@@ -30,15 +31,19 @@ Application::Application(const ViewerOptions& options, LoadedScene first)
 }
 
 void Application::run() {
+    const auto secondsSince = [](Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    };
     Clock::time_point before = Clock::now();
     while (!window_.shouldClose()) {
-        if (window_.handleEvents(patience())) liveFrames_ = kFramesAfterEvent;
+        const double pause = patience();
+        if (window_.handleEvents(std::max(0.0, pause - secondsSince(before))))
+            liveFrames_ = kFramesAfterEvent;
         liveFrames_ = std::max(0, liveFrames_ - 1);
-        const Clock::time_point now = Clock::now();
-        const double seconds = std::min(0.1, std::chrono::duration<double>(now - before).count());
-        before = now;
-        frame(seconds);
-        workspace_.frameTimes.add(std::chrono::duration<double>(Clock::now() - now).count());
+        const double seconds = secondsSince(before);
+        before = Clock::now();
+        if (pause < kQuietSeconds) workspace_.frameTimes.add(seconds);
+        frame(std::min(0.1, seconds));
     }
 }
 
@@ -73,9 +78,14 @@ void Application::frame(double seconds) {
     drawPicture(parts, seconds);
     if (rayWanted_) shootRay();
     settleHistory();
-    window_.endFrame([&] {
+    // The picture lies over the status bar and reaches the left edge.
+    const int lowest =
+        static_cast<int>(std::lround(static_cast<double>(parts.statusHeight) *
+                                     static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.y)));
+    const auto saveIfWanted = [&] {
         if (std::exchange(screenshotWanted_, false)) saveScreenshotNow();
-    });
+    };
+    window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfWanted);
 
     const std::string title = fmt::format("{} - Rayscope", workspace_.edit.scene->path);
     if (title != title_) window_.setTitle(title);
@@ -159,10 +169,6 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced});
     picture_.update(workspace_, input_.hoveredGrip());
     updateCursorRadiance();
-
-    const glm::vec2 lower = parts.pictureOrigin, upper = lower + parts.pictureSize;
-    const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_.texture()));
-    ImGui::GetBackgroundDrawList()->AddImage(texture, {lower.x, lower.y}, {upper.x, upper.y}, {0, 1}, {1, 0});
 }
 
 void Application::updateCursorRadiance() {

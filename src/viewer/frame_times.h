@@ -4,7 +4,7 @@
 
 namespace rayscope::viewer {
 
-/// The durations of the latest frames.
+/// The times from one frame to the next, of the latest frames that were not waiting for events.
 class FrameTimes {
   public:
     void add(double seconds);

@@ -35,12 +35,23 @@ void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
         loaded_ = workspace.edit.scene;
         raster_.setScene(loaded_);
     }
-    bool changed = target_.resize(workspace.viewSize.x, workspace.viewSize.y);
-    if (workspace.view.traced)
-        changed |= traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
     Inputs inputs = inputsOf(workspace, hovered);
-    if (!changed && inputs == drawn_) return;
+    const bool everything = target_.resize(workspace.viewSize.x, workspace.viewSize.y) || inputs != drawn_;
+    std::optional<PixelBounds> changed;
+    if (workspace.view.traced)
+        changed = traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
+    if (!everything && !changed) return;
+
+    // While the picture refines, only the part is drawn again that new tiles lie in.
+    const RgbImage& image = traced_.image();
+    const bool part = !everything && glm::ivec2(image.width, image.height) == inputs.size;
+    if (part) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(changed->x0, inputs.size.y - changed->y1, changed->x1 - changed->x0,
+                  changed->y1 - changed->y0);
+    }
     redraw(workspace, inputs);
+    glDisable(GL_SCISSOR_TEST);
     drawn_ = std::move(inputs);
 }
 
@@ -48,12 +59,11 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
     const ViewFrame frame = viewFrame(inputs.state.camera, inputs.size.x, inputs.size.y);
     target_.bind();
     if (inputs.traced)
-        traced_.draw(inputs.state.settings);
+        traced_.draw(inputs.state.settings, inputs.size);
     else
         raster_.draw(frame, inputs.raster);
     if (inputs.overlay) drawOverlays(workspace, inputs, frame);
-    const glm::ivec2 size = inputs.size;
-    RenderTarget::unbind(size.x, size.y);
+    RenderTarget::unbind();
 }
 
 void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
@@ -99,7 +109,7 @@ RgbImage Picture::rasterImage(const Workspace& workspace) {
     drawn_ = {};  // the next update() draws the overlays again
     target_.bind();
     RgbImage image = readFramebuffer(0, 0, bare.size.x, bare.size.y);
-    RenderTarget::unbind(bare.size.x, bare.size.y);
+    RenderTarget::unbind();
     return image;
 }
 

@@ -16,8 +16,8 @@ class Picture {
     /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
     void update(Workspace& workspace, std::optional<Grip> hovered);
 
-    /// The finished picture; rows start at the bottom.
-    GLuint texture() const { return target_.texture(); }
+    /// Copies the finished picture to the window, its lower left corner to this pixel.
+    void show(glm::ivec2 corner) const { target_.copyToWindow(corner.x, corner.y); }
 
     /// What is shown, without overlays, as a linear image of the view's size.
     RgbImage rasterImage(const Workspace& workspace);

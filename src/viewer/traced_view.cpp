@@ -22,6 +22,7 @@ void TracedView::resize(int width, int height) {
     image_ = std::move(scaled);
     texture_ = GlTexture::floatImage(width, height);
     texture_.upload(0, 0, width, height, image_.pixels.data());
+    markChanged({0, width, 0, height});
 }
 
 void TracedView::take(const TileView& tile) {
@@ -33,13 +34,23 @@ void TracedView::take(const TileView& tile) {
                   image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(tile.x0, tile.y0 + y)));
     }
     texture_.upload(tile.x0, tile.y0, tile.width, tile.height, tile.mean.data());
+    markChanged({tile.x0, tile.x0 + tile.width, tile.y0, tile.y0 + tile.height});
 }
 
-bool TracedView::update(RenderSession& session, const Settings& settings, double budgetSeconds) {
-    const int tiles = session.collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
-    if (tiles > 0) bloomOutdated_ = true;
-    const bool bloomArrived = updateBloom(settings);
-    return bloomArrived || tiles > 0;
+void TracedView::markChanged(const PixelBounds& bounds) {
+    if (!changed_) changed_ = bounds;
+    changed_ = PixelBounds{std::min(changed_->x0, bounds.x0), std::max(changed_->x1, bounds.x1),
+                           std::min(changed_->y0, bounds.y0), std::max(changed_->y1, bounds.y1)};
+}
+
+std::optional<PixelBounds> TracedView::update(RenderSession& session, const Settings& settings,
+                                              double budgetSeconds) {
+    const PixelBounds before{0, image_.width, 0, image_.height};
+    changed_.reset();
+    session.collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
+    if (changed_) bloomOutdated_ = true;
+    if (updateBloom(settings)) markChanged(before);
+    return changed_;
 }
 
 bool TracedView::updateBloom(const Settings& settings) {
@@ -66,7 +77,7 @@ bool TracedView::updateBloom(const Settings& settings) {
     return arrived;
 }
 
-void TracedView::draw(const Settings& settings) {
+void TracedView::draw(const Settings& settings, glm::ivec2 size) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     if (texture_.empty()) {
@@ -76,9 +87,11 @@ void TracedView::draw(const Settings& settings) {
     }
     shader_.use();
     shader_.set("image", 0);
+    const GlTexture& shown = bloomShown_ ? bloomTexture_ : texture_;
+    shader_.set("onePixelEach", shown.width() == size.x && shown.height() == size.y ? 1 : 0);
     shader_.set("exposureFactor", std::exp2(settings.exposure));
     shader_.set("courseCurve", settings.tone == ToneCurve::Course ? 1 : 0);
-    (bloomShown_ ? bloomTexture_ : texture_).bind(0);
+    shown.bind(0);
     glBindVertexArray(emptyVertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

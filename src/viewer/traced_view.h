@@ -16,11 +16,12 @@ class TracedView {
     TracedView();
     ~TracedView();
 
-    /// Takes what changed, for at most `budgetSeconds`. Returns whether the picture is another one now.
-    bool update(RenderSession& session, const Settings& settings, double budgetSeconds);
+    /// Takes what changed, for at most `budgetSeconds`. Returns the pixels of the image that are others now;
+    /// nothing if none are.
+    std::optional<PixelBounds> update(RenderSession& session, const Settings& settings, double budgetSeconds);
 
-    /// Fills the bound target.
-    void draw(const Settings& settings);
+    /// Fills the bound target, which has this size.
+    void draw(const Settings& settings, glm::ivec2 size);
 
     /// Linear means as far as they have been taken; samples of a pixel's tile are not told apart.
     const RgbImage& image() const { return image_; }
@@ -30,11 +31,13 @@ class TracedView {
     void take(const TileView& tile);
     void resize(int width, int height);
     bool updateBloom(const Settings& settings);
+    void markChanged(const PixelBounds& bounds);
 
     Shader shader_{"display"};
     GLuint emptyVertexArray_ = 0;
     RgbImage image_;
     GlTexture texture_;
+    std::optional<PixelBounds> changed_;  ///< since the last update()
 
     /// Bloom of a copy of the image; done again when image or settings changed.
     std::future<RgbImage> bloom_;

@@ -149,7 +149,6 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
             const PrimitiveName name = world->nameOf(surface->hit.primitive);
             info.object = objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
-            info.position = surface->position;
         }
     }
     workspace.cursor = info;

@@ -132,7 +132,6 @@ void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 void Window::copyText(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 bool Window::isKeyDown(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
-void Window::wake() { glfwPostEmptyEvent(); }
 
 void Window::toggleFullScreen() {
     if (fullScreen_) {
@@ -181,15 +180,16 @@ void Window::beginFrame() {
     ImGui::NewFrame();
 }
 
-void Window::endFrame(const std::function<void()>& beforeSwap) {
+void Window::endFrame(const std::function<void()>& behind, const std::function<void()>& beforeSwap) {
     ImGui::Render();
     const glm::ivec2 size = framebufferSize();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, size.x, size.y);
     glClearColor(0.09f, 0.095f, 0.105f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
+    behind();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (beforeSwap) beforeSwap();
+    beforeSwap();
     glfwSwapBuffers(window_);
 }
 

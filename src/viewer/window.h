@@ -38,8 +38,6 @@ class Window {
     /// Handles events; returns at once if `seconds` is 0, else waits that long for one to come. Returns
     /// whether any came.
     bool handleEvents(double seconds);
-    /// Lets a handleEvents() that waits in the window's thread return.
-    static void wake();
     /// The keys pressed and the files dropped since the last call.
     std::vector<KeyPress> takeKeys() { return std::exchange(keys_, {}); }
     std::vector<std::string> takeDroppedFiles() { return std::exchange(dropped_, {}); }
@@ -49,8 +47,8 @@ class Window {
     float contentScale() const;
 
     void beginFrame();
-    /// Draws the panels over what was drawn and shows the frame. `beforeSwap` may read the pixels.
-    void endFrame(const std::function<void()>& beforeSwap);
+    /// Draws `behind`, then the panels over it, and shows the frame. `beforeSwap` may read the pixels.
+    void endFrame(const std::function<void()>& behind, const std::function<void()>& beforeSwap);
     /// Rebuilds font and style for this scale; not between beginFrame() and endFrame().
     void applyScale(float scale);
 

@@ -36,7 +36,6 @@ struct CursorInfo {
     std::optional<Rgb> radiance;
     std::string object;  ///< as the scene calls it; empty if nothing is hit
     long triangle = -1;  ///< within the object; -1 for a sphere
-    std::optional<glm::dvec3> position;
 };
 
 struct Notice {
@@ -63,7 +62,6 @@ struct Workspace {
     std::optional<Notice> notice;      ///< in the status bar
     std::string errorMessage;          ///< in a box that asks to be closed; empty: none
     glm::ivec2 viewSize{1};            ///< of the picture area, in pixels
-    double frameMilliseconds = 0.0;
 
     /// Commands that panels ask for; the window's loop carries them out.
     std::vector<Command> commands;

@@ -64,7 +64,7 @@ TEST(Session, GivesTheSameBitsForAnyThreadsAndPasses) {
 }
 
 TEST(Session, GivesTheSameBitsAfterFiveHundredCancellations) {
-    const RenderRequest request = requestFor(richScene(), 100, 32);
+    const RenderRequest request = requestFor(richScene(), 64, 16);
     const std::uint64_t expected = renderedHash(request, 2);
     RenderSession session(3);
     std::mt19937 random(1);
@@ -153,7 +153,7 @@ TEST(Session, TheLatestRequestWins) {
 }
 
 TEST(Session, PausesAndResumes) {
-    const RenderRequest request = requestFor(richScene(), 120, 64);
+    const RenderRequest request = requestFor(richScene(), 60, 24);
     RenderSession session(2);
     session.submit(request);
     session.wait(0.02);

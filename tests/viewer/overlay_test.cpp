@@ -129,14 +129,6 @@ TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {
     EXPECT_EQ(sum, glm::vec3(4, 8, 12));
 }
 
-TEST(Overlay, sphereOutlineLiesOnTheSphere) {
-    OverlayLines lines;
-    appendSphereOutline(lines, {1, 2, 3}, 0.5f, glm::vec4(1.0f));
-    EXPECT_FALSE(lines.empty());
-    for (const OverlayLine& line : lines)
-        EXPECT_NEAR(glm::distance(line.from, glm::vec3(1, 2, 3)), 0.5f, 1e-6f);
-}
-
 TEST(Overlay, displayColorKeepsTheHueOfBrightLights) {
     EXPECT_LT(glm::distance(displayColor(Rgb(15.0f)), glm::vec3(1.0f)), 1e-6f);
     const glm::vec3 orange = displayColor({20.0f, 10.0f, 0.0f});

@@ -17,11 +17,9 @@ class RenderTarget {
     /// All drawing goes here, over the whole target.
     void bind() const;
     /// Drawing goes to the window again.
-    static void unbind(int windowWidth, int windowHeight);
-
-    GLuint texture() const { return color_; }
-    int width() const { return width_; }
-    int height() const { return height_; }
+    static void unbind() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
+    /// Pixel by pixel, with the lower left corner at (x, y).
+    void copyToWindow(int x, int y) const;
 
   private:
     void release();

@@ -33,7 +33,8 @@ GlTexture GlTexture::floatImage(int width, int height) {
     texture.height_ = height;
     glGenTextures(1, &texture.id_);
     glBindTexture(GL_TEXTURE_2D, texture.id_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, width, height, 0, GL_RGB, GL_FLOAT, nullptr);
+    // Four channels, because three are slow to fetch where the driver is software.
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGB, GL_FLOAT, nullptr);
     setParameters(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     return texture;
 }

@@ -1,8 +1,6 @@
 #include "viewer/overlay/overlay.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "image/srgb.h"
 
@@ -17,20 +15,6 @@ void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 
     for (int start = 0; start < 8; ++start)
         for (int axis = 1; axis < 8; axis *= 2)
             if (!(start & axis)) lines.push_back({corner(start), corner(start | axis), color, style, width});
-}
-
-void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, glm::vec4 color) {
-    constexpr int kSegments = 24;
-    const auto onCircle = [&](int step, int plane) {
-        const float angle = 2.0f * std::numbers::pi_v<float> * static_cast<float>(step) / kSegments;
-        const float a = radius * std::cos(angle), b = radius * std::sin(angle);
-        if (plane == 0) return center + glm::vec3(0.0f, a, b);
-        if (plane == 1) return center + glm::vec3(a, 0.0f, b);
-        return center + glm::vec3(a, b, 0.0f);
-    };
-    for (int plane = 0; plane < 3; ++plane)
-        for (int step = 0; step < kSegments; ++step)
-            lines.push_back({onCircle(step, plane), onCircle(step + 1, plane), color});
 }
 
 glm::vec3 displayColor(Rgb linear) {

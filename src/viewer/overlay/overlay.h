@@ -22,9 +22,6 @@ using OverlayLines = std::vector<OverlayLine>;
 void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 color,
                LineStyle style = LineStyle::Solid, float width = 1.0f);
 
-/// Three circles around the centre, one per coordinate plane.
-void appendSphereOutline(OverlayLines& lines, glm::vec3 center, float radius, glm::vec4 color);
-
 /// A linear colour as it appears on the screen: brought into 0 … 1 with its hue kept, then the sRGB curve.
 glm::vec3 displayColor(Rgb linear);
 

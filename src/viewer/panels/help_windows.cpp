@@ -77,9 +77,8 @@ void drawStatisticsWindow(Workspace& workspace) {
             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs)) {
         const FrameTimes& times = workspace.frameTimes;
         const double median = times.quantile(0.5);
-        text(fmt::format("frames of the last {}: median {:.1f} ms ({:.0f}/s), 95 % below {:.1f} ms",
-                         times.count(), median * 1e3, median > 0.0 ? 1.0 / median : 0.0,
-                         times.quantile(0.95) * 1e3));
+        text(fmt::format("last {} frames: median {:.1f} ms ({:.0f}/s), 95 % below {:.1f} ms", times.count(),
+                         median * 1e3, median > 0.0 ? 1.0 / median : 0.0, times.quantile(0.95) * 1e3));
         ImGui::PlotLines("##times", times.latest().data(), static_cast<int>(times.latest().size()), 0,
                          nullptr, 0.0f, 0.1f, {scaled(380.0f), scaled(60.0f)});
         const RenderStatus& status = workspace.render.status();

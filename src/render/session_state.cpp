@@ -1,0 +1,123 @@
+#include "render/session_state.h"
+
+#include <oneapi/tbb/info.h>
+
+#include <algorithm>
+
+#include "render/pass_plan.h"
+#include "trace/compile.h"
+
+namespace rayscope {
+
+namespace {
+
+PixelBounds regionOf(const RenderRequest& request) {
+    const PixelBounds whole{0, request.width, 0, request.height};
+    return request.region.value_or(whole);
+}
+
+/// Whether the samples of a film made for `before` are also the first samples of `after`.
+bool continues(const RenderRequest& before, const RenderRequest& after) {
+    Settings sameCount = before.settings;
+    // Only a jittered pattern depends on how many samples will follow.
+    if (after.settings.sampler != SamplePattern::Jittered) sameCount.spp = after.settings.spp;
+    return before.scene == after.scene && before.camera == after.camera && before.width == after.width &&
+           before.height == after.height && regionOf(before) == regionOf(after) &&
+           before.seed == after.seed && changed(sameCount, after.settings) <= Invalidates::Display;
+}
+
+}  // namespace
+
+RenderSession::State::State(int threads)
+    : parallelism(oneapi::tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(threads, oneapi::tbb::info::default_concurrency()))),
+      arena(threads) {}
+
+void RenderSession::State::run() {
+    for (;;) {
+        RenderRequest request;
+        std::uint64_t number = 0;
+        PassControl control;
+        {
+            std::unique_lock guard(lock);
+            changedState.wait(guard, [&] { return quitting || (pending && !paused); });
+            if (quitting) return;
+            request = std::move(*pending);
+            pending.reset();
+            number = epoch;
+            stop = std::stop_source{};
+            drain = std::stop_source{};
+            control = {stop.get_token(), drain.get_token()};
+            status.state = RenderState::Compiling;
+            status.message.clear();
+        }
+        serve(request, number, control);
+    }
+}
+
+void RenderSession::State::serve(const RenderRequest& request, std::uint64_t number,
+                                 const PassControl& control) {
+    RenderState outcome = RenderState::Idle;
+    std::string message;
+    try {
+        const SessionClock::time_point start = SessionClock::now();
+        std::shared_ptr<const World> compiled;
+        arena.execute([&] {
+            compiled =
+                compile({request.scene, request.settings, request.camera, request.width, request.height},
+                        world.get(), control.stop);
+        });
+        {
+            const std::scoped_lock guard(lock);
+            world = compiled;
+            status.compileSeconds = secondsSince(start);
+            status.buildSeconds = compiled->buildSeconds;
+        }
+        prepareFilm(request);
+        if (renderPasses(request, control)) outcome = RenderState::Done;
+    } catch (const Stopped&) {
+        // The next request says what to do.
+    } catch (const std::exception& error) {
+        outcome = RenderState::Failed;
+        message = error.what();
+    }
+    const std::scoped_lock guard(lock);
+    // A pause keeps the request for later, unless a newer one is there already.
+    if (outcome == RenderState::Idle && paused && !pending && number == epoch && !quitting) {
+        pending = request;
+        outcome = RenderState::Paused;
+    }
+    status.state = pending && !paused ? RenderState::Compiling : outcome;
+    status.message = message;
+    changedState.notify_all();
+}
+
+void RenderSession::State::prepareFilm(const RenderRequest& request) {
+    const std::scoped_lock guard(lock);
+    if (!film || !filmRequest || !continues(*filmRequest, request)) {
+        film = std::make_shared<Film>(request.width, request.height, regionOf(request));
+        counters.rays = 0;
+        counters.nonFiniteSamples = 0;
+        status.elapsedSeconds = 0.0;
+    }
+    filmRequest = request;
+    status.state = RenderState::Rendering;
+    status.targetSamples = request.settings.spp;
+    started = SessionClock::now();
+    doneAtStart = film->doneFraction(request.settings.spp);
+}
+
+bool RenderSession::State::renderPasses(const RenderRequest& request, const PassControl& control) {
+    const int wanted = request.settings.spp;
+    bool complete = true;
+    for (int samples = film->completeSamples(); complete && samples < wanted;
+         samples = film->completeSamples()) {
+        const int target = nextPassTarget(samples, wanted, request.progressive);
+        arena.execute([&] { complete = renderPass(*world, request.seed, *film, target, control, counters); });
+    }
+    const std::scoped_lock guard(lock);
+    status.elapsedSeconds += secondsSince(started);
+    return complete;
+}
+
+}  // namespace rayscope
