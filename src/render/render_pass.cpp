@@ -9,18 +9,24 @@ namespace rayscope {
 bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters) {
     // Tiles are claimed in order from one counter: neighbours start together, and no thread is left with a
-    // long tail.
-    std::atomic<int> next{0};
+    // long tail. The counters also tell the thread sanitizer, which does not see into TBB, that a task starts
+    // after the pass was set up and that the pass ends after its tasks.
+    std::atomic<int> next, finished;
+    next.store(0);
+    finished.store(0);
     const int tiles = film.tileCount();
     oneapi::tbb::parallel_for(
         oneapi::tbb::blocked_range<int>(0, tiles, 1),
         [&](const oneapi::tbb::blocked_range<int>& range) {
             for (int i = range.begin(); i != range.end(); ++i) {
-                if (control.endsEarly()) return;
-                renderTile(world, seed, film, next.fetch_add(1), targetSamples, control.stop, counters);
+                const int tile = next.fetch_add(1);
+                if (!control.endsEarly())
+                    renderTile(world, seed, film, tile, targetSamples, control.stop, counters);
+                finished.fetch_add(1);
             }
         },
         oneapi::tbb::simple_partitioner{});
+    finished.load();
     return !control.endsEarly();
 }
 
