@@ -314,18 +314,31 @@ def run_all(program, folder):
         viewer.process.kill()
 
 
+def start_display():
+    """Starts a virtual display that answers, and names it in DISPLAY. Servers that start at the same moment may take
+    the same number, of which one is then dead: hence the question and the second try."""
+    for _ in range(5):
+        read, write = os.pipe()
+        display = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
+                                    "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as pipe:
+            os.environ["DISPLAY"] = ":" + pipe.readline().strip()
+        answers = subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True, check=False)
+        if answers.returncode == 0 and answers.stdout.split() == [str(WIDTH).encode(), str(HEIGHT).encode()]:
+            return display
+        display.kill()
+        display.wait()
+    sys.exit("FAILED: no virtual display answers")
+
+
 def main():
     program = os.path.abspath(sys.argv[1])
     missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
     if missing:
         print("skipped: not installed:", ", ".join(missing))
         return 77
-    read, write = os.pipe()
-    display = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten",
-                                "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
-    os.close(write)
-    with os.fdopen(read) as pipe:
-        os.environ["DISPLAY"] = ":" + pipe.readline().strip()
+    display = start_display()
     with tempfile.TemporaryDirectory() as folder:
         try:
             run_all(program, Path(folder))
