@@ -41,8 +41,8 @@ class Accel {
     Accel& operator=(Accel&&) noexcept;
 
     /// Builds in parallel with the same result for any number of threads. Throws std::invalid_argument if a
-    /// triangle names a vertex that does not exist or a setting is out of range, and std::length_error for more
-    /// than 2^31 primitives. Primitives with NaN or infinite coordinates are left out and never hit.
+    /// triangle names a vertex that does not exist or a setting is out of range, and std::length_error for
+    /// more than 2^31 primitives. Primitives with NaN or infinite coordinates are left out and never hit.
     static Accel build(const AccelInput& input, const BuildSettings& settings = {});
 
     /// Finds the hit with the smallest t in (tMin, tMax]. Returns false, and leaves `hit` at its default, on

@@ -14,6 +14,7 @@
 #include "cli/scene_options.h"
 #include "post/develop.h"
 #include "render/film.h"
+#include "render/image_metadata.h"
 
 namespace rayscope {
 
@@ -109,7 +110,8 @@ int runRender(const RenderOptions& options) {
     const RenderStatus status = session.status();
     const std::shared_ptr<const Film> film = session.film();
     const RgbImage mean = film ? film->mean() : RgbImage(request.width, request.height);
-    const ImageMetadata metadata = imageMetadata(request, status);
+    const ImageMetadata metadata =
+        imageMetadata(*request.scene, request.settings, request.seed, status.samples);
     for (const std::string& output : options.outputs)
         writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
                    request.settings.tone);

@@ -9,16 +9,6 @@
 
 namespace rayscope {
 
-ImageMetadata imageMetadata(const RenderRequest& request, const RenderStatus& status) {
-    ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
-                              {"scene", request.scene->path},
-                              {"seed", std::to_string(request.seed)},
-                              {"samples", std::to_string(status.samples)}};
-    for (const std::string_view key : settingKeys())
-        metadata[fmt::format("setting.{}", key)] = textOf(request.settings, key);
-    return metadata;
-}
-
 std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status, const World& world,
                             int threads, double totalSeconds) {
     nlohmann::json settings;

@@ -8,6 +8,7 @@
 #include "image/srgb.h"
 #include "post/develop.h"
 #include "render/film.h"
+#include "render/image_metadata.h"
 #include "viewer/camera_text.h"
 
 namespace rayscope::viewer {
@@ -21,13 +22,8 @@ std::string nextFreeName() {
 }
 
 ImageMetadata metadataOf(const EditState& state, std::uint64_t seed, int samples) {
-    ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
-                              {"scene", state.scene->path},
-                              {"camera", toOptions(state.camera)},
-                              {"seed", std::to_string(seed)},
-                              {"samples", std::to_string(samples)}};
-    for (const std::string_view key : settingKeys())
-        metadata[fmt::format("setting.{}", key)] = textOf(state.settings, key);
+    ImageMetadata metadata = imageMetadata(*state.scene, state.settings, seed, samples);
+    metadata["camera"] = toOptions(state.camera);
     return metadata;
 }
 

@@ -1,0 +1,18 @@
+#include "render/image_metadata.h"
+
+#include <fmt/format.h>
+
+namespace rayscope {
+
+ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
+                            int samples) {
+    ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
+                              {"scene", scene.path},
+                              {"seed", std::to_string(seed)},
+                              {"samples", std::to_string(samples)}};
+    for (const std::string_view key : settingKeys())
+        metadata[fmt::format("setting.{}", key)] = textOf(settings, key);
+    return metadata;
+}
+
+}  // namespace rayscope
