@@ -170,19 +170,39 @@ TEST(Session, PausesAndResumes) {
     EXPECT_EQ(test::hashOf(*session.film()), renderedHash(request, 1));
 }
 
+/// Puts the tiles that are delivered in their places.
+auto pasteInto(RgbImage& image) {
+    return [&image](const TileView& tile) {
+        for (int y = 0; y < tile.height; ++y)
+            for (int x = 0; x < tile.width; ++x)
+                image.at(tile.x0 + x, tile.y0 + y) = tile.mean[static_cast<std::size_t>(y * tile.width + x)];
+    };
+}
+
 TEST(Session, DeliversEveryTileOnceAndOnlyWhatChanged) {
     const RenderRequest request = requestFor(richScene(), 70, 2);
     RenderSession session(2);
     session.submit(request);
     session.wait();
     RgbImage seen(request.width, request.height, Rgb(-1.0f));
-    session.collect([&](const TileView& tile) {
-        for (int y = 0; y < tile.height; ++y)
-            for (int x = 0; x < tile.width; ++x)
-                seen.at(tile.x0 + x, tile.y0 + y) = tile.mean[static_cast<std::size_t>(y * tile.width + x)];
-    });
+    session.collect(pasteInto(seen));
     EXPECT_EQ(seen.pixels, session.film()->mean().pixels);
     EXPECT_EQ(session.collect([](const TileView&) {}), 0);
+}
+
+TEST(Session, WhoeverPollsAllTheTimeHasTheImageInTheEnd) {
+    const RenderRequest request = requestFor(richScene(), 70, 64);
+    RenderSession session(2);
+    session.submit(request);
+    RgbImage seen(request.width, request.height, Rgb(-1.0f));
+    int delivered = 0;
+    while (session.status().state != RenderState::Done) {
+        delivered += session.collect(pasteInto(seen));
+        ASSERT_NE(session.status().state, RenderState::Failed);
+    }
+    session.collect(pasteInto(seen));
+    EXPECT_GT(delivered, 0);
+    EXPECT_EQ(seen.pixels, session.film()->mean().pixels);
 }
 
 TEST(Session, RendersOnlyTheRegion) {
