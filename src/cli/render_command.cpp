@@ -43,8 +43,8 @@ std::optional<PixelBounds> regionFor(const RenderOptions& options, const RenderR
 }
 
 /// Waits for the session, telling how far it is, until it is done, interrupted or out of time.
-int waitFor(RenderSession& session, const RenderOptions& options, Progress& progress) {
-    const InterruptGuard interrupt;
+int waitFor(RenderSession& session, const RenderOptions& options, const InterruptGuard& interrupt,
+            Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     for (;;) {
         const RenderState state = session.wait(0.05);
@@ -90,6 +90,7 @@ bool reportNonFinite(const RgbImage& image, const RenderOptions& options) {
 }
 
 int runRender(const RenderOptions& options) {
+    const InterruptGuard interrupt;
     const auto start = std::chrono::steady_clock::now();
     for (const std::string& output : options.outputs) checkImageDestination(output);
     RenderRequest request = openScene(options.scene, options.quiet);
@@ -105,7 +106,7 @@ int runRender(const RenderOptions& options) {
     RenderSession session(options.scene.threads);
     Progress progress(progressStyle(options.progress, options.quiet));
     session.submit(request);
-    int exitCode = waitFor(session, options, progress);
+    int exitCode = waitFor(session, options, interrupt, progress);
 
     const RenderStatus status = session.status();
     const std::shared_ptr<const Film> film = session.film();

@@ -78,7 +78,7 @@ TEST(Render, StopsAtTheTimeLimitWithAnImage) {
 TEST(Render, WritesTheImageWhenInterrupted) {
     const TemporaryFolder folder;
     const ProgramResult result =
-        run(folder, std::string("timeout --preserve-status -s INT 0.7 '") + RAYSCOPE_PROGRAM +
+        run(folder, std::string("timeout --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
                         "' render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
     EXPECT_EQ(result.exitCode, 130) << result.err;
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
