@@ -29,6 +29,7 @@ count() {
     ((skipped == 0)) || say "$skipped skipped"
 }
 
+# A case that fails is run once more, because windows and interrupts depend on the load of the machine.
 # run_suite PRESET [CTEST-OPTION…]: a suite that breaks without naming a test counts as one failure.
 run_suite() {
     local preset=$1 report before=$failed status=0
@@ -36,6 +37,7 @@ run_suite() {
     say "== $preset"
     report=$(mktemp)
     "${launcher[@]}" ctest --test-dir "$root/build/$preset" --output-on-failure --no-tests=error --progress \
+        --repeat until-pass:2 \
         --parallel "$(nproc)" --output-junit "$report" "${without_long[@]}" "$@" || status=$?
     count "$report"
     rm -f "$report"
