@@ -19,13 +19,25 @@ struct AccelInput {
 
 struct BuildSettings {
     BvhBuilder builder = BvhBuilder::SahBinned;
-    int bins = 32;           ///< candidate planes per axis of SahBinned, 2 … 4096
-    int maxLevel = 64;       ///< deepest level of the binary tree, the root is level 0; 0 … 64
-    int leafSize = 4;        ///< most primitives in a leaf above the deepest level, ≥ 1
-    std::stop_token stop{};  ///< build() throws Stopped within 20 ms of a request
+    int bins = 32;                       ///< candidate planes per axis of SahBinned, 2 … 4096
+    int maxLevel = 64;                   ///< deepest level of the binary tree, the root is level 0; 0 … 64
+    int leafSize = 4;                    ///< most primitives in a leaf above the deepest level, ≥ 1
+    BvhLayout layout = BvhLayout::Wide;  ///< what rays walk
+    Isa isa = Isa::Auto;                 ///< kernels of the wide layout
+    bool keepBinaryTree = false;         ///< beside the wide layout, for looking at
+    std::stop_token stop{};              ///< build() throws Stopped within 20 ms of a request
 };
 
 struct BinaryTree;
+
+/// The size of a hierarchy in numbers.
+struct AccelSummary {
+    std::size_t binaryNodes = 0;
+    int binaryLevels = 0;  ///< including the root
+    std::size_t wideNodes = 0, triangleBlocks = 0;
+    Isa isa = Isa::Auto;  ///< of the kernels that answer queries; Auto: the binary tree is walked
+    std::uint32_t droppedPrimitives = 0;  ///< left out because of NaN or infinite coordinates
+};
 
 /// A bounding volume hierarchy over triangles and spheres. Immutable after build(); all queries may run
 /// concurrently. A default-constructed Accel is empty: every ray misses it.
@@ -41,8 +53,9 @@ class Accel {
     Accel& operator=(Accel&&) noexcept;
 
     /// Builds in parallel with the same result for any number of threads. Throws std::invalid_argument if a
-    /// triangle names a vertex that does not exist or a setting is out of range, and std::length_error for
-    /// more than 2^31 primitives. Primitives with NaN or infinite coordinates are left out and never hit.
+    /// triangle names a vertex that does not exist, a setting is out of range or the machine lacks the chosen
+    /// instruction set, and std::length_error for more than 2^31 primitives. Primitives with NaN or infinite
+    /// coordinates are left out and never hit.
     static Accel build(const AccelInput& input, const BuildSettings& settings = {});
 
     /// Finds the hit with the smallest t in (tMin, tMax]. Returns false, and leaves `hit` at its default, on
@@ -56,8 +69,9 @@ class Accel {
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
 
-    /// The binary tree that queries walk; null when empty.
+    /// The binary tree; null when empty or not kept.
     const BinaryTree* binaryTree() const;
+    const AccelSummary& summary() const;
     const AccelInput& input() const;
     std::size_t bytes() const;
 

@@ -28,7 +28,8 @@ struct RenderRequest {
     int width = 800, height = 800;
     std::optional<PixelBounds> region;  ///< absent: the whole image
     std::uint64_t seed = 0;
-    bool progressive = true;  ///< passes of 1, 1, 2, 4, 8 … samples instead of large ones; same bits
+    bool keepBinaryTrees = true;  ///< so that hierarchies can be looked at; rays do not need them
+    bool progressive = true;      ///< passes of 1, 1, 2, 4, 8 … samples instead of large ones; same bits
 };
 
 enum class RenderState { Idle, Compiling, Rendering, Paused, Done, Failed };

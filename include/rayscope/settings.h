@@ -15,6 +15,8 @@ enum class LensShape { Disk, Square, Hexagon };
 enum class BloomFilter { Box, Gaussian };
 enum class BloomStage { Thresholded, Filtered, Added };
 enum class BvhBuilder { Median, Sah, SahBinned };
+enum class BvhLayout { Binary, Wide };
+enum class Isa { Auto, Scalar, Sse2, Avx2, Avx512 };
 
 /// How a scene is computed and shown, as a plain value. What each field means, its unit and its range stand
 /// in the one table of src/settings/table.h, from which the command line, the window and the documentation
@@ -58,6 +60,8 @@ struct Settings {
     int bvhBins = 32;
     int bvhMaxLevel = 64;
     int bvhLeafSize = 4;
+    BvhLayout bvhLayout = BvhLayout::Wide;
+    Isa isa = Isa::Auto;
 
     // Display.
     bool bloom = false;

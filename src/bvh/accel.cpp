@@ -3,8 +3,10 @@
 #include <cassert>
 
 #include "bvh/build.h"
+#include "bvh/isa.h"
 #include "bvh/packed_primitives.h"
 #include "bvh/traverse.h"
+#include "bvh/wide_tree.h"
 
 namespace rayscope {
 
@@ -12,6 +14,9 @@ struct Accel::State {
     AccelInput input;
     BinaryTree tree;
     PackedPrimitives primitives;
+    WideTree wide;
+    const kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
+    AccelSummary summary;
 };
 
 Accel::Accel() = default;
@@ -24,8 +29,21 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     accel.state_ = std::make_unique<State>();
     State& state = *accel.state_;
     state.input = input;
+    const kernel::Kernels& kernels = kernelsFor(settings.isa);
     state.tree = buildBinaryTree(input, settings);
-    state.primitives = PackedPrimitives(input, state.tree, settings.stop);
+    state.summary = {.binaryNodes = state.tree.nodes.size(),
+                     .binaryLevels = state.tree.levels,
+                     .droppedPrimitives = state.tree.droppedPrimitives};
+    if (settings.layout == BvhLayout::Binary || state.tree.nodes.empty()) {
+        state.primitives = PackedPrimitives(input, state.tree, settings.stop);
+        return accel;
+    }
+    state.wide = collapse(state.tree, input, settings.stop);
+    state.summary.wideNodes = state.wide.nodes.size();
+    state.summary.triangleBlocks = state.wide.blockCount;
+    state.kernels = &kernels;
+    state.summary.isa = settings.isa == Isa::Auto ? bestIsa() : settings.isa;
+    if (!settings.keepBinaryTree) state.tree = {};
     return accel;
 }
 
@@ -34,21 +52,42 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         hit = Hit{};
         return false;
     }
+    if (state_->kernels) {
+        kernel::HitWords found;
+        if (!state_->kernels->closestHit(state_->wide.view(), words(ray), found)) {
+            hit = Hit{};
+            return false;
+        }
+        hit = {found.t, found.primitive, found.u, found.v};
+        return true;
+    }
     NullTraversalObserver nobody;
     return walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
+    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->wide.view(), words(ray));
     return state_ && walkToAnyHit(state_->tree, state_->primitives, ray);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
+    if (state_ && state_->kernels) {
+        static_assert(sizeof(Hit) == sizeof(kernel::HitWords));
+        state_->kernels->closestHits(state_->wide.view(), reinterpret_cast<const float*>(rays.data()),
+                                     reinterpret_cast<kernel::HitWords*>(hits.data()), rays.size());
+        return;
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], hits[i]);
 }
 
 void Accel::anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
     assert(rays.size() == occluded.size());
+    if (state_ && state_->kernels) {
+        state_->kernels->anyHits(state_->wide.view(), reinterpret_cast<const float*>(rays.data()),
+                                 occluded.data(), rays.size());
+        return;
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i]);
 }
 
@@ -61,10 +100,16 @@ const AccelInput& Accel::input() const {
     return state_ ? state_->input : kNothing;
 }
 
+const AccelSummary& Accel::summary() const {
+    static const AccelSummary kEmpty;
+    return state_ ? state_->summary : kEmpty;
+}
+
 std::size_t Accel::bytes() const {
     if (!state_) return 0;
     return sizeof(State) + state_->tree.nodes.capacity() * sizeof(BinaryNode) +
-           state_->tree.primitives.capacity() * sizeof(std::uint32_t) + state_->primitives.bytes();
+           state_->tree.primitives.capacity() * sizeof(std::uint32_t) + state_->primitives.bytes() +
+           state_->wide.bytes();
 }
 
 }  // namespace rayscope

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "bvh/kernel/sphere.h"
+
 namespace rayscope {
 namespace {
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-bool allFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Ray withoutNegativeT(Ray ray) {
     ray.tMin = std::max(ray.tMin, 0.0f);
@@ -19,39 +17,35 @@ Ray withoutNegativeT(Ray ray) {
 PrimitiveBox boxOf(const Sphere& sphere) {
     PrimitiveBox box{};
     for (int axis = 0; axis < 3; ++axis) {
-        box.planes[axis] = std::nextafter(sphere.center[axis] - sphere.radius, -kInfinity);
-        box.planes[axis + 4] = std::nextafter(sphere.center[axis] + sphere.radius, kInfinity);
+        box.planes[axis] = std::nextafter(sphere.center[axis] - sphere.radius, -kernel::kInfinity);
+        box.planes[axis + 4] = std::nextafter(sphere.center[axis] + sphere.radius, kernel::kInfinity);
     }
     return box;
 }
 
-bool RayQuery::isTraceable(const Ray& ray) {
-    return ray.tMin < ray.tMax && ray.tMax > 0.0f && allFinite(ray.origin) && allFinite(ray.direction) &&
-           ray.direction != glm::vec3(0.0f);
-}
-
-RayQuery::RayQuery(const Ray& original) : ray(withoutNegativeT(original)), box(ray), sheared(ray) {}
-
-bool RayQuery::accept(double t, const PrimitiveBox& own, float bound, float& rounded) const {
-    rounded = static_cast<float>(t);
-    if (!(rounded > ray.tMin && rounded <= bound && rounded < kInfinity)) return false;
-    float entry;
-    if (!intersectBox(own.planes, box, box.tMax, entry)) return false;
-    if (rounded * box.scale < entry) {
-        const double boundary = entry / box.scale;
-        rounded = static_cast<float>(boundary);
-        if (rounded < boundary) rounded = std::nextafter(rounded, kInfinity);
-    }
-    return rounded <= bound && rounded < kInfinity;
-}
+RayQuery::RayQuery(const Ray& original)
+    : ray(withoutNegativeT(original)), box(words(ray)), sheared(words(ray)) {}
 
 bool RayQuery::hits(const Sphere& sphere, float bound, Hit& found) const {
+    kernel::HitWords hit;
+    if (!kernel::hitsSphere(words(ray), &sphere.center.x, bound, hit)) return false;
+    found.t = hit.t;
+    found.u = found.v = 0.0f;
+    return true;
+}
+
+bool kernel::hitsSphere(RayWords words, const float* record, float bound, HitWords& found) {
+    const Ray ray{{words[0], words[1], words[2]}, {words[3], words[4], words[5]}};
+    const Sphere sphere{{record[0], record[1], record[2]}, record[3]};
     double near, far;
     if (!intersectSphere(ray, sphere, near, far)) return false;
     const PrimitiveBox own = boxOf(sphere);
     if (!std::all_of(own.planes, own.planes + 8, [](float x) { return std::isfinite(x); })) return false;
     found.u = found.v = 0.0f;
-    return accept(near, own, bound, found.t) || accept(far, own, bound, found.t);
+    const BoxRay box(words);
+    const float tMin = std::max(words[6], 0.0f);
+    return accept(box, tMin, near, own.planes, bound, found.t) ||
+           accept(box, tMin, far, own.planes, bound, found.t);
 }
 
 }  // namespace rayscope

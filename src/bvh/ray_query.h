@@ -22,27 +22,22 @@ inline PrimitiveBox boxOf(const glm::vec3& a, const glm::vec3& b, const glm::vec
 /// Rounded outward, because center ± radius is not a float in general.
 PrimitiveBox boxOf(const Sphere& sphere);
 
-/// A ray prepared for boxes, triangles and spheres.
+/// A ray prepared for boxes, triangles and spheres. One test per primitive; production rays go through the
+/// kernels, which give the same answers.
 struct RayQuery {
-    /// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
-    static bool isTraceable(const Ray& ray);
+    static bool isTraceable(const Ray& ray) { return kernel::isTraceable(words(ray)); }
 
-    explicit RayQuery(const Ray& ray);
+    explicit RayQuery(const Ray& original);
 
-    Ray ray;
+    Ray ray;  ///< with a tMin that is not negative
     BoxRay box;
     ShearedRay sheared;
-
-    /// Rounds t, and accepts it if it lies in (tMin, bound] and the ray meets the primitive's own box.
-    /// Where t itself has lost digits (an origin very close to a large triangle) it may round to a value
-    /// before that box; then it is moved to where the box begins.
-    bool accept(double t, const PrimitiveBox& own, float bound, float& rounded) const;
 
     /// Tests one primitive. On success `found` has t, u and v.
     bool hits(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float bound, Hit& found) const {
         TriangleHit hit;
         if (!intersectTriangle(sheared, a, b, c, hit)) return false;
-        if (!accept(hit.t, boxOf(a, b, c), bound, found.t)) return false;
+        if (!accept(box, ray.tMin, hit.t, boxOf(a, b, c).planes, bound, found.t)) return false;
         found.u = static_cast<float>(hit.u);
         found.v = static_cast<float>(hit.v);
         return true;

@@ -18,6 +18,7 @@ void addViewCommand(CLI::App& program, int& exitCode);
 void addRenderCommand(CLI::App& program, int& exitCode);
 void addProbeCommand(CLI::App& program, int& exitCode);
 void addInfoCommand(CLI::App& program, int& exitCode);
+void addBenchCommand(CLI::App& program, int& exitCode);
 void addSettingsCommand(CLI::App& program, int& exitCode);
 
 }  // namespace rayscope

@@ -101,6 +101,7 @@ int runRender(const RenderOptions& options) {
     if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
     request.region = regionFor(options, request);
     // With a limit the image should be complete early; without one, larger passes cost less.
+    request.keepBinaryTrees = false;
     request.progressive = options.timeLimit > 0.0;
 
     RenderSession session(options.scene.threads);

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bvh/binary_tree.h"
 #include "trace/world.h"
 
 namespace rayscope {
@@ -18,12 +17,14 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
     for (const Body& body : world.bodies) {
         nlohmann::json row = {{"triangles", body.geometry->input.triangles.size()},
                               {"spheres", body.geometry->input.spheres.size()}};
-        const BinaryTree* tree = body.accel ? body.accel->binaryTree() : nullptr;
-        if (tree) {
-            row["nodes"] = tree->nodes.size();
-            row["levels"] = tree->levels;
+        if (body.accel) {
+            const AccelSummary& summary = body.accel->summary();
+            row["nodes"] = summary.binaryNodes;
+            row["levels"] = summary.binaryLevels;
+            row["wide_nodes"] = summary.wideNodes;
+            row["triangle_blocks"] = summary.triangleBlocks;
             row["bytes"] = body.accel->bytes();
-            row["dropped_primitives"] = tree->droppedPrimitives;
+            row["dropped_primitives"] = summary.droppedPrimitives;
         }
         bodies.push_back(row);
     }

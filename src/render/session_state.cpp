@@ -63,9 +63,9 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
         const SessionClock::time_point start = SessionClock::now();
         std::shared_ptr<const World> compiled;
         arena.execute([&] {
-            compiled =
-                compile({request.scene, request.settings, request.camera, request.width, request.height},
-                        world.get(), control.stop);
+            compiled = compile({request.scene, request.settings, request.camera, request.width,
+                                request.height, request.keepBinaryTrees},
+                               world.get(), control.stop);
         });
         {
             const std::scoped_lock guard(lock);

@@ -29,6 +29,9 @@ constexpr std::string_view environment(const Settings& s) {
 }
 constexpr std::string_view lens(const Settings& s) { return unless(s.depthOfField, "depth of field is off"); }
 constexpr std::string_view bvh(const Settings& s) { return unless(s.bvh, "the BVH is off"); }
+constexpr std::string_view wide(const Settings& s) {
+    return unless(s.bvh && s.bvhLayout == BvhLayout::Wide, "only the wide layout has kernels to choose from");
+}
 constexpr std::string_view bins(const Settings& s) {
     return unless(s.bvh && s.bvhBuilder == BvhBuilder::SahBinned, "only the binned SAH builder uses bins");
 }
@@ -122,6 +125,12 @@ inline constexpr std::tuple kSettingsTable{
     Range<int>{{"bvh_leaf_size", "Acceleration", "BVH leaf size",
            "Most primitives in a leaf above the deepest level.", "primitives"},
            &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, idle::bvh},
+    Choice<BvhLayout, 2>{{"bvh_layout", "Acceleration", "BVH layout",
+           "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image."},
+           &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, idle::bvh},
+    Choice<Isa, 5>{{"isa", "Acceleration", "Instruction set",
+           "Kernels for the wide layout; auto takes the best that the machine has; same image."},
+           &Settings::isa, {"auto", "scalar", "sse2", "avx2", "avx512"}, Invalidates::Accel, idle::wide},
 
     Toggle{{"bloom", "Display", "Bloom", "Bright parts of the image glow."}, &Settings::bloom, Invalidates::Display},
     Choice<BloomFilter, 2>{{"bloom_filter", "Display", "Bloom filter", "Shape of the glow."},

@@ -5,15 +5,20 @@
 
 namespace rayscope {
 
-namespace {
-
-BuildSettings buildSettings(const Settings& settings, std::stop_token stop) {
-    return {settings.bvhBuilder, settings.bvhBins, settings.bvhMaxLevel, settings.bvhLeafSize,
-            std::move(stop)};
+BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop) {
+    return {.builder = settings.bvhBuilder,
+            .bins = settings.bvhBins,
+            .maxLevel = settings.bvhMaxLevel,
+            .leafSize = settings.bvhLeafSize,
+            .layout = settings.bvhLayout,
+            .isa = settings.isa,
+            .stop = std::move(stop)};
 }
 
+namespace {
+
 /// Shares geometry and hierarchies with the previous world as far as they are the same.
-void compileBodies(World& world, const World* previous, std::stop_token stop) {
+void compileBodies(World& world, const World* previous, bool keepBinaryTrees, std::stop_token stop) {
     const Settings& settings = world.settings;
     const bool sameShapes = previous && sameGeometry(*previous->description, *world.description) &&
                             previous->settings.motionBlur == settings.motionBlur;
@@ -24,6 +29,8 @@ void compileBodies(World& world, const World* previous, std::stop_token stop) {
         geometries = makeGeometry(*world.description, settings.motionBlur);
 
     const bool sameTrees = sameShapes && changed(previous->settings, settings) < Invalidates::Accel;
+    BuildSettings build = buildSettingsOf(settings, std::move(stop));
+    build.keepBinaryTree = keepBinaryTrees;
     const auto start = std::chrono::steady_clock::now();
     std::uint32_t first = 0;
     for (std::size_t i = 0; i < geometries.size(); ++i) {
@@ -31,8 +38,7 @@ void compileBodies(World& world, const World* previous, std::stop_token stop) {
         if (sameTrees && previous->bodies[i].accel)
             body.accel = previous->bodies[i].accel;
         else if (settings.bvh)
-            body.accel = std::make_shared<const Accel>(
-                Accel::build(body.geometry->input, buildSettings(settings, stop)));
+            body.accel = std::make_shared<const Accel>(Accel::build(body.geometry->input, build));
         first += static_cast<std::uint32_t>(body.geometry->input.triangles.size() +
                                             body.geometry->input.spheres.size());
         world.moves |= body.geometry->motion != glm::vec3(0.0f);
@@ -95,7 +101,7 @@ std::shared_ptr<const World> compile(const CompileRequest& request, const World*
     if (request.settings.environment) world->environment = request.scene->environment;
     compileMaterials(*world, previous);
     compileLights(*world);
-    compileBodies(*world, previous, std::move(stop));
+    compileBodies(*world, previous, request.keepBinaryTrees, std::move(stop));
     return world;
 }
 

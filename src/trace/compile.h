@@ -1,4 +1,5 @@
 #pragma once
+#include <rayscope/accel.h>
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
 #include <memory>
@@ -14,7 +15,11 @@ struct CompileRequest {
     Settings settings;
     CameraDescription camera;
     int width = 1, height = 1;
+    bool keepBinaryTrees = true;  ///< for looking at and walking step by step; rays do not need them
 };
+
+/// How the settings ask hierarchies to be built.
+BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop = {});
 
 /// Makes a description ready to trace. What did not change since `previous` (which may be null) is shared
 /// with it, so that moving a light or the camera costs nothing. Throws Stopped when asked to stop, InputError

@@ -86,7 +86,7 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     const glm::uvec3 index = input.triangles[name.inBody];
     TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
                       static_cast<double>(at.hit.v)};
-    intersectTriangle(ShearedRay(ray), input.vertices[index.x], input.vertices[index.y],
+    intersectTriangle(ShearedRay(words(ray)), input.vertices[index.x], input.vertices[index.y],
                       input.vertices[index.z], exact);
     const glm::dvec3 weights(1.0 - exact.u - exact.v, exact.u, exact.v);
     at.t = exact.t;

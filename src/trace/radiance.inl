@@ -3,8 +3,10 @@
 // and Carpenter 1984). Every term carries its throughput and is added to one sum, so the radiance of a sample
 // is the left fold of its terms, in the order in which they are found.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "math/frame.h"
 #include "sampling/sample_stream.h"
@@ -13,6 +15,26 @@
 #include "trace/radiance.h"
 
 namespace rayscope {
+
+constexpr int kLightGroup = 64;  ///< most shadow rays asked for at once
+
+/// What a position on a light would add, before it is known whether anything is in the way.
+struct LightTerm {
+    LightConnection connection;
+    glm::dvec3 reflected{0.0};
+    bool needsShadow = false;
+};
+
+/// The shadow ray ends before the light by the rounding of both ends, so that a lamp's own surface does not
+/// block it.
+inline Ray shadowRay(const LightConnection& connection) {
+    const glm::dvec3 from = connection.from, toLight = connection.at.position - from;
+    const glm::dvec3 size = glm::abs(connection.at.position) + glm::abs(from);
+    const double slack = 0x1p-22 * std::max({size.x, size.y, size.z}) / glm::length(toLight);
+    Ray ray{connection.from, glm::vec3(toLight)};
+    ray.tMax = static_cast<float>(std::max(0.0, 1.0 - slack));
+    return ray;
+}
 
 template <PathObserver O>
 class Tracer {
@@ -40,6 +62,11 @@ class Tracer {
                  const glm::dvec3& throughput);
     void reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
                        const glm::dvec3& direction);
+    template <int kGroup>
+    void shadeByLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
+                      const glm::dvec3& throughput);
+    LightTerm connect(std::size_t light, int sample, const Interaction& at, const glm::vec2& u) const;
+    void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& ray);
     bool inSharpZone(const glm::dvec2& pixel);
     glm::dvec3 mirrorDirection(const Interaction& at) const;
@@ -148,59 +175,90 @@ void Tracer<O>::shade(const Segment& segment, const Interaction& at, const Branc
 template <PathObserver O>
 void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Branch& branch,
                              const glm::dvec3& throughput) {
-    const CompiledLight& compiled = world_.lights[index];
-    const int n = branch.split ? 1 : compiled.grid.count();
-    const SurfaceMaterial& material = world_.materials[at.material];
-    const PhongSurface surface{at.kd, material.ks, material.shininess};
-    const glm::vec3 from = at.originOutside();
-    const glm::dvec3 plain = at.kd / static_cast<double>(world_.lights.size());
-    const SamplePoints points = stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
-    for (int k = 0; k < n; ++k) {
-        glm::vec2 u(0.0f);
-        if (compiled.dimensions == 1) u.x = points.get1D(k);
-        if (compiled.dimensions == 2) u = points.get2D(k);
-        LightConnection connection{static_cast<int>(index), k, from, sampleLight(compiled.light, u)};
-        const glm::dvec3 toLight = connection.at.position - glm::dvec3(from);
-        const double distance = glm::length(toLight);
+    const int n = branch.split ? 1 : world_.lights[index].grid.count();
+    if (n == 1)
+        shadeByLight<1>(index, n, at, branch, throughput);
+    else
+        shadeByLight<kLightGroup>(index, n, at, branch, throughput);
+}
 
-        glm::dvec3 reflected = plain;
-        if (settings_.shading) {
-            reflected = distance > 0.0
-                            ? connection.at.color * phong(surface, at.normal, toLight / distance, at.toViewer)
-                            : glm::dvec3(0.0);
-            if (compiled.light.falloff == Falloff::InverseSquare)
-                reflected /= std::max(distance * distance, 0x1p-126);
+/// Asks for shadow rays in groups; terms are added in the order of the samples.
+template <PathObserver O>
+template <int kGroup>
+void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
+                             const glm::dvec3& throughput) {
+    const CompiledLight& compiled = world_.lights[index];
+    const SamplePoints points = stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
+    std::array<LightTerm, kGroup> terms;
+    std::array<Ray, kGroup> shadows;
+    std::array<double, kGroup> visible;
+    for (int first = 0; first < n; first += kGroup) {
+        const int count = std::min(kGroup, n - first);
+        std::size_t asked = 0;
+        for (int k = 0; k < count; ++k) {
+            glm::vec2 u(0.0f);
+            if (compiled.dimensions == 1) u.x = points.get1D(first + k);
+            if (compiled.dimensions == 2) u = points.get2D(first + k);
+            LightTerm& term = terms[static_cast<std::size_t>(k)];
+            term = connect(index, first + k, at, u);
+            if (term.needsShadow) shadows[asked++] = shadowRay(term.connection);
         }
-        glm::dvec3 term(0.0);
-        if (reflected == glm::dvec3(0.0)) {
-            connection.visibility = Visibility::FacingAway;
-        } else if (!compiled.castsShadows) {
-            term = throughput * reflected / static_cast<double>(n);
-        } else {
-            // End before the light by the rounding of both ends, so that a lamp's own surface does not block
-            // it.
-            Ray ray{from, glm::vec3(toLight)};
-            const glm::dvec3 size = glm::abs(connection.at.position) + glm::abs(glm::dvec3(from));
-            const double slack = 0x1p-22 * std::max({size.x, size.y, size.z}) / distance;
-            ray.tMax = static_cast<float>(std::max(0.0, 1.0 - slack));
-            const double visible = transmittance(ray);
-            term = throughput * reflected * visible / static_cast<double>(n);
-            connection.visibility = visible == 1.0  ? Visibility::Visible
-                                    : visible > 0.0 ? Visibility::Attenuated
-                                                    : Visibility::Blocked;
+        transmittances({shadows.data(), asked}, {visible.data(), asked});
+        asked = 0;
+        for (int k = 0; k < count; ++k) {
+            LightTerm& term = terms[static_cast<std::size_t>(k)];
+            const double seen = term.needsShadow ? visible[asked++] : 1.0;
+            if (term.needsShadow)
+                term.connection.visibility = seen == 1.0  ? Visibility::Visible
+                                             : seen > 0.0 ? Visibility::Attenuated
+                                                          : Visibility::Blocked;
+            const glm::dvec3 value = throughput * term.reflected * seen / static_cast<double>(n);
+            observer_.lightSampled(term.connection, value);
+            if (value != glm::dvec3(0.0)) add(value);
         }
-        observer_.lightSampled(connection, term);
-        if (term != glm::dvec3(0.0)) add(term);
     }
 }
 
-/// The fraction of light that gets along a shadow ray.
+/// Connects a surface with a position on a light; what it would reflect if nothing were in the way.
+template <PathObserver O>
+LightTerm Tracer<O>::connect(std::size_t index, int sample, const Interaction& at, const glm::vec2& u) const {
+    const CompiledLight& compiled = world_.lights[index];
+    const glm::vec3 from = at.originOutside();
+    LightTerm term;
+    term.connection = {static_cast<int>(index), sample, from, sampleLight(compiled.light, u)};
+    if (settings_.shading) {
+        const SurfaceMaterial& material = world_.materials[at.material];
+        const glm::dvec3 toLight = term.connection.at.position - glm::dvec3(from);
+        const double distance = glm::length(toLight);
+        if (distance > 0.0)
+            term.reflected = term.connection.at.color * phong({at.kd, material.ks, material.shininess},
+                                                              at.normal, toLight / distance, at.toViewer);
+        if (compiled.light.falloff == Falloff::InverseSquare)
+            term.reflected /= std::max(distance * distance, 0x1p-126);
+    } else {
+        term.reflected = at.kd / static_cast<double>(world_.lights.size());
+    }
+    const bool facesAway = term.reflected == glm::dvec3(0.0);
+    if (facesAway) term.connection.visibility = Visibility::FacingAway;
+    term.needsShadow = compiled.castsShadows && !facesAway;
+    return term;
+}
+
+template <PathObserver O>
+void Tracer<O>::transmittances(std::span<const Ray> shadows, std::span<double> visible) {
+    if (world_.attenuatesShadows) {
+        for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = transmittance(shadows[i]);
+        return;
+    }
+    std::array<std::uint8_t, kLightGroup> occluded;
+    world_.anyHits(shadows, time_, {occluded.data(), shadows.size()});
+    rays_ += shadows.size();
+    for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = occluded[i] ? 0.0 : 1.0;
+}
+
+/// The fraction of light that gets along a shadow ray through whatever it crosses.
 template <PathObserver O>
 double Tracer<O>::transmittance(const Ray& shadow) {
-    if (!world_.attenuatesShadows) {
-        ++rays_;
-        return world_.anyHit(shadow, time_) ? 0.0 : 1.0;
-    }
     double passed = 1.0;
     Ray ray = shadow;
     const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);

@@ -44,6 +44,11 @@ bool World::anyHit(const Ray& ray, float time) const {
     return false;
 }
 
+void World::anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const {
+    if (!moves && settings.bvh && !bodies.empty()) return bodies[0].accel->anyHits(rays, occluded);
+    for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i], time);
+}
+
 PrimitiveName World::nameOf(std::uint32_t primitive) const {
     std::size_t i = bodies.size() - 1;
     while (bodies[i].firstPrimitive > primitive) --i;

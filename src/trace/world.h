@@ -6,6 +6,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "shading/light_sample.h"
@@ -67,6 +68,8 @@ class World {
     /// number.
     bool closestHit(const Ray& ray, float time, Hit& hit) const;
     bool anyHit(const Ray& ray, float time) const;
+    /// The same answers for many rays at once.
+    void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
 
     PrimitiveName nameOf(std::uint32_t primitive) const;
     std::uint32_t materialOf(const PrimitiveName& name) const;

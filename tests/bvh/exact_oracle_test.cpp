@@ -56,7 +56,7 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
         const ExactTriangle exact(ray, a, b, c);
         if (exact.onEdge) continue;
         TriangleHit hit;
-        ASSERT_EQ(intersectTriangle(ShearedRay(ray), a, b, c, hit), exact.inside) << text(ray);
+        ASSERT_EQ(intersectTriangle(ShearedRay(words(ray)), a, b, c, hit), exact.inside) << text(ray);
         ++(exact.inside ? inside : outside);
         if (!exact.inside) continue;
         const mpq_class error = abs(mpq_class(hit.t) - exact.t) / abs(exact.t);
@@ -137,7 +137,7 @@ TEST(ExactOracle, BoxThatIsMetIsNeverMissed) {
         const BinaryNode box = someBox(random, size);
         const Ray ray = rayAtBox(random, box, size);
         if (ray.direction == glm::vec3(0.0f)) continue;
-        const BoxRay boxRay(ray);
+        const BoxRay boxRay(words(ray));
         float entry;
         const bool found = intersectBox(planes(box), boxRay, boxRay.tMax, entry);
         const bool exact = exactlyMeets(box, ray);
@@ -169,7 +169,7 @@ TEST(ExactOracle, BoxTestIsMonotone) {
             if (random.integer(2))
                 outer.upper[axis] += static_cast<float>(size * std::exp2(-random.real(0, 30)));
         }
-        const BoxRay boxRay(ray);
+        const BoxRay boxRay(words(ray));
         float entry, outerEntry;
         if (!intersectBox(planes(inner), boxRay, boxRay.tMax, entry)) continue;
         ++met;

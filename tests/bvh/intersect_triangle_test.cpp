@@ -10,6 +10,8 @@
 namespace rayscope::test {
 namespace {
 
+using kernel::ShearedVertex;
+
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -41,8 +43,8 @@ TEST(IntersectTriangle, EarlyRejectionChangesNothing) {
     int rejected = 0, hits = 0;
     for (int i = 0; i < 300000; ++i) {
         const Case test = someCase(random);
-        const ShearedRay ray(test.ray);
-        const ShearedVertex a = shear(ray, test.a), b = shear(ray, test.b), c = shear(ray, test.c);
+        const ShearedRay ray(words(test.ray));
+        const ShearedVertex a = shear(ray, &test.a.x), b = shear(ray, &test.b.x), c = shear(ray, &test.c.x);
         TriangleHit fast{}, exact{};
         const bool fastHits = intersectTriangle(ray, test.a, test.b, test.c, fast);
         const bool exactHits = intersectSheared(ray, a, b, c, exact);
@@ -62,7 +64,7 @@ TEST(IntersectTriangle, WeightsDescribeTheHitPoint) {
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
         TriangleHit hit;
-        if (!intersectTriangle(ShearedRay(test.ray), test.a, test.b, test.c, hit)) continue;
+        if (!intersectTriangle(ShearedRay(words(test.ray)), test.a, test.b, test.c, hit)) continue;
         ASSERT_GE(hit.u, 0.0);
         ASSERT_GE(hit.v, 0.0);
         ASSERT_LE(hit.u + hit.v, 1.0 + 0x1p-50);
@@ -85,7 +87,7 @@ TEST(IntersectTriangle, OrderOfVerticesDoesNotMatter) {
     Random random(3);
     for (int i = 0; i < 50000; ++i) {
         const Case test = someCase(random);
-        const ShearedRay ray(test.ray);
+        const ShearedRay ray(words(test.ray));
         const glm::vec3 v[3] = {test.a, test.b, test.c};
         TriangleHit first{};
         const bool hits = intersectTriangle(ray, v[0], v[1], v[2], first);
@@ -103,13 +105,13 @@ TEST(IntersectTriangle, WithoutAreaOrFiniteCornersThereIsNoHit) {
     Random random(4);
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
-        const ShearedRay ray(test.ray);
+        const ShearedRay ray(words(test.ray));
         TriangleHit hit;
         ASSERT_FALSE(intersectTriangle(ray, test.a, test.b, test.b, hit));
         ASSERT_FALSE(intersectTriangle(ray, test.a, test.b, test.a, hit));
         ASSERT_FALSE(intersectTriangle(ray, test.a, test.a, test.a, hit));
         const glm::vec3 step(1, random.integer(5) - 2, random.integer(5) - 2);
-        ASSERT_FALSE(intersectTriangle(ShearedRay({{1, 2, 3}, step * 2.0f}), glm::vec3(1, 2, 3) + step,
+        ASSERT_FALSE(intersectTriangle(ShearedRay(words({{1, 2, 3}, step * 2.0f})), glm::vec3(1, 2, 3) + step,
                                        glm::vec3(1, 2, 3) + 2.0f * step, glm::vec3(1, 2, 3) + 3.0f * step,
                                        hit));
         test.b[random.integer(3)] = random.integer(3) ? (random.integer(2) ? kInfinity : -kInfinity) : kNaN;
@@ -122,15 +124,15 @@ TEST(IntersectTriangle, SeenEdgeOnThereIsNoHit) {
     TriangleHit hit;
     for (const glm::vec3& direction : {glm::vec3(1, 0, 0), {0, -1, 0}, {1, 1, 0}, {-3, 2, -0.0f}})
         for (const glm::vec3& origin : {glm::vec3(0), {-5, -3, 0}, {0.25f, 0.25f, 0}})
-            EXPECT_FALSE(
-                intersectTriangle(ShearedRay({origin, direction}), {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, hit));
+            EXPECT_FALSE(intersectTriangle(ShearedRay(words({origin, direction})), {0, 0, 0}, {1, 0, 0},
+                                           {0, 1, 0}, hit));
 }
 
 TEST(IntersectTriangle, ExtremeSizes) {
     for (int exponent = -120; exponent <= 120; exponent += 5) {
         const float s = std::ldexp(1.0f, exponent);
         TriangleHit hit;
-        ASSERT_TRUE(intersectTriangle(ShearedRay({{s, s, -s}, {0, 0, s}}), {0, 0, 0}, {3 * s, 0, 0},
+        ASSERT_TRUE(intersectTriangle(ShearedRay(words({{s, s, -s}, {0, 0, s}})), {0, 0, 0}, {3 * s, 0, 0},
                                       {0, 3 * s, 0}, hit));
         EXPECT_EQ(hit.t, 1.0);
         EXPECT_DOUBLE_EQ(hit.u, 1.0 / 3.0);

@@ -2,6 +2,7 @@
 // force.
 #include <gtest/gtest.h>
 
+#include "bvh/isa.h"
 #include "bvh/meshes.h"
 #include "bvh/traverse.h"
 
@@ -11,6 +12,7 @@ namespace {
 struct BuilderCase {
     BuildSettings settings;
     const char* name;
+    bool withAllWalks;  ///< or with the best kernels only
 };
 
 std::vector<BuilderCase> builderCases() {
@@ -21,7 +23,7 @@ std::vector<BuilderCase> builderCases() {
         settings.leafSize = leafSize;
         settings.maxLevel = maxLevel;
         settings.bins = bins;
-        cases.push_back({settings, name});
+        cases.push_back({settings, name, leafSize == 4});
     };
     add("median", BvhBuilder::Median, 1, 64, 32);
     add("median, leaves of 4", BvhBuilder::Median, 4, 64, 32);
@@ -33,6 +35,29 @@ std::vector<BuilderCase> builderCases() {
     add("level 3", BvhBuilder::SahBinned, 4, 3, 8);
     add("level 0", BvhBuilder::Sah, 4, 0, 8);
     return cases;
+}
+
+/// What queries may walk: the binary tree, and the wide one with every kernel that this machine can run.
+struct WalkCase {
+    BvhLayout layout;
+    Isa isa;
+    const char* name;
+};
+std::vector<WalkCase> walkCases() {
+    std::vector<WalkCase> cases{{BvhLayout::Binary, Isa::Auto, "binary"}};
+    for (const WalkCase& wide : {WalkCase{BvhLayout::Wide, Isa::Scalar, "wide, scalar"},
+                                 {BvhLayout::Wide, Isa::Sse2, "wide, SSE2"},
+                                 {BvhLayout::Wide, Isa::Avx2, "wide, AVX2"},
+                                 {BvhLayout::Wide, Isa::Avx512, "wide, AVX-512"}})
+        if (isAvailable(wide.isa)) cases.push_back(wide);
+    return cases;
+}
+
+Accel build(const Geometry& scene, BuildSettings settings, const WalkCase& walk) {
+    settings.layout = walk.layout;
+    settings.isa = walk.isa;
+    settings.keepBinaryTree = true;
+    return Accel::build(scene.input(), settings);
 }
 
 struct CountingObserver {
@@ -56,37 +81,42 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
                 << scene.name << ": " << text(rays[i]);
         }
         EXPECT_GT(hits, rays.size() / 50) << scene.name << ": too few hits to say anything";
-        for (const BuilderCase& builder : builderCases()) {
-            const Accel accel = Accel::build(scene.input(), builder.settings);
-            std::vector<Hit> batch(rays.size());
-            std::vector<std::uint8_t> anyBatch(rays.size(), 7);
-            accel.closestHits(rays, batch);
-            accel.anyHits(rays, anyBatch);
-            for (std::size_t i = 0; i < rays.size(); ++i) {
-                const auto where = [&] { return scene.name + ", " + builder.name + ": " + text(rays[i]); };
-                Hit hit;
-                const bool found = accel.closestHit(rays[i], hit);
-                ASSERT_TRUE(sameHit(hit, expected[i]))
-                    << where() << "\nfound " << text(hit) << "\nbrute " << text(expected[i]);
-                ASSERT_EQ(found, hit.primitive != kNoPrimitive) << where();
-                ASSERT_TRUE(sameHit(batch[i], hit)) << where();
-                ASSERT_EQ(accel.anyHit(rays[i]), occluded[i] != 0) << where();
-                ASSERT_EQ(anyBatch[i], occluded[i]) << where();
-                if (i % 16 == 0) {
-                    CountingObserver watched;
-                    Hit watchedHit;
-                    ASSERT_EQ(closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
-                              found);
-                    ASSERT_TRUE(sameHit(watchedHit, hit)) << where();
+        for (const BuilderCase& builder : builderCases())
+            for (const WalkCase& walk :
+                 builder.withAllWalks ? walkCases() : std::vector{walkCases().back()}) {
+                const Accel accel = build(scene, builder.settings, walk);
+                std::vector<Hit> batch(rays.size());
+                std::vector<std::uint8_t> anyBatch(rays.size(), 7);
+                accel.closestHits(rays, batch);
+                accel.anyHits(rays, anyBatch);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    const auto where = [&] {
+                        return scene.name + ", " + builder.name + ", " + walk.name + ": " + text(rays[i]);
+                    };
+                    Hit hit;
+                    const bool found = accel.closestHit(rays[i], hit);
+                    ASSERT_TRUE(sameHit(hit, expected[i]))
+                        << where() << "\nfound " << text(hit) << "\nbrute " << text(expected[i]);
+                    ASSERT_EQ(found, hit.primitive != kNoPrimitive) << where();
+                    ASSERT_TRUE(sameHit(batch[i], hit)) << where();
+                    ASSERT_EQ(accel.anyHit(rays[i]), occluded[i] != 0) << where();
+                    ASSERT_EQ(anyBatch[i], occluded[i]) << where();
+                    if (i % 16 == 0) {
+                        CountingObserver watched;
+                        Hit watchedHit;
+                        ASSERT_EQ(
+                            closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
+                            found);
+                        ASSERT_TRUE(sameHit(watchedHit, hit)) << where();
+                    }
                 }
             }
-        }
     }
 }
 
 TEST(SameHit, ObserverSeesEveryNodeOnce) {
     const Geometry scene = soup(2000, 0.2, 17);
-    const Accel accel = Accel::build(scene.input());
+    const Accel accel = build(scene, {}, walkCases().back());
     const BinaryTree& tree = *accel.binaryTree();
     for (const Ray& ray : awkwardRays(scene, 500, 3)) {
         struct Seen {
@@ -122,16 +152,42 @@ TEST(SameHit, EqualDistanceGoesToTheSmallerNumber) {
     for (int i = 0; i < 50; ++i) scene.triangles.push_back(scene.triangles[0]);
     const glm::vec3 middle = (scene.corner(0, 0) + scene.corner(0, 1) + scene.corner(0, 2)) / 3.0f;
     const Ray ray{middle + glm::vec3(1, 2, 3), glm::vec3(-1, -2, -3)};
-    for (const BuilderCase& builder : builderCases()) {
-        Hit hit;
-        ASSERT_TRUE(Accel::build(scene.input(), builder.settings).closestHit(ray, hit));
-        EXPECT_EQ(hit.primitive, 0u) << builder.name;
+    for (const BuilderCase& builder : builderCases())
+        for (const WalkCase& walk : walkCases()) {
+            const Accel accel = build(scene, builder.settings, walk);
+            std::vector<Hit> hits(20);
+            accel.closestHits(std::vector<Ray>(20, ray), hits);
+            for (const Hit& hit : hits) EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << walk.name;
+            Hit hit;
+            ASSERT_TRUE(accel.closestHit(ray, hit));
+            EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << walk.name;
+        }
+}
+
+TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
+    const Geometry scene = soup(3000, 0.1, 5);
+    const std::vector<Ray> rays = awkwardRays(scene, 1500, 6);
+    for (const WalkCase& walk : walkCases()) {
+        const Accel accel = build(scene, {}, walk);
+        for (const std::size_t size : {0, 1, 2, 3, 7, 8, 9, 15, 16, 17, 33, 100, 511, 512, 513, 1025})
+            for (std::size_t begin = 0; begin < rays.size() - size; begin += 400) {
+                const std::span<const Ray> some(rays.data() + begin, size);
+                std::vector<Hit> hits(size);
+                std::vector<std::uint8_t> occluded(size, 7);
+                accel.closestHits(some, hits);
+                accel.anyHits(some, occluded);
+                for (std::size_t i = 0; i < size; ++i) {
+                    Hit hit;
+                    accel.closestHit(some[i], hit);
+                    ASSERT_TRUE(sameHit(hit, hits[i])) << walk.name << ", " << size << ": " << text(some[i]);
+                    ASSERT_EQ(occluded[i], accel.anyHit(some[i])) << walk.name << ", " << size;
+                }
+            }
     }
 }
 
 TEST(SameHit, RaysThatAreNotRaysMiss) {
     const Geometry scene = soup(100, 2.0, 2);
-    const Accel accel = Accel::build(scene.input());
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
                     kInf = std::numeric_limits<float>::infinity();
     const std::vector<Ray> rays = {
@@ -140,11 +196,22 @@ TEST(SameHit, RaysThatAreNotRaysMiss) {
         {{0, 0, -9}, {0, 0, 1}, kNaN, 9},   {{0, 0, -9}, {0, 0, 1}, 0, kNaN},  {{0, 0, -9}, {0, 0, 1}, 5, 5},
         {{0, 0, -9}, {0, 0, 1}, 20.0f, 10}, {{0, 0, -9}, {0, 0, 1}, 0, -1.0f},
     };
-    for (const Ray& ray : rays) {
-        Hit hit{1, 2, 3, 4};
-        EXPECT_FALSE(accel.closestHit(ray, hit)) << text(ray);
-        EXPECT_TRUE(sameHit(hit, Hit{})) << text(ray);
-        EXPECT_FALSE(accel.anyHit(ray)) << text(ray);
+    for (const WalkCase& walk : walkCases()) {
+        const Accel accel = build(scene, {}, walk);
+        std::vector<Hit> hits(rays.size(), Hit{1, 2, 3, 4});
+        std::vector<std::uint8_t> occluded(rays.size(), 7);
+        accel.closestHits(rays, hits);
+        accel.anyHits(rays, occluded);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            EXPECT_TRUE(sameHit(hits[i], Hit{})) << text(rays[i]);
+            EXPECT_EQ(occluded[i], 0) << text(rays[i]);
+        }
+        for (const Ray& ray : rays) {
+            Hit hit{1, 2, 3, 4};
+            EXPECT_FALSE(accel.closestHit(ray, hit)) << text(ray);
+            EXPECT_TRUE(sameHit(hit, Hit{})) << text(ray);
+            EXPECT_FALSE(accel.anyHit(ray)) << text(ray);
+        }
     }
 }
 
@@ -152,55 +219,57 @@ TEST(SameHit, IntervalIsOpenBelowAndClosedAbove) {
     Geometry scene = soup(300, 0.4, 31);
     Random random(4);
     for (int i = 0; i < 20; ++i) scene.spheres.push_back({random.inCube(), 0.1f});
-    const Accel accel = Accel::build(scene.input());
     int tried = 0;
-    for (Ray ray : awkwardRays(scene, 3000, 8)) {
-        ray.tMin = 0.0f;
-        ray.tMax = std::numeric_limits<float>::infinity();
-        Hit hit, again;
-        if (!accel.closestHit(ray, hit)) continue;
-        ++tried;
-        ray.tMax = hit.t;
-        ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
-        ASSERT_TRUE(accel.anyHit(ray));
-        ray.tMax = std::nextafter(hit.t, 0.0f);
-        ASSERT_FALSE(accel.closestHit(ray, again)) << text(ray);
-        ASSERT_FALSE(accel.anyHit(ray));
-        ray.tMax = std::numeric_limits<float>::infinity();
-        ray.tMin = std::nextafter(hit.t, 0.0f);
-        ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
-        ray.tMin = hit.t;
-        if (accel.closestHit(ray, again)) {
-            ASSERT_GT(again.t, hit.t);
+    for (const WalkCase& walk : walkCases())
+        for (const Accel accel = build(scene, {}, walk); Ray ray : awkwardRays(scene, 3000, 8)) {
+            ray.tMin = 0.0f;
+            ray.tMax = std::numeric_limits<float>::infinity();
+            Hit hit, again;
+            if (!accel.closestHit(ray, hit)) continue;
+            ++tried;
+            ray.tMax = hit.t;
+            ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
+            ASSERT_TRUE(accel.anyHit(ray));
+            ray.tMax = std::nextafter(hit.t, 0.0f);
+            ASSERT_FALSE(accel.closestHit(ray, again)) << text(ray);
+            ASSERT_FALSE(accel.anyHit(ray));
+            ray.tMax = std::numeric_limits<float>::infinity();
+            ray.tMin = std::nextafter(hit.t, 0.0f);
+            ASSERT_TRUE(accel.closestHit(ray, again) && sameHit(again, hit)) << text(ray);
+            ray.tMin = hit.t;
+            if (accel.closestHit(ray, again)) {
+                ASSERT_GT(again.t, hit.t);
+            }
         }
-    }
     EXPECT_GT(tried, 1000);
 }
 
 TEST(SameHit, DirectionScaledByAPowerOfTwoScalesOnlyT) {
     const Geometry scene = soup(300, 0.4, 77);
-    const Accel accel = Accel::build(scene.input());
     int tried = 0;
-    for (Ray ray : awkwardRays(scene, 400, 12)) {
-        ray.tMin = 0.0f;
-        ray.tMax = std::numeric_limits<float>::infinity();
-        Hit hit;
-        if (!accel.closestHit(ray, hit)) continue;
-        for (int k = -90; k <= 90; k += 15) {
-            Ray scaled = ray;
-            for (int axis = 0; axis < 3; ++axis) scaled.direction[axis] = std::ldexp(ray.direction[axis], k);
-            bool exact = true;  // no component became denormal
-            for (int axis = 0; axis < 3; ++axis)
-                exact &= std::ldexp(scaled.direction[axis], -k) == ray.direction[axis];
-            if (!exact) continue;
-            Hit expected = hit, found;
-            expected.t = std::ldexp(hit.t, -k);
-            if (std::ldexp(expected.t, k) != hit.t) continue;
-            ASSERT_TRUE(accel.closestHit(scaled, found));
-            ASSERT_TRUE(sameHit(found, expected)) << k << " " << text(ray) << text(found) << text(expected);
-            ++tried;
+    for (const WalkCase& walk : walkCases())
+        for (const Accel accel = build(scene, {}, walk); Ray ray : awkwardRays(scene, 400, 12)) {
+            ray.tMin = 0.0f;
+            ray.tMax = std::numeric_limits<float>::infinity();
+            Hit hit;
+            if (!accel.closestHit(ray, hit)) continue;
+            for (int k = -90; k <= 90; k += 15) {
+                Ray scaled = ray;
+                for (int axis = 0; axis < 3; ++axis)
+                    scaled.direction[axis] = std::ldexp(ray.direction[axis], k);
+                bool exact = true;  // no component became denormal
+                for (int axis = 0; axis < 3; ++axis)
+                    exact &= std::ldexp(scaled.direction[axis], -k) == ray.direction[axis];
+                if (!exact) continue;
+                Hit expected = hit, found;
+                expected.t = std::ldexp(hit.t, -k);
+                if (std::ldexp(expected.t, k) != hit.t) continue;
+                ASSERT_TRUE(accel.closestHit(scaled, found));
+                ASSERT_TRUE(sameHit(found, expected))
+                    << k << " " << text(ray) << text(found) << text(expected);
+                ++tried;
+            }
         }
-    }
     EXPECT_GT(tried, 1000);
 }
 

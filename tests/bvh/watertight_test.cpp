@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bvh/intersect_triangle.h"
+#include "bvh/isa.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {
@@ -50,7 +51,7 @@ Ray aimedRay(const Geometry& mesh, const Place& place, Aim aim, Random& random) 
 }
 
 int crossings(const Geometry& mesh, const Ray& ray) {
-    const ShearedRay sheared(ray);
+    const ShearedRay sheared(words(ray));
     int count = 0;
     for (const glm::uvec3& t : mesh.triangles) {
         TriangleHit hit;
@@ -70,6 +71,27 @@ std::vector<Place> places() {
     return result;
 }
 
+/// Asks single and batched queries of every kernel.
+void expectNoLeak(const Geometry& mesh, const std::vector<Ray>& rays) {
+    for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
+        if (!isAvailable(isa)) continue;
+        BuildSettings settings;
+        settings.isa = isa;
+        const Accel accel = Accel::build(mesh.input(), settings);
+        std::vector<Hit> hits(rays.size());
+        std::vector<std::uint8_t> occluded(rays.size());
+        accel.closestHits(rays, hits);
+        accel.anyHits(rays, occluded);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            Hit hit;
+            ASSERT_TRUE(accel.closestHit(rays[i], hit)) << mesh.name << ": " << text(rays[i]);
+            ASSERT_TRUE(accel.anyHit(rays[i])) << mesh.name << ": " << text(rays[i]);
+            ASSERT_NE(hits[i].primitive, kNoPrimitive) << mesh.name << ", batched: " << text(rays[i]);
+            ASSERT_TRUE(occluded[i]) << mesh.name << ", batched: " << text(rays[i]);
+        }
+    }
+}
+
 class WatertightMesh : public testing::TestWithParam<int> {
   protected:
     static Geometry mesh(int which) {
@@ -82,15 +104,10 @@ TEST_P(WatertightMesh, NoRayLeaksOutOfAClosedMesh) {
     Random random(17);
     for (const Place& place : places()) {
         const Geometry moved = unit.transformed(place.scale, place.offset);
-        const Accel accel = Accel::build(moved.input());
+        std::vector<Ray> rays;
         for (const Aim aim : kAims)
-            for (int i = 0; i < 5000; ++i) {
-                const Ray ray = aimedRay(moved, place, aim, random);
-                Hit hit;
-                ASSERT_TRUE(accel.closestHit(ray, hit))
-                    << moved.name << " scale " << place.scale << ": " << text(ray);
-                ASSERT_TRUE(accel.anyHit(ray)) << moved.name << ": " << text(ray);
-            }
+            for (int i = 0; i < 2500; ++i) rays.push_back(aimedRay(moved, place, aim, random));
+        expectNoLeak(moved, rays);
     }
 }
 

@@ -42,6 +42,7 @@ Settings baseFor(std::string_view key) {
 /// Both ends of a setting; sample counts beyond 64 would only take time.
 std::array<std::string, 2> endsOf(const SettingInfo& info) {
     if (info.kind == "boolean") return {"false", "true"};
+    if (info.key == "isa") return {"scalar", "auto"};  // not every machine has the others
     if (info.kind == "choice") return {std::string(info.choices.front()), std::string(info.choices.back())};
     const bool samples = info.unit.starts_with("samples") || info.unit == "rays";
     const double highest =
@@ -50,15 +51,18 @@ std::array<std::string, 2> endsOf(const SettingInfo& info) {
 }
 
 /// Settings that decide how an image is found, not what it is.
-bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh"); }
+bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh") || key == "isa"; }
 
-/// What the tree of the first body looks like.
+/// What the tree of the first body looks like, and how it is walked.
 std::vector<std::uint32_t> treeOf(const Settings& settings) {
     const auto world = compileScene(everythingScene(), settings, kWidth, kHeight);
     if (!world->bodies[0].accel) return {};
     const BinaryTree* tree = world->bodies[0].accel->binaryTree();
     std::vector<std::uint32_t> shape = tree->primitives;
+    const AccelSummary& summary = world->bodies[0].accel->summary();
     shape.push_back(static_cast<std::uint32_t>(tree->nodes.size()));
+    shape.push_back(static_cast<std::uint32_t>(summary.wideNodes));
+    shape.push_back(static_cast<std::uint32_t>(summary.isa));
     return shape;
 }
 

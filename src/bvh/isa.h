@@ -1,0 +1,17 @@
+#pragma once
+#include <rayscope/settings.h>
+
+#include "bvh/kernel/kernels.h"
+
+namespace rayscope {
+
+/// Whether this build has kernels for an instruction set and this machine can run them.
+bool isAvailable(Isa isa);
+
+/// The best of those; what Isa::Auto stands for.
+Isa bestIsa();
+
+/// Throws std::invalid_argument for an instruction set that is not available.
+const kernel::Kernels& kernelsFor(Isa isa);
+
+}  // namespace rayscope

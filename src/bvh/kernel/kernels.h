@@ -1,0 +1,19 @@
+#pragma once
+// The queries of the wide tree, once per instruction set. All give the same answers, bit for bit.
+#include "bvh/kernel/query.h"
+#include "bvh/kernel/wide_tree.h"
+
+namespace rayscope::kernel {
+
+struct Kernels {
+    /// Leaves `hit` as it is on a miss.
+    bool (*closestHit)(const WideTreeView& tree, RayWords ray, HitWords& hit);
+    bool (*anyHit)(const WideTreeView& tree, RayWords ray);
+    /// The same for many rays of eight words each; a miss gives what a default Hit holds.
+    void (*closestHits)(const WideTreeView& tree, const float* rays, HitWords* hits, size_t count);
+    void (*anyHits)(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count);
+};
+
+extern const Kernels kPortableKernels, kSse2Kernels, kAvx2Kernels, kAvx512Kernels;
+
+}  // namespace rayscope::kernel

@@ -1,0 +1,7 @@
+// clang-format off: the lanes come first
+#include "bvh/kernel/lanes_avx512.inl"
+// clang-format on
+#include "bvh/kernel/kernels.h"
+#include "bvh/kernel/stream.inl"
+
+const rayscope::kernel::Kernels rayscope::kernel::kAvx512Kernels = {closestHit, anyHit, closestHits, anyHits};

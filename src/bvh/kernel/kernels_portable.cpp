@@ -1,0 +1,9 @@
+// clang-format off: the lanes come first
+#include "bvh/kernel/compress_portable.inl"
+#include "bvh/kernel/lanes_portable.inl"
+// clang-format on
+#include "bvh/kernel/kernels.h"
+#include "bvh/kernel/stream.inl"
+
+const rayscope::kernel::Kernels rayscope::kernel::kPortableKernels = {closestHit, anyHit, closestHits,
+                                                                      anyHits};

@@ -1,0 +1,80 @@
+// A ray against the boxes of a node. Include after one of the lanes_*.inl.
+#include "bvh/kernel/fast_ray.h"
+#include "bvh/kernel/query.h"
+#include "bvh/kernel/wide_tree.h"
+
+namespace rayscope::kernel {
+namespace {
+
+/// Rows of WideNode::planes, by the direction of a ray.
+struct PlaneRows {
+    int near[3];
+
+    RAYSCOPE_INLINE explicit PlaneRows(RayWords ray) {
+        for (int axis = 0; axis < 3; ++axis)
+            near[axis] = 2 * axis + static_cast<int>(__builtin_bit_cast(uint32_t, ray[3 + axis]) >> 31);
+    }
+    RAYSCOPE_INLINE Lanes nearPlanes(const WideNode& node, int axis) const {
+        return Lanes::load(node.planes[near[axis]]);
+    }
+    RAYSCOPE_INLINE Lanes farPlanes(const WideNode& node, int axis) const {
+        return Lanes::load(node.planes[near[axis] ^ 1]);
+    }
+};
+
+/// The ray spread over all lanes, in the arithmetic of intersectBox().
+struct ExactBoxLanes {
+    PlaneRows rows;
+    Lanes origin[3], nearInverse[3], farInverse[3], tMin;
+
+    RAYSCOPE_INLINE ExactBoxLanes(RayWords words, const BoxRay& ray)
+        : rows(words), tMin(Lanes::all(ray.tMin)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            origin[axis] = Lanes::all(ray.origin[axis]);
+            nearInverse[axis] = Lanes::all(ray.nearInverse[axis]);
+            farInverse[axis] = Lanes::all(ray.farInverse[axis]);
+        }
+    }
+    RAYSCOPE_INLINE Lanes near(const WideNode& node, int axis) const {
+        return (rows.nearPlanes(node, axis) - origin[axis]) * nearInverse[axis];
+    }
+    RAYSCOPE_INLINE Lanes far(const WideNode& node, int axis) const {
+        return (rows.farPlanes(node, axis) - origin[axis]) * farInverse[axis];
+    }
+};
+
+/// The same in the arithmetic of FastRay, whose margins are worked into scales and constants.
+struct FastBoxLanes {
+    PlaneRows rows;
+    Lanes nearInverse[3], nearConstant[3], farInverse[3], farConstant[3], tMin;
+
+    RAYSCOPE_INLINE FastBoxLanes(RayWords words, const FastRay& ray)
+        : rows(words), tMin(Lanes::all(ray.tMin)) {
+        for (int axis = 0; axis < 3; ++axis) {
+            nearInverse[axis] = Lanes::all(ray.inverse[axis] * (1.0f - 0x1p-20f));
+            farInverse[axis] = Lanes::all(ray.inverse[axis] * (1.0f + 0x1p-20f));
+            nearConstant[axis] = Lanes::all(ray.constant[axis] * (1.0f - 0x1p-20f) - ray.pad);
+            farConstant[axis] = Lanes::all(ray.constant[axis] * (1.0f + 0x1p-20f) + ray.pad);
+        }
+    }
+    RAYSCOPE_INLINE Lanes near(const WideNode& node, int axis) const {
+        return multiplyAdd(rows.nearPlanes(node, axis), nearInverse[axis], nearConstant[axis]);
+    }
+    RAYSCOPE_INLINE Lanes far(const WideNode& node, int axis) const {
+        return multiplyAdd(rows.farPlanes(node, axis), farInverse[axis], farConstant[axis]);
+    }
+};
+
+/// Which children the ray meets between tMin and `bound`: at least those that intersectBox() would find. A
+/// distance that is NaN excludes nothing.
+template <class BoxLanes>
+RAYSCOPE_INLINE unsigned intersectChildren(const WideNode& node, const BoxLanes& ray, float bound,
+                                           Lanes& entry) {
+    entry = maximum(maximum(ray.near(node, 0), ray.near(node, 1)), maximum(ray.near(node, 2), ray.tMin));
+    const Lanes leave =
+        minimum(minimum(ray.far(node, 0), ray.far(node, 1)), minimum(ray.far(node, 2), Lanes::all(bound)));
+    return lessOrEqual(entry, leave);
+}
+
+}  // namespace
+}  // namespace rayscope::kernel

@@ -1,0 +1,124 @@
+#pragma once
+// What a ray needs to be tested against boxes and triangles, computed once.
+//
+// The files of this folder are compiled once per instruction set. They hold plain data and functions that are
+// always inlined, and include nothing else: an inline function of another header, compiled for AVX, might be
+// the copy that the linker picks for everyone.
+#include <stdint.h>
+
+namespace rayscope::kernel {
+
+#define RAYSCOPE_INLINE [[gnu::always_inline]] inline
+
+constexpr float kInfinity = __builtin_inff();
+constexpr float kLargest = __FLT_MAX__;
+constexpr uint32_t kNoPrimitive = 0xffffffffu;
+
+/// The words of a Ray: origin, direction, tMin, tMax.
+using RayWords = const float*;
+
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = int32_t __attribute__((vector_size(16)));
+using Double4 = double __attribute__((vector_size(32)));
+
+RAYSCOPE_INLINE Float4 load4(const float* from) {
+    Float4 to;
+    __builtin_memcpy(&to, from, sizeof to);
+    return to;
+}
+RAYSCOPE_INLINE Float4 absolute(Float4 x) {
+    return __builtin_bit_cast(Float4, __builtin_bit_cast(Int4, x) & 0x7fffffff);
+}
+RAYSCOPE_INLINE float largestOf3(Float4 x) {
+    const float ab = x[0] > x[1] ? x[0] : x[1];
+    return x[2] > ab ? x[2] : ab;
+}
+
+/// 2^k with 2^k <= x < 2^(k+1), for positive normal x.
+RAYSCOPE_INLINE float powerOfTwoBelow(float x) {
+    return __builtin_bit_cast(float, __builtin_bit_cast(uint32_t, x) & 0x7f800000u);
+}
+
+/// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
+RAYSCOPE_INLINE bool isTraceable(RayWords ray) {
+    const Float4 direction = load4(ray + 3);
+    const Float4 nothing = load4(ray) * 0.0f + direction * 0.0f;  // NaN where infinite or NaN
+    const bool finite = nothing[0] + nothing[1] + nothing[2] == 0.0f;
+    return finite & (largestOf3(absolute(direction)) > 0.0f) & (ray[6] < ray[7]) & (ray[7] > 0.0f);
+}
+
+/// For the test against boxes; see intersect_box.h. The direction must be finite and not zero. Of all vectors
+/// the first three numbers count.
+///
+/// Distances are measured in units of the direction divided by a power of two, chosen so that its longest
+/// component lies in [1, 2): nothing overflows or underflows because of the length of the direction.
+struct BoxRay {
+    Float4 origin;
+    Float4 nearInverse;
+    Float4 farInverse;
+    Int4 nearPlane;  ///< index of the near plane among the eight words of a BinaryNode
+    float tMin;      ///< scaled; a negative tMin counts as 0
+    float tMax;      ///< scaled
+    double scale;    ///< power of two: distance = t * scale
+
+    RAYSCOPE_INLINE explicit BoxRay(RayWords ray) {
+        constexpr double kPad = 0x1p-21;  // 8u
+        const Float4 direction = load4(ray + 3);
+        origin = load4(ray);
+        nearPlane = Int4{0, 1, 2, 3} +
+                    (__builtin_bit_cast(Int4, direction) < 0 ? Int4{4, 4, 4, 4} : Int4{0, 0, 0, 0});
+        const double longest = largestOf3(absolute(direction));
+        scale = __builtin_bit_cast(double, __builtin_bit_cast(uint64_t, longest) & 0x7ff0000000000000u);
+        tMin = distance(ray[6] > 0.0f ? ray[6] : 0.0f);
+        tMax = distance(ray[7]);
+        const Double4 inverse = scale / __builtin_convertvector(direction, Double4);
+        const Float4 shorter = __builtin_convertvector(inverse * (1.0 - kPad), Float4);
+        farInverse = __builtin_convertvector(inverse * (1.0 + kPad), Float4);
+        // A near distance must not become infinite because the reciprocal did; a far distance may.
+        const Float4 above = shorter > kLargest ? Float4{} + kLargest : shorter;
+        const Float4 finite = above < -kLargest ? Float4{} - kLargest : above;
+        nearInverse = direction == 0.0f ? shorter : finite;
+    }
+
+    /// The distance that stands for t; never below any float distance that does not exceed the true value.
+    RAYSCOPE_INLINE float distance(float t) const { return static_cast<float>(t * scale); }
+};
+
+/// The axes of the space in which a ray runs along z: the longest component of its direction comes last, and
+/// the winding is kept.
+struct RayAxes {
+    int kx, ky, kz;
+
+    RAYSCOPE_INLINE explicit RayAxes(RayWords ray) {
+        const float* direction = ray + 3;
+        const float x = __builtin_fabsf(direction[0]), y = __builtin_fabsf(direction[1]),
+                    z = __builtin_fabsf(direction[2]);
+        kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+        const int first = kz == 2 ? 0 : kz + 1;
+        const int second = first == 2 ? 0 : first + 1;
+        const bool backward = direction[kz] < 0.0f;
+        kx = backward ? second : first;
+        ky = backward ? first : second;
+    }
+};
+
+/// For the test against triangles; see intersect_triangle.h. The direction must be finite and not zero.
+struct ShearedRay {
+    double origin[3];
+    double shearX, shearY, scaleZ;
+    int kx, ky, kz;  ///< axes, z being the one along which the direction is longest
+
+    RAYSCOPE_INLINE explicit ShearedRay(RayWords ray) {
+        const RayAxes axes(ray);
+        kx = axes.kx;
+        ky = axes.ky;
+        kz = axes.kz;
+        for (int axis = 0; axis < 3; ++axis) origin[axis] = ray[axis];
+        const double along = ray[3 + kz];
+        shearX = ray[3 + kx] / along;
+        shearY = ray[3 + ky] / along;
+        scaleZ = 1.0 / along;
+    }
+};
+
+}  // namespace rayscope::kernel

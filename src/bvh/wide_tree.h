@@ -1,0 +1,28 @@
+#pragma once
+#include <rayscope/accel.h>
+#include <vector>
+
+#include "bvh/binary_tree.h"
+#include "bvh/kernel/wide_tree.h"
+
+namespace rayscope {
+
+/// Owns what kernel::WideTreeView shows.
+struct WideTree {
+    std::vector<kernel::WideNode> nodes;
+    std::unique_ptr<kernel::TriangleBlock[]> blocks;
+    std::size_t blockCount = 0;
+    std::vector<kernel::SphereRecord> spheres;
+    kernel::ChildRef root = 0;
+    float largest = 0.0f;
+
+    kernel::WideTreeView view() const { return {nodes.data(), blocks.get(), spheres.data(), root, largest}; }
+    std::size_t bytes() const;
+};
+
+/// Gathers the nodes of a binary tree that is not empty into nodes of eight children, such that the expected
+/// cost of a random ray is least (dynamic programming over the binary tree: Ylitie, Karras, Laine 2017, §3).
+/// Throws std::length_error if there are more leaves than a child reference can name.
+WideTree collapse(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop);
+
+}  // namespace rayscope

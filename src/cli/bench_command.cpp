@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "measure/bench.h"
+#include "measure/embree_race.h"
+#include "trace/body.h"
+#include "trace/compile.h"
+
+namespace rayscope {
+
+namespace {
+
+struct BenchCommandOptions {
+    std::vector<std::string> scenes;
+    std::vector<std::string> assignments;
+    std::string jsonFile;
+    int threads = 0, size = 1024, rounds = 7;
+};
+
+nlohmann::json json(const MedianInterval& interval) {
+    return {{"median", interval.median}, {"low", interval.low}, {"high", interval.high}};
+}
+
+nlohmann::json json(const RayTiming& timing) {
+    nlohmann::json row = {{"rays", timing.rays},
+                          {"hits", timing.hits},
+                          {"mrays_per_s", timing.single},
+                          {"batched_mrays_per_s", timing.batched},
+                          {"batched_to_single", json(timing.batchedToOwnSingle)}};
+    if (timing.embreeSingle > 0.0)
+        row.update({{"embree_mrays_per_s", timing.embreeSingle},
+                    {"embree_robust_mrays_per_s", timing.embreeRobust},
+                    {"embree_packet16_mrays_per_s", timing.embreePacket16},
+                    {"embree_stream_mrays_per_s", timing.embreeStream},
+                    {"ratio", timing.singleToSingle.median},
+                    {"ratio_interval", json(timing.singleToSingle)},
+                    {"ratio_to_robust", json(timing.singleToRobust)},
+                    {"batched_to_embree_single", json(timing.batchedToSingle)},
+                    {"batched_to_embree_best", json(timing.batchedToBest)}});
+    return row;
+}
+
+nlohmann::json json(const BenchRow& row) {
+    nlohmann::json rays;
+    std::size_t different = 0;
+    for (const RayTiming& timing : row.rays) {
+        rays[std::string(benchNameOf(timing.kind))] = json(timing);
+        different += timing.mismatches;
+    }
+    nlohmann::json result = {{"scene", row.scene},
+                             {"triangles", row.triangles},
+                             {"spheres", row.spheres},
+                             {"threads", row.threads},
+                             {"build_ms", row.buildSeconds.median * 1e3},
+                             {"build_seconds", json(row.buildSeconds)},
+                             {"sah_cost", row.sahCost},
+                             {"bytes_per_triangle", row.bytesPerPrimitive},
+                             {"rays", rays},
+                             {"mismatches", different}};
+    if (EmbreeRace::isAvailable())
+        result.update({{"embree_build_ms", row.embreeBuildSeconds.median * 1e3},
+                       {"embree_bytes_per_triangle", row.embreeBytesPerPrimitive},
+                       {"build_ratio", json(row.buildRatio)}});
+    return result;
+}
+
+std::string ratio(const MedianInterval& interval) {
+    return fmt::format("{:5.2f} [{:.2f} {:.2f}]", interval.median, interval.low, interval.high);
+}
+
+void print(const BenchRow& row) {
+    fmt::print("{}: {} triangles, {} spheres, {} thread{}, SAH cost {:.2f}\n", row.scene, row.triangles,
+               row.spheres, row.threads, row.threads == 1 ? "" : "s", row.sahCost);
+    fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.median * 1e3,
+               row.bytesPerPrimitive);
+    if (EmbreeRace::isAvailable())
+        fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.median * 1e3,
+                   row.embreeBytesPerPrimitive, ratio(row.buildRatio));
+    fmt::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
+    if (EmbreeRace::isAvailable())
+        fmt::print(" | Embree {:>6} {:>6} {:>6} {:>6} | {:17} {:17} {:17} {:17} {}", "single", "robust",
+                   "16-wide", "stream", "single/single", "single/robust", "batched/single", "batched/best",
+                   "mismatches");
+    fmt::print("\n");
+    for (const RayTiming& timing : row.rays) {
+        fmt::print("  {:8} {:8.2f} {:8.2f}", benchNameOf(timing.kind), timing.single, timing.batched);
+        if (EmbreeRace::isAvailable())
+            fmt::print(" |        {:6.2f} {:6.2f} {:6.2f} {:6.2f} | {} {} {} {} {}", timing.embreeSingle,
+                       timing.embreeRobust, timing.embreePacket16, timing.embreeStream,
+                       ratio(timing.singleToSingle), ratio(timing.singleToRobust),
+                       ratio(timing.batchedToSingle), ratio(timing.batchedToBest), timing.mismatches);
+        fmt::print("\n");
+    }
+}
+
+/// The middle of the first light, or where a lamp would stand.
+glm::vec3 lightOf(const SceneDescription& scene) {
+    if (scene.lights.empty()) {
+        const SceneBounds bounds = boundsOf(scene);
+        return 0.5f * (bounds.lower + bounds.upper) +
+               glm::length(bounds.upper - bounds.lower) * glm::vec3(0.8f, 1.6f, 0.4f);
+    }
+    const auto& shape = scene.lights[0].shape;
+    if (const auto* point = std::get_if<PointLight>(&shape)) return point->position;
+    if (const auto* segment = std::get_if<SegmentLight>(&shape))
+        return 0.5f * (segment->endpoints[0] + segment->endpoints[1]);
+    const auto& area = std::get<ParallelogramLight>(shape);
+    return area.corner + 0.5f * (area.edges[0] + area.edges[1]);
+}
+
+BenchRow benchScene(const std::string& name, const BenchCommandOptions& options) {
+    SceneOptions sceneOptions;
+    sceneOptions.scene = name;
+    sceneOptions.assignments = options.assignments;
+    const RenderRequest request = openScene(sceneOptions, true);
+    const auto geometries = makeGeometry(*request.scene, false);
+    const AccelInput input = geometries.empty() ? AccelInput{} : geometries[0]->input;
+    BenchOptions bench;
+    bench.build = buildSettingsOf(request.settings);
+    bench.threads =
+        options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+    bench.size = options.size;
+    bench.rounds = options.rounds;
+    return runBench(name, input, request.camera, lightOf(*request.scene), bench, [](const std::string&) {});
+}
+
+int runBenchCommand(const BenchCommandOptions& options) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const std::string& scene : options.scenes) {
+        const BenchRow row = benchScene(scene, options);
+        print(row);
+        std::fflush(stdout);
+        rows.push_back(json(row));
+    }
+    if (!options.jsonFile.empty()) writeFileAtomically(options.jsonFile, rows.dump(2) + "\n");
+    return kDone;
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<BenchCommandOptions>();
+    options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
+    CLI::App* command = program.add_subcommand(
+        "bench", "Measure build time, rays per second and memory, beside Embree where it is installed");
+    command->add_option("scenes", options->scenes, "Scenes: .toml, .obj or builtin:NAME");
+    command->add_option("--json", options->jsonFile, "Write all figures to this file");
+    command->add_option("-t,--threads", options->threads, "Threads for building and tracing; 0: all");
+    command->add_option("-D,--set", options->assignments, "A setting as KEY=VALUE; repeatable")->take_all();
+    command->add_option("--size", options->size, "Width and height of the image of primary rays")
+        ->check(CLI::Range(8, 16384))
+        ->capture_default_str();
+    command->add_option("--rounds", options->rounds, "Rounds in which all contestants take turns")
+        ->check(CLI::Range(5, 1000))
+        ->capture_default_str();
+    command->callback([options, &exitCode] { exitCode = runBenchCommand(*options); });
+}
+
+}  // namespace rayscope

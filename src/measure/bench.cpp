@@ -1,0 +1,211 @@
+#include "measure/bench.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "bvh/binary_tree.h"
+#include "bvh/build.h"
+#include "bvh/statistics.h"
+#include "measure/embree_race.h"
+
+namespace rayscope {
+namespace {
+
+constexpr std::size_t kChunk = 16384;
+
+double secondsOf(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Answers a set of rays again and again, with any of the contestants.
+class Track {
+  public:
+    Track(std::vector<Ray> rays, bool any, int threads)
+        : rays_(std::move(rays)),
+          hits_(rays_.size()),
+          occluded_(rays_.size()),
+          any_(any),
+          threads_(threads) {}
+
+    std::size_t size() const { return rays_.size(); }
+    std::size_t countHits() const {
+        return any_ ? static_cast<std::size_t>(std::ranges::count(occluded_, 1))
+                    : static_cast<std::size_t>(std::ranges::count_if(
+                          hits_, [](const Hit& hit) { return hit.primitive != kNoPrimitive; }));
+    }
+    /// Whether something was hit, ray by ray.
+    std::vector<bool> answers() const {
+        std::vector<bool> result(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            result[i] = any_ ? occluded_[i] != 0 : hits_[i].primitive != kNoPrimitive;
+        return result;
+    }
+
+    double single(const Accel& accel) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (any_)
+                    occluded_[i] = accel.anyHit(rays_[i]);
+                else
+                    accel.closestHit(rays_[i], hits_[i]);
+            }
+        });
+    }
+    double batched(const Accel& accel) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            const auto rays = std::span<const Ray>(rays_).subspan(begin, end - begin);
+            if (any_)
+                accel.anyHits(rays, std::span(occluded_).subspan(begin, end - begin));
+            else
+                accel.closestHits(rays, std::span(hits_).subspan(begin, end - begin));
+        });
+    }
+    double embree(const EmbreeRace& embree, EmbreeQuery query, bool coherent) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            const auto rays = std::span<const Ray>(rays_).subspan(begin, end - begin);
+            if (any_)
+                embree.anyHits(query, coherent, rays, std::span(occluded_).subspan(begin, end - begin));
+            else
+                embree.closestHits(query, coherent, rays, std::span(hits_).subspan(begin, end - begin));
+        });
+    }
+
+  private:
+    template <class Work>
+    double timed(const Work& work) const {
+        return secondsOf([&] {
+            if (threads_ == 1) return work(0, size());
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, size(), kChunk),
+                [&](const auto& block) { work(block.begin(), block.end()); }, tbb::simple_partitioner{});
+        });
+    }
+
+    std::vector<Ray> rays_;
+    std::vector<Hit> hits_;
+    std::vector<std::uint8_t> occluded_;
+    bool any_;
+    int threads_;
+};
+
+struct Contestants {
+    const Accel& own;
+    const EmbreeRace* fast;
+    const EmbreeRace* robust;
+};
+
+RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, int rounds) {
+    RayTiming timing;
+    timing.kind = kind;
+    timing.rays = track.size();
+    const bool coherent = kind != BenchRayKind::Bounce && kind != BenchRayKind::AmbientOcclusion;
+    std::vector<double> single, batched, fast, robust, packet, stream;
+    std::vector<double> toSingle, toRobust, batchToSingle, batchToBest, batchToOwn;
+    for (int round = 0; round < rounds; ++round) {
+        single.push_back(track.single(contestants.own));
+        const std::vector<bool> ownAnswers = round == 0 ? track.answers() : std::vector<bool>{};
+        if (round == 0) timing.hits = track.countHits();
+        batched.push_back(track.batched(contestants.own));
+        batchToOwn.push_back(single.back() / batched.back());
+        if (!contestants.fast) continue;
+        robust.push_back(track.embree(*contestants.robust, EmbreeQuery::Single, coherent));
+        if (round == 0) {
+            const std::vector<bool> answers = track.answers();
+            for (std::size_t i = 0; i < answers.size(); ++i) timing.mismatches += answers[i] != ownAnswers[i];
+        }
+        fast.push_back(track.embree(*contestants.fast, EmbreeQuery::Single, coherent));
+        packet.push_back(track.embree(*contestants.fast, EmbreeQuery::Packet16, coherent));
+        stream.push_back(track.embree(*contestants.fast, EmbreeQuery::Stream, coherent));
+        toSingle.push_back(fast.back() / single.back());
+        toRobust.push_back(robust.back() / single.back());
+        batchToSingle.push_back(fast.back() / batched.back());
+        batchToBest.push_back(std::min({fast.back(), packet.back(), stream.back()}) / batched.back());
+    }
+    const auto speed = [&](const std::vector<double>& seconds) {
+        return seconds.empty() ? 0.0
+                               : static_cast<double>(track.size()) * 1e-6 / medianInterval(seconds).median;
+    };
+    timing.single = speed(single);
+    timing.batched = speed(batched);
+    timing.embreeSingle = speed(fast);
+    timing.embreeRobust = speed(robust);
+    timing.embreePacket16 = speed(packet);
+    timing.embreeStream = speed(stream);
+    timing.singleToSingle = medianInterval(toSingle);
+    timing.singleToRobust = medianInterval(toRobust);
+    timing.batchedToSingle = medianInterval(batchToSingle);
+    timing.batchedToBest = medianInterval(batchToBest);
+    timing.batchedToOwnSingle = medianInterval(batchToOwn);
+    return timing;
+}
+
+}  // namespace
+
+MedianInterval medianInterval(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    const double median = n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+    // The k-th value from either end encloses the median unless at most k − 1 of n fair coins show heads.
+    double below = std::pow(0.5, static_cast<double>(n)), choose = below;
+    std::size_t k = 0;
+    while (k + 1 < n / 2 && 2.0 * below <= 0.05) {
+        ++k;
+        choose *= static_cast<double>(n - k + 1) / static_cast<double>(k);
+        below += choose;
+    }
+    const std::size_t rank = k > 0 ? k - 1 : 0;
+    return {median, values[rank], values[n - 1 - rank]};
+}
+
+BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
+                  const glm::vec3& light, const BenchOptions& options,
+                  const std::function<void(const std::string&)>& note) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
+    BenchRow row;
+    row.scene = name;
+    row.triangles = input.triangles.size();
+    row.spheres = input.spheres.size();
+    row.threads = options.threads;
+    row.build = options.build;
+    note("build");
+    std::vector<double> build, embreeBuild, ratio;
+    Accel accel;
+    std::optional<EmbreeRace> fast, robust;
+    for (int round = 0; round < std::max(5, options.rounds); ++round) {
+        build.push_back(secondsOf([&] { accel = Accel::build(input, options.build); }));
+        if (!EmbreeRace::isAvailable()) continue;
+        fast.emplace(input, false, options.threads);
+        embreeBuild.push_back(fast->buildSeconds());
+        ratio.push_back(embreeBuild.back() / build.back());
+    }
+    if (EmbreeRace::isAvailable()) robust.emplace(input, true, options.threads);
+    row.buildSeconds = medianInterval(build);
+    row.embreeBuildSeconds = medianInterval(embreeBuild);
+    row.buildRatio = medianInterval(ratio);
+    const auto primitives = static_cast<double>(std::max<std::size_t>(1, row.triangles + row.spheres));
+    row.bytesPerPrimitive = static_cast<double>(accel.bytes()) / primitives;
+    if (fast) row.embreeBytesPerPrimitive = static_cast<double>(fast->bytes()) / primitives;
+    row.sahCost = statisticsOf(buildBinaryTree(input, options.build)).sahCost;
+    for (const BenchRayKind kind : kBenchRayKinds) {
+        note(std::string(benchNameOf(kind)));
+        Track track(makeBenchRays(accel, camera, light, kind, options.size), asksAnyHit(kind),
+                    options.threads);
+        if (track.size() > 0)
+            row.rays.push_back(race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind,
+                                    track, options.rounds));
+    }
+    return row;
+}
+
+}  // namespace rayscope

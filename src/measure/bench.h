@@ -1,0 +1,57 @@
+#pragma once
+// How fast a scene's hierarchy is built and searched, beside Embree where it is installed.
+#include <rayscope/accel.h>
+#include <rayscope/scene.h>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "measure/bench_rays.h"
+
+namespace rayscope {
+
+/// The middle of a sample of measurements, and the order statistics that enclose the median with a
+/// probability of at least 95 % (for fewer than six values: the extremes).
+struct MedianInterval {
+    double median = 0.0, low = 0.0, high = 0.0;
+};
+MedianInterval medianInterval(std::vector<double> values);
+
+struct BenchOptions {
+    BuildSettings build;
+    int threads = 1;
+    int size = 1024;  ///< of the image of primary rays
+    int rounds = 7;   ///< all contestants take turns in each
+};
+
+/// One contestant's speed, and its own in units of a rival's in the same round.
+struct RayTiming {
+    BenchRayKind kind;
+    std::size_t rays = 0, hits = 0;
+    double single = 0.0, batched = 0.0;  ///< million rays per second, medians
+    double embreeSingle = 0.0, embreeRobust = 0.0, embreePacket16 = 0.0,
+           embreeStream = 0.0;                      ///< 0: not measured
+    MedianInterval singleToSingle, singleToRobust;  ///< own single rays against Embree's
+    MedianInterval batchedToSingle;                 ///< own batched queries against Embree's single rays
+    MedianInterval batchedToBest;  ///< the same against the fastest of Embree's queries in each round
+    MedianInterval batchedToOwnSingle;
+    std::size_t mismatches = 0;  ///< rays whose hit or miss differs from Embree's robust mode
+};
+
+struct BenchRow {
+    std::string scene;
+    std::size_t triangles = 0, spheres = 0;
+    int threads = 1;
+    BuildSettings build;
+    MedianInterval buildSeconds, embreeBuildSeconds, buildRatio;  ///< ratio: Embree's time over the own
+    double sahCost = 0.0;
+    double bytesPerPrimitive = 0.0, embreeBytesPerPrimitive = 0.0;
+    std::vector<RayTiming> rays;
+};
+
+/// `note` is told what is being measured. Throws Stopped on request.
+BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
+                  const glm::vec3& light, const BenchOptions& options,
+                  const std::function<void(const std::string&)>& note);
+
+}  // namespace rayscope
