@@ -39,6 +39,7 @@ struct ShadowRay {
 /// All rays of one sample, in the order in which they were traced.
 struct RayTree {
     SampleName name;
+    float time = 0.0f;  ///< of the shutter, 0 … 1
     std::vector<RayNode> nodes;
     std::vector<ShadowRay> shadowRays;
     std::vector<RgbSum> addends;  ///< their left fold is `radiance`, bit for bit

@@ -113,6 +113,9 @@ void Application::carryOut(Command command) {
             else
                 workspace_.rays.clear();
             break;
+        default:
+            carryOutDebugging(command);
+            break;
     }
 }
 

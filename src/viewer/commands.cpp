@@ -47,6 +47,14 @@ constexpr CommandInfo kCommands[] = {
     {Command::ClearRays, "Rays", "Clear rays", GLFW_KEY_C, 0, "Forget the recorded rays."},
     {Command::Cancel, "Rays", "Cancel", GLFW_KEY_ESCAPE, 0, "Close what is open, else leave fly mode, else clear the rays."},
 
+    {Command::ToggleBvhLevels, "BVH", "Boxes of a level", GLFW_KEY_B, 0, "Show or hide the boxes of one level of the BVH."},
+    {Command::DeeperLevel, "BVH", "Deeper level", GLFW_KEY_PAGE_DOWN, 0, "Show the boxes of the next deeper level."},
+    {Command::HigherLevel, "BVH", "Higher level", GLFW_KEY_PAGE_UP, 0, "Show the boxes of the next higher level."},
+    {Command::NextLeaf, "BVH", "Next leaf", GLFW_KEY_PERIOD, 0, "Highlight the next leaf and its primitives.", true},
+    {Command::PreviousLeaf, "BVH", "Previous leaf", GLFW_KEY_COMMA, 0, "Highlight the leaf before."},
+    {Command::LeafUnderCursor, "BVH", "Leaf under the cursor", GLFW_KEY_G, 0,
+     "Go to the leaf that holds what the cursor is on."},
+
     {Command::ShowKeys, "Help", "Keys", GLFW_KEY_F1, 0, "List the keys and mouse gestures."},
     {Command::ShowStatistics, "Help", "Statistics", GLFW_KEY_F2, 0, "Show frame times and ray counts."},
 };
@@ -79,6 +87,10 @@ std::string keyText(int key) {
             return "Esc";
         case GLFW_KEY_EQUAL:
             return "+";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page down";
+        case GLFW_KEY_PAGE_UP:
+            return "Page up";
         default:
             return std::string(1, static_cast<char>(key));
     }

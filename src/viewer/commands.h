@@ -39,6 +39,12 @@ enum class Command {
     TopView,
     ShowKeys,
     ShowStatistics,
+    ToggleBvhLevels,
+    DeeperLevel,
+    HigherLevel,
+    NextLeaf,
+    PreviousLeaf,
+    LeafUnderCursor,
     Cancel,
 };
 

@@ -17,16 +17,9 @@ HandleSize handleSize(float scale) {
 
 Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
     const ViewState& view = workspace.view;
-    return {workspace.edit,
-            view.raster,
-            view.traced,
-            view.overlay,
-            workspace.viewSize,
-            workspace.rays.version(),
-            workspace.rays.filter,
-            view.selectedLight,
-            view.selectedHandle,
-            hovered,
+    return {workspace.edit,     view.raster,         view.traced,
+            view.overlay,       workspace.viewSize,  SceneOverlays::inputsOf(workspace),
+            view.selectedLight, view.selectedHandle, hovered,
             view.scale};
 }
 
@@ -68,18 +61,13 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
 
 void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
     const std::vector<Light>& lights = inputs.state.scene->lights;
-    OverlayLines lines = lightLines(lights, inputs.selectedLight, frame, static_cast<double>(inputs.scale));
-    if (const DebugRays::Shot* shot = workspace.rays.shot()) {
-        const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
-        const OverlayLines rays = debugRayLines(shot->tree, inputs.filter, size);
-        lines.insert(lines.end(), rays.begin(), rays.end());
-    }
+    const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
     const glm::mat4 toClip = viewProjection(frame, raster_.bounds());
     const glm::vec2 viewport(inputs.size);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    sceneLines_.upload(lines);
+    sceneLines_.upload(overlays_.lines(workspace, frame, size));
     if (inputs.traced) {
         glDisable(GL_DEPTH_TEST);
         sceneLines_.draw(toClip, viewport, inputs.scale, 1.0f);

@@ -5,6 +5,7 @@
 #include "viewer/gl/render_target.h"
 #include "viewer/light_handles.h"
 #include "viewer/raster_view.h"
+#include "viewer/scene_overlays.h"
 #include "viewer/traced_view.h"
 #include "viewer/workspace.h"
 
@@ -32,8 +33,7 @@ class Picture {
         RasterStyle raster;
         bool traced = false, overlay = false;
         glm::ivec2 size{0};
-        int raysVersion = 0;
-        DebugRayFilter filter;
+        SceneOverlays::Inputs overlays;
         int selectedLight = -1, selectedHandle = 0;
         std::optional<Grip> hovered;
         float scale = 1.0f;
@@ -46,6 +46,7 @@ class Picture {
     RenderTarget target_;
     RasterView raster_;
     TracedView traced_;
+    SceneOverlays overlays_;
     LineBatch sceneLines_, handleLines_;
     Inputs drawn_;
     std::shared_ptr<const SceneDescription> loaded_;

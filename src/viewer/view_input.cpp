@@ -147,6 +147,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
             const PrimitiveName name = world->nameOf(surface->hit.primitive);
+            info.primitive = surface->hit.primitive;
             info.object = objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
         }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/bvh_inspector.h"
 #include "viewer/commands.h"
 #include "viewer/debug_rays.h"
 #include "viewer/edit_state.h"
@@ -34,8 +35,9 @@ struct ViewState {
 struct CursorInfo {
     glm::ivec2 pixel{0};  ///< of the traced image
     std::optional<Rgb> radiance;
-    std::string object;  ///< as the scene calls it; empty if nothing is hit
-    long triangle = -1;  ///< within the object; -1 for a sphere
+    std::string object;                      ///< as the scene calls it; empty if nothing is hit
+    std::uint32_t primitive = kNoPrimitive;  ///< of the world
+    long triangle = -1;                      ///< within the object; -1 for a sphere
 };
 
 struct Notice {
@@ -53,6 +55,8 @@ struct Workspace {
     ViewState view;
     RenderControl render;
     DebugRays rays;
+    BvhInspector bvh;
+    bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};
     std::unique_ptr<RenderJob> job;

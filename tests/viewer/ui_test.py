@@ -1,6 +1,6 @@
 """Drives the real window under a virtual display and judges it by what it shows and saves.
 
-usage: ui_test.py PROGRAM        exits 77 where Xvfb, xdotool or ImageMagick is missing
+usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or ImageMagick is missing
 """
 import os
 import shutil
@@ -15,7 +15,8 @@ WIDTH, HEIGHT = 1280, 720
 PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
-TAB_SCENE, TAB_SETTINGS = (977, 66), (1042, 66)
+TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH = (977, 66), (1042, 66), (1103, 66), (1147, 66)
+BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
@@ -156,8 +157,9 @@ class Viewer:
 
     def open_by_name(self, name):
         self.key("ctrl+o")
-        time.sleep(0.5)
+        time.sleep(0.7)
         self.key("ctrl+a")
+        time.sleep(0.3)
         self.do("type", "--delay", "40", name)
         self.key("Return")
 
@@ -225,6 +227,60 @@ def test_debug_ray(viewer):
     viewer.key("c")
     wait_for("the rays to go", lambda: viewer.picture().count(is_ray_yellow) == 0)
     viewer.key("Home")
+    viewer.settled_picture()
+
+
+def is_box_white(red, green, blue):
+    return min(red, green, blue) > 190 and max(red, green, blue) - min(red, green, blue) < 25
+
+
+def is_rival_red(red, green, blue):
+    return red > 170 and 40 < green < 110 and blue < 80
+
+
+def is_leaf_yellow(red, green, blue):
+    return red > 200 and green > 180 and blue < 100
+
+
+def test_bvh_boxes(viewer):
+    """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_BVH)
+    viewer.point(100, 600)
+    bare = viewer.settled_picture()
+    viewer.key("b")
+    root = wait_for("the root's box", lambda: viewer.settled_picture().count(is_box_white) - bare.count(is_box_white))
+    for _ in range(3):
+        viewer.key("Next")
+    deeper = viewer.settled_picture()
+    expect(deeper.count(is_box_white) - bare.count(is_box_white) > root + 500, "a deeper level has more boxes")
+    viewer.point(460, 400)
+    viewer.key("g")
+    viewer.point(100, 600)
+    wait_for("the leaf under the cursor", lambda: viewer.settled_picture().crop(430, 340, 80, 80).count(is_leaf_yellow) > 50)
+    before = viewer.settled_picture()
+    viewer.key("period")
+    expect(viewer.settled_picture().differing(before) > 50, "the next leaf is another one")
+    viewer.click(*BVH_SAVINGS)
+    viewer.point(100, 600)
+    wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
+    viewer.click(*BVH_SAVINGS)
+    # A tree of one level: its leaves hold half of the triangles each.
+    few = viewer.settled_picture().count(is_leaf_yellow)
+    viewer.do("keydown", "ctrl")
+    viewer.click(*BVH_MAX_LEVEL)
+    viewer.do("keyup", "ctrl")
+    viewer.do("type", "--delay", "40", "1")
+    viewer.key("Return")
+    viewer.point(100, 600)
+    wait_for("the coarse tree", lambda: viewer.settled_picture().count(is_leaf_yellow) > 10 * few)
+    viewer.key("ctrl+z")
+    wait_for("the fine tree", lambda: viewer.settled_picture().count(is_leaf_yellow) < 10 * few)
+    viewer.open_by_name("builtin:cornell")
+    wait_for("the first scene", lambda: "builtin:cornell" in viewer.title())
+    viewer.key("b")
+    viewer.click(*TAB_SCENE)
     viewer.settled_picture()
 
 
@@ -300,8 +356,10 @@ def run_all(program, folder):
     test_without_display(program)
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_typing_is_not_a_shortcut, test_missing_file,
-                     test_keys_window, test_render_to_file):
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_bvh_boxes,
+                     test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
+            if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
+                continue
             test(viewer)
             print(f"ok  {test.__name__}", flush=True)
         viewer.quit()

@@ -31,6 +31,8 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.flying;
         case Command::PauseOrResume:
             return workspace.render.paused();
+        case Command::ToggleBvhLevels:
+            return workspace.bvh.shown.levels;
         case Command::ShowKeys:
             return view.showKeys;
         case Command::ShowStatistics:
@@ -90,7 +92,7 @@ void drawRasterChoices(Workspace& workspace) {
 
 void drawMenuBar(Workspace& workspace) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "Help"}) {
+    for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "BVH", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
         drawCommands(workspace, menu);
         if (std::strcmp(menu, "View") == 0) drawRasterChoices(workspace);

@@ -1,0 +1,51 @@
+#include "viewer/scene_overlays.h"
+
+#include "viewer/overlay/light_overlay.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
+    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter, workspace.bvh.shown};
+}
+
+void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
+    lines_.clear();
+    boxes_.clear();
+    if (const DebugRays::Shot* shot = workspace.rays.shot())
+        append(lines_, debugRayLines(shot->tree, workspace.rays.filter, sceneSize));
+    if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
+        const BvhChoice& choice = workspace.bvh.shown;
+        const BvhInspector::Inspected* rival = workspace.bvh.rival();
+        const std::optional<IndexedTree> rivalTree =
+            rival ? std::optional<IndexedTree>(rival->indexed()) : std::nullopt;
+        append(boxes_, levelBoxes(seen->indexed(), rivalTree ? &*rivalTree : nullptr, choice));
+        append(boxes_, nodeBoxes(seen->tree(), choice.node));
+        append(boxes_, leafBoxes(seen->indexed(), choice));
+        append(lines_, leafLines(seen->indexed(), seen->geometry->input, choice));
+    }
+}
+
+OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize) {
+    const Inputs inputs = inputsOf(workspace);
+    if (inputs != built_ || sceneSize != builtSize_) {
+        rebuild(workspace, sceneSize);
+        built_ = inputs;
+        builtSize_ = sceneSize;
+    }
+    OverlayLines all = lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
+                                  static_cast<double>(workspace.view.scale));
+    append(all, boxLines(boxes_, frame));
+    append(all, lines_);
+    return all;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,31 @@
+#pragma once
+#include "viewer/overlay/boxes.h"
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+/// Puts together what is drawn over the picture from everything that was recorded.
+class SceneOverlays {
+  public:
+    /// What the overlays are a function of, besides the camera, the lights and the size of the scene.
+    struct Inputs {
+        int raysVersion = 0, bvhVersion = 0;
+        DebugRayFilter rays;
+        BvhChoice bvh;
+        bool operator==(const Inputs&) const = default;
+    };
+    static Inputs inputsOf(const Workspace& workspace);
+
+    /// `sceneSize` is the diagonal of the scene.
+    OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize);
+
+  private:
+    void rebuild(const Workspace& workspace, float sceneSize);
+
+    Inputs built_;
+    float builtSize_ = -1.0f;
+    OverlayLines lines_;
+    OverlayBoxes boxes_;
+};
+
+}  // namespace rayscope::viewer
