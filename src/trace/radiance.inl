@@ -11,6 +11,7 @@
 #include "sampling/warp.h"
 #include "shading/environment_lookup.h"
 #include "trace/radiance.h"
+#include "trace/shadow_ray.h"
 
 namespace rayscope {
 
@@ -177,13 +178,7 @@ void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Bra
         } else if (!compiled.castsShadows) {
             term = throughput * reflected / static_cast<double>(n);
         } else {
-            // End before the light by the rounding of both ends, so that a lamp's own surface does not block
-            // it.
-            Ray ray{from, glm::vec3(toLight)};
-            const glm::dvec3 size = glm::abs(connection.at.position) + glm::abs(glm::dvec3(from));
-            const double slack = 0x1p-22 * std::max({size.x, size.y, size.z}) / distance;
-            ray.tMax = static_cast<float>(std::max(0.0, 1.0 - slack));
-            const double visible = transmittance(ray);
+            const double visible = transmittance(shadowRay(from, connection.at.position));
             term = throughput * reflected * visible / static_cast<double>(n);
             connection.visibility = visible == 1.0  ? Visibility::Visible
                                     : visible > 0.0 ? Visibility::Attenuated

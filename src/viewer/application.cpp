@@ -180,6 +180,14 @@ void Application::updateInspectors() {
     const std::shared_ptr<const World> world = workspace_.render.session().world();
     const bool isPresent = world && world->description == workspace_.edit.scene;
     if (bvhSeen && isPresent) workspace_.bvh.update(world);
+
+    DebugRays& rays = workspace_.rays;
+    rays.updateSearch();
+    const auto film = workspace_.render.session().film();
+    const bool settled =
+        workspace_.render.settledWorld() && workspace_.render.status().state == RenderState::Done;
+    if (film && settled && workspace_.view.traced && !rays.staleFor(workspace_.edit, workspace_.imageSize()))
+        rays.verifyAgain(*film);
 }
 
 void Application::updateCursorRadiance() {

@@ -40,6 +40,8 @@ class Application {
     void carryOutDebugging(Command command);
     void carryOutAtCursor();
     void shootRay();
+    void copyRays();
+    void exportRays();
     void saveImage();
     void copyPixel();
     void setScale(float scale);

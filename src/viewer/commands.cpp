@@ -45,6 +45,17 @@ constexpr CommandInfo kCommands[] = {
 
     {Command::ShootRay, "Rays", "Shoot debug ray", GLFW_KEY_R, 0, "Record and draw the rays of the pixel under the cursor."},
     {Command::ClearRays, "Rays", "Clear rays", GLFW_KEY_C, 0, "Forget the recorded rays."},
+    {Command::HideRay, "Rays", "Hide", GLFW_KEY_H, 0, "Do not draw the selected ray.", true},
+    {Command::IsolateRay, "Rays", "Isolate", GLFW_KEY_I, 0, "Draw only the selected ray and what belongs to it, or all again."},
+    {Command::CopyRays, "Rays", "Copy as JSON", GLFW_KEY_J, 0, "Copy the rays of the chosen sample as JSON."},
+    {Command::ExportRays, "Rays", "Export", GLFW_KEY_J, kCtrl,
+     "Write the rays as lines of an OBJ and as JSON to the current folder."},
+    {Command::ToggleSearch, "Rays", "Search in the BVH", GLFW_KEY_T, 0,
+     "Show which boxes the selected ray visits and which it skips.", true},
+    {Command::StepForward, "Rays", "Step forward", GLFW_KEY_RIGHT, 0, "Take one step of the search."},
+    {Command::StepBack, "Rays", "Step back", GLFW_KEY_LEFT, 0, "Take one step of the search back."},
+    {Command::LeapForward, "Rays", "Ten steps forward", GLFW_KEY_RIGHT, kShift, "Take ten steps of the search."},
+    {Command::LeapBack, "Rays", "Ten steps back", GLFW_KEY_LEFT, kShift, "Take ten steps of the search back."},
     {Command::Cancel, "Rays", "Cancel", GLFW_KEY_ESCAPE, 0, "Close what is open, else leave fly mode, else clear the rays."},
 
     {Command::ToggleBvhLevels, "BVH", "Boxes of a level", GLFW_KEY_B, 0, "Show or hide the boxes of one level of the BVH."},
@@ -85,6 +96,10 @@ std::string keyText(int key) {
             return "Home";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_RIGHT:
+            return "Right";
+        case GLFW_KEY_LEFT:
+            return "Left";
         case GLFW_KEY_EQUAL:
             return "+";
         case GLFW_KEY_PAGE_DOWN:

@@ -45,6 +45,15 @@ enum class Command {
     NextLeaf,
     PreviousLeaf,
     LeafUnderCursor,
+    ToggleSearch,
+    StepForward,
+    StepBack,
+    LeapForward,
+    LeapBack,
+    HideRay,
+    IsolateRay,
+    CopyRays,
+    ExportRays,
     Cancel,
 };
 

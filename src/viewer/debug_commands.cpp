@@ -1,12 +1,16 @@
 // What the commands of the menus Rays and BVH do.
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "viewer/application.h"
 
 namespace rayscope::viewer {
 
 void Application::carryOutDebugging(Command command) {
     BvhInspector& bvh = workspace_.bvh;
+    DebugRays& rays = workspace_.rays;
     switch (command) {
         case Command::ToggleBvhLevels:
             bvh.shown.levels = !bvh.shown.levels;
@@ -26,8 +30,57 @@ void Application::carryOutDebugging(Command command) {
         case Command::LeafUnderCursor:
             cursorCommands_.push_back(command);
             break;
+        case Command::ToggleSearch:
+            rays.search.shown = !rays.search.shown;
+            break;
+        case Command::StepForward:
+            rays.step(1);
+            break;
+        case Command::StepBack:
+            rays.step(-1);
+            break;
+        case Command::LeapForward:
+            rays.step(10);
+            break;
+        case Command::LeapBack:
+            rays.step(-10);
+            break;
+        case Command::HideRay:
+            rays.hideSelected();
+            break;
+        case Command::IsolateRay:
+            rays.filter.isolated = !rays.filter.isolated;
+            break;
+        case Command::CopyRays:
+            copyRays();
+            break;
+        case Command::ExportRays:
+            exportRays();
+            break;
         default:
             break;
+    }
+}
+
+void Application::copyRays() {
+    const DebugRays::Shot* shot = workspace_.rays.shot();
+    if (shot == nullptr) return;
+    window_.copyText(toJson(shot->tree(), *shot->world));
+    workspace_.tell(
+        fmt::format("Copied {} rays as JSON", shot->tree().nodes.size() + shot->tree().shadowRays.size()));
+}
+
+void Application::exportRays() {
+    const DebugRays::Shot* shot = workspace_.rays.shot();
+    if (shot == nullptr) return;
+    const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
+    const SceneBounds& bounds = picture_.sceneBounds();
+    try {
+        writeFileAtomically(lines, toObj(shot->tree(), glm::distance(bounds.lower, bounds.upper)));
+        writeFileAtomically(tree, toJson(shot->tree(), *shot->world));
+        workspace_.tell("Saved " + lines + " and " + tree);
+    } catch (const InputError& error) {
+        workspace_.errorMessage = error.what();
     }
 }
 

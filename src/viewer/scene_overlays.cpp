@@ -14,14 +14,32 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 }  // namespace
 
 SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
-    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter, workspace.bvh.shown};
+    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter, workspace.rays.search,
+            workspace.bvh.shown};
+}
+
+void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const DebugRayFilter& filter = rays.filter;
+    for (std::size_t i = 0; i < shot.trees.size(); ++i) {
+        if (i == shot.chosen) continue;
+        // Numbers of rays that are selected or hidden belong to the chosen sample.
+        DebugRayFilter others = filter;
+        others.selected = {};
+        others.hidden.clear();
+        append(lines_, debugRayLines(shot.trees[i], others, sceneSize));
+    }
+    append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
+    for (const TraversalLog& log : rays.searches()) {
+        append(boxes_, traversalBoxes(log, rays.search));
+        append(lines_,
+               traversalLines(log, shot.world->bodies[log.body].geometry->input, rays.search, sceneSize));
+    }
 }
 
 void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
     lines_.clear();
     boxes_.clear();
-    if (const DebugRays::Shot* shot = workspace.rays.shot())
-        append(lines_, debugRayLines(shot->tree, workspace.rays.filter, sceneSize));
+    if (const DebugRays::Shot* shot = workspace.rays.shot()) addRays(*shot, workspace.rays, sceneSize);
     if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
         const BvhChoice& choice = workspace.bvh.shown;
         const BvhInspector::Inspected* rival = workspace.bvh.rival();

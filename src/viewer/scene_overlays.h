@@ -11,6 +11,7 @@ class SceneOverlays {
     struct Inputs {
         int raysVersion = 0, bvhVersion = 0;
         DebugRayFilter rays;
+        TraversalChoice search;
         BvhChoice bvh;
         bool operator==(const Inputs&) const = default;
     };
@@ -20,6 +21,7 @@ class SceneOverlays {
     OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize);
 
   private:
+    void addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
     void rebuild(const Workspace& workspace, float sceneSize);
 
     Inputs built_;

@@ -83,6 +83,20 @@ TEST(CommandLine, InfoTellsContentsRequirementsAndLint) {
         EXPECT_THAT(list.out, HasSubstr(name));
 }
 
+TEST(CommandLine, ProbePrintsTheSearchOfARay) {
+    const TemporaryFolder folder;
+    const std::string probe = "rayscope probe builtin:cornell --size 40x40 --pixel 20,25 ";
+    const ProgramResult camera = run(folder, probe + "--traversal --json tree.json");
+    EXPECT_EQ(camera.exitCode, 0) << camera.err;
+    EXPECT_THAT(camera.out, HasSubstr("search for the closest hit"));
+    const nlohmann::json j = nlohmann::json::parse(test::readText(folder / "tree.json"));
+    EXPECT_EQ(j["traversal"][0]["hit"]["primitive"], j["nodes"][0]["hit"]["primitive"]);
+    EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("search for any hit"));
+    EXPECT_THAT(run(folder, probe + "--traversal --set bvh=false").out, HasSubstr("no hierarchy"));
+    for (const char* wrong : {"99", "s99", "x", "-1", "1x", "s"})
+        EXPECT_EQ(run(folder, probe + "--traversal " + wrong).exitCode, 1) << wrong;
+}
+
 TEST(CommandLine, ProbePrintsTheTree) {
     const TemporaryFolder folder;
     const ProgramResult result =

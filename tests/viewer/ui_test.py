@@ -2,6 +2,7 @@
 
 usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or ImageMagick is missing
 """
+import json
 import os
 import shutil
 import subprocess
@@ -16,6 +17,7 @@ PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
 TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH = (977, 66), (1042, 66), (1103, 66), (1147, 66)
+LEGEND_CAMERA, FIRST_RAY = (1030, 555), (980, 274)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
@@ -242,6 +244,54 @@ def is_leaf_yellow(red, green, blue):
     return red > 200 and green > 180 and blue < 100
 
 
+def is_visited_green(red, green, blue):
+    return green > 150 and red < 80 and 90 < blue < 180
+
+
+def test_search(viewer):
+    """The search of a camera ray, step by step; its tree as files; the legend as a filter."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(390, 480)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    bare = viewer.settled_picture()
+    expect(bare.count(is_ray_yellow) > 100, "the camera ray is seen")
+    viewer.key("t")
+    searched = viewer.settled_picture()
+    expect(searched.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
+    seen = set()
+    for _ in range(6):
+        viewer.key("Right")
+        seen.add(viewer.settled_picture().data)
+    expect(len(seen) >= 4, "each step looks different")
+    viewer.key("Left")
+    expect(viewer.settled_picture().data in seen, "a step back shows the same as before")
+    viewer.key("t")
+    viewer.key("ctrl+j")
+    wait_for("the exported rays", lambda: list(viewer.folder.glob("*.obj")) and list(viewer.folder.glob("*.json")))
+    tree = json.loads(next(viewer.folder.glob("*.json")).read_text())
+    lines = next(viewer.folder.glob("*.obj")).read_text().count("\nl ")
+    expect(lines == len(tree["nodes"]) + len(tree["shadow_rays"]), "the OBJ has a line for each ray")
+    viewer.click(*LEGEND_CAMERA)
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a click on the legend hides the camera rays")
+    viewer.click(*LEGEND_CAMERA)
+    viewer.click(*FIRST_RAY)
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().differing(bare) > 100, "the ray that is selected in the table has a halo")
+    viewer.key("h")
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a hidden ray is not drawn")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
 def test_bvh_boxes(viewer):
     """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
     viewer.open_by_name("builtin:monkey")
@@ -356,7 +406,7 @@ def run_all(program, folder):
     test_without_display(program)
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_bvh_boxes,
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_bvh_boxes,
                      test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
             if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
                 continue

@@ -1,5 +1,7 @@
 #include "viewer/overlay/debug_rays_overlay.h"
 
+#include <algorithm>
+
 #include "viewer/overlay/palette.h"
 
 namespace rayscope::viewer {
@@ -10,32 +12,85 @@ struct Look {
     glm::vec4 color;
     LineStyle style;
 };
-Look lookOf(RayKind kind) {
-    switch (kind) {
+Look lookOf(const RayNode& node) {
+    if (node.end == RayEnd::BelowSurface) return {palette::kRejectedRay, LineStyle::Dotted};
+    if (!node.hit) return {palette::kMissedRay, LineStyle::Dashed};
+    switch (node.kind) {
         case RayKind::Camera:
             return {palette::kCameraRay, LineStyle::Solid};
         case RayKind::Reflection:
-        case RayKind::Glossy:
             return {palette::kReflectedRay, LineStyle::Solid};
+        case RayKind::Glossy:
+            return {palette::kReflectedRay, LineStyle::Dashed};
         case RayKind::Transparent:
             break;
     }
     return {palette::kTransmittedRay, LineStyle::Dashed};
 }
 
-bool isShown(const RayNode& node, const DebugRayFilter& filter) {
-    if (node.depth > filter.maxDepth) return false;
-    if (node.kind == RayKind::Camera) return filter.camera;
-    return node.kind == RayKind::Transparent ? filter.transparent : filter.reflections;
+bool kindIsShown(const RayNode& node, const DebugRayFilter& filter) {
+    if (node.end == RayEnd::BelowSurface) return filter.rejected;
+    if (!node.hit && !filter.missed) return false;
+    switch (node.kind) {
+        case RayKind::Camera:
+            return filter.camera;
+        case RayKind::Reflection:
+            return filter.reflections;
+        case RayKind::Glossy:
+            return filter.glossy;
+        case RayKind::Transparent:
+            break;
+    }
+    return filter.transparent;
 }
 
-OverlayLine segmentLine(const RayNode& node, float sceneSize) {
-    const Look look = lookOf(node.kind);
-    if (node.hit) return {node.ray.origin, node.position, look.color, look.style, 2.0f};
+bool verdictIsShown(Visibility visibility, const DebugRayFilter& filter) {
+    if (visibility == Visibility::Blocked) return filter.shadowBlocked;
+    return visibility == Visibility::FacingAway ? filter.shadowAway : filter.shadowVisible;
+}
+
+bool addsEnough(const RgbSum& contribution, const DebugRayFilter& filter) {
+    if (filter.leastContribution <= 0.0f) return true;
+    return std::max({contribution.x, contribution.y, contribution.z}) >=
+           static_cast<double>(filter.leastContribution);
+}
+
+bool isOnTheWayTo(const RayTree& tree, int node, int target) {
+    while (target > node) target = tree.nodes[static_cast<std::size_t>(target)].parent;
+    return target == node;
+}
+
+/// With a ray isolated, only what led to it and what it asked the lights.
+bool belongsToSelected(const RayTree& tree, RaySelection ray, RaySelection selected) {
+    if (selected.shadow >= 0) {
+        if (ray.shadow >= 0) return ray.shadow == selected.shadow;
+        return isOnTheWayTo(tree, ray.node, tree.shadowRays[static_cast<std::size_t>(selected.shadow)].node);
+    }
+    if (ray.shadow >= 0) return tree.shadowRays[static_cast<std::size_t>(ray.shadow)].node == selected.node;
+    return isOnTheWayTo(tree, ray.node, selected.node);
+}
+
+/// The end of the line that stands for a segment.
+glm::vec3 endOf(const RayNode& node, float sceneSize) {
+    if (node.hit) return node.position;
     const float length = glm::length(node.ray.direction);
-    const glm::vec3 direction = length > 0.0f ? node.ray.direction / length : node.ray.direction;
-    return {node.ray.origin, node.ray.origin + direction * sceneSize, palette::kMissedRay, LineStyle::Dashed,
-            2.0f};
+    return node.ray.origin + (length > 0.0f ? node.ray.direction / length : node.ray.direction) * sceneSize;
+}
+
+OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {
+    const Look look = lookOf(node);
+    OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
+    const bool seesSomething = node.hit || node.contribution != RgbSum(0.0);
+    if (colors == RayColors::Kind || !seesSomething) return line;
+    if (colors == RayColors::Arriving) {
+        line.color = {displayColor(Rgb(arriving)), 1.0f};
+    } else {
+        // A pane of glass is drawn as thin as it is.
+        const float opacity = node.hit ? static_cast<float>(node.opacity) : 1.0f;
+        line.color = {displayColor(Rgb(surfaceColor(node))), std::max(opacity, 0.25f)};
+    }
+    line.width = 2.5f;
+    return line;
 }
 
 OverlayLine shadowLine(const ShadowRay& ray) {
@@ -52,16 +107,70 @@ OverlayLine shadowLine(const ShadowRay& ray) {
     return {ray.from, ray.to, glm::vec4(displayColor(ray.color), 0.9f), LineStyle::Solid, 1.5f};
 }
 
+double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double length2 = glm::dot(along, along);
+    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0.0;
+    return glm::distance(point, a + t * along);
+}
+
+/// The distance in pixels from the cursor to a line of the scene, as far as that is before the camera.
+std::optional<double> distanceOnScreen(const ViewFrame& frame, glm::dvec3 a, glm::dvec3 b,
+                                       glm::dvec2 cursor) {
+    const double nearest = 1e-3 * (glm::distance(frame.eye, a) + glm::distance(frame.eye, b));
+    const double depthA = glm::dot(a - frame.eye, frame.forward) - nearest;
+    const double depthB = glm::dot(b - frame.eye, frame.forward) - nearest;
+    if (depthA <= 0.0 && depthB <= 0.0) return std::nullopt;
+    if (depthA < 0.0) a = glm::mix(a, b, depthA / (depthA - depthB));
+    if (depthB < 0.0) b = glm::mix(b, a, depthB / (depthB - depthA));
+    const auto onScreenA = frame.project(a), onScreenB = frame.project(b);
+    if (!onScreenA || !onScreenB) return std::nullopt;
+    return distanceToSegment(cursor, *onScreenA, *onScreenB);
+}
+
 }  // namespace
+
+bool isShown(const RayTree& tree, RaySelection ray, const DebugRayFilter& filter) {
+    const ShadowRay* shadow =
+        ray.shadow >= 0 ? &tree.shadowRays[static_cast<std::size_t>(ray.shadow)] : nullptr;
+    const RayNode& node = tree.nodes[static_cast<std::size_t>(shadow ? shadow->node : ray.node)];
+    if (node.depth > filter.maxDepth) return false;
+    if (shadow ? !verdictIsShown(shadow->visibility, filter) : !kindIsShown(node, filter)) return false;
+    if (shadow && filter.light >= 0 && shadow->light != filter.light) return false;
+    if (!addsEnough(shadow ? shadow->contribution : node.contribution, filter)) return false;
+    if (filter.isolated && !filter.selected.empty() && !belongsToSelected(tree, ray, filter.selected))
+        return false;
+    return std::find(filter.hidden.begin(), filter.hidden.end(), ray) == filter.hidden.end();
+}
+
+std::vector<RaySelection> shownRays(const RayTree& tree, const DebugRayFilter& filter) {
+    std::vector<RaySelection> rays;
+    std::size_t shadow = 0;
+    for (int node = 0; node < static_cast<int>(tree.nodes.size()); ++node) {
+        if (isShown(tree, {node, -1}, filter)) rays.push_back({node, -1});
+        for (; shadow < tree.shadowRays.size() && tree.shadowRays[shadow].node == node; ++shadow)
+            if (isShown(tree, {-1, static_cast<int>(shadow)}, filter))
+                rays.push_back({-1, static_cast<int>(shadow)});
+    }
+    return rays;
+}
 
 OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize) {
     OverlayLines lines;
-    for (const RayNode& node : tree.nodes)
-        if (isShown(node, filter)) lines.push_back(segmentLine(node, sceneSize));
-    if (filter.shadow)
-        for (const ShadowRay& ray : tree.shadowRays)
-            if (tree.nodes[static_cast<std::size_t>(ray.node)].depth <= filter.maxDepth)
-                lines.push_back(shadowLine(ray));
+    const std::vector<RgbSum> arriving =
+        filter.colors == RayColors::Arriving ? radianceAlong(tree) : std::vector<RgbSum>(tree.nodes.size());
+    for (const RaySelection ray : shownRays(tree, filter)) {
+        const auto index = static_cast<std::size_t>(std::max(ray.node, ray.shadow));
+        OverlayLine line = ray.node >= 0
+                               ? segmentLine(tree.nodes[index], arriving[index], filter.colors, sceneSize)
+                               : shadowLine(tree.shadowRays[index]);
+        if (ray == filter.selected) {
+            // A halo below keeps colour and style of the ray itself readable.
+            lines.push_back({line.from, line.to, palette::kHalo, LineStyle::Solid, 7.0f});
+            line.width = 3.5f;
+        }
+        lines.push_back(line);
+    }
     if (filter.normals)
         for (const RayNode& node : tree.nodes)
             if (node.hit && node.depth <= filter.maxDepth)
@@ -70,15 +179,34 @@ OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, fl
     return lines;
 }
 
+RaySelection pickRay(const RayTree& tree, const DebugRayFilter& filter, const ViewFrame& frame,
+                     glm::dvec2 cursor, double reach, float sceneSize) {
+    RaySelection nearest;
+    for (const RaySelection ray : shownRays(tree, filter)) {
+        const auto index = static_cast<std::size_t>(std::max(ray.node, ray.shadow));
+        const glm::vec3 from = ray.node >= 0 ? tree.nodes[index].ray.origin : tree.shadowRays[index].from;
+        const glm::vec3 to = ray.node >= 0 ? endOf(tree.nodes[index], sceneSize) : tree.shadowRays[index].to;
+        const auto distance = distanceOnScreen(frame, glm::dvec3(from), glm::dvec3(to), cursor);
+        if (!distance || *distance > reach) continue;
+        reach = *distance;
+        nearest = ray;
+    }
+    return nearest;
+}
+
 std::vector<RayLegendEntry> debugRayLegend() {
-    return {{"camera ray", palette::kCameraRay, LineStyle::Solid},
-            {"reflection", palette::kReflectedRay, LineStyle::Solid},
-            {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed},
-            {"misses everything", palette::kMissedRay, LineStyle::Dashed},
-            {"shadow ray, light visible: its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid},
-            {"shadow ray, blocked", palette::kBlockedRay, LineStyle::Dotted},
-            {"light behind the surface", palette::kAwayRay, LineStyle::Dotted},
-            {"normal", palette::kNormal, LineStyle::Solid}};
+    using F = DebugRayFilter;
+    return {{"camera ray", palette::kCameraRay, LineStyle::Solid, &F::camera},
+            {"mirror reflection", palette::kReflectedRay, LineStyle::Solid, &F::reflections},
+            {"glossy reflection", palette::kReflectedRay, LineStyle::Dashed, &F::glossy},
+            {"glossy, below the surface", palette::kRejectedRay, LineStyle::Dotted, &F::rejected},
+            {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
+            {"misses everything", palette::kMissedRay, LineStyle::Dashed, &F::missed},
+            {"light visible: in its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
+            {"light blocked", palette::kBlockedRay, LineStyle::Dotted, &F::shadowBlocked},
+            {"light behind the surface", palette::kAwayRay, LineStyle::Dotted, &F::shadowAway},
+            {"shading normal", palette::kNormal, LineStyle::Solid, &F::normals},
+            {"normals of the vertices", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
 }
 
 }  // namespace rayscope::viewer

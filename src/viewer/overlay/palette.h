@@ -14,6 +14,9 @@ inline constexpr glm::vec4 kMissedRay{0.84f, 0.25f, 0.10f, 1.0f};
 inline constexpr glm::vec4 kBlockedRay{0.95f, 0.16f, 0.12f, 0.9f};
 inline constexpr glm::vec4 kAwayRay{0.55f, 0.57f, 0.60f, 0.6f};
 inline constexpr glm::vec4 kNormal{0.10f, 0.78f, 0.55f, 1.0f};
+inline constexpr glm::vec4 kVertexNormal{0.55f, 0.90f, 0.80f, 1.0f};
+inline constexpr glm::vec4 kRejectedRay{0.75f, 0.40f, 0.85f, 0.9f};
+inline constexpr glm::vec4 kHalo{1.0f, 1.0f, 1.0f, 0.45f};
 
 // Hierarchies.
 inline constexpr glm::vec4 kLevelBox{0.95f, 0.96f, 0.98f, 0.85f};

@@ -12,7 +12,10 @@ namespace {
 bool isEnabled(const Workspace& workspace, Command command) {
     if (command == Command::Undo) return workspace.history.canUndo();
     if (command == Command::Redo) return workspace.history.canRedo();
-    if (command == Command::ClearRays) return workspace.rays.shot() != nullptr;
+    const bool hasSelection = !workspace.rays.selection().empty();
+    if (command == Command::HideRay || command == Command::IsolateRay) return hasSelection;
+    if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays)
+        return workspace.rays.shot() != nullptr;
     return true;
 }
 
@@ -31,6 +34,10 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.flying;
         case Command::PauseOrResume:
             return workspace.render.paused();
+        case Command::ToggleSearch:
+            return workspace.rays.search.shown;
+        case Command::IsolateRay:
+            return workspace.rays.filter.isolated;
         case Command::ToggleBvhLevels:
             return workspace.bvh.shown.levels;
         case Command::ShowKeys:
