@@ -110,6 +110,8 @@ void Application::carryOut(Command command) {
                 view.showKeys = false;
             else if (view.flying)
                 view.flying = false;
+            else if (view.liveRay)
+                view.liveRay = false;
             else
                 workspace_.rays.clear();
             break;

@@ -45,6 +45,8 @@ constexpr CommandInfo kCommands[] = {
 
     {Command::ShootRay, "Rays", "Shoot debug ray", GLFW_KEY_R, 0, "Record and draw the rays of the pixel under the cursor."},
     {Command::ClearRays, "Rays", "Clear rays", GLFW_KEY_C, 0, "Forget the recorded rays."},
+    {Command::LiveRay, "Rays", "Live ray", GLFW_KEY_L, 0, "Record the pixel under the cursor again and again, wherever it goes."},
+    {Command::PinPixel, "Rays", "Pin pixel", GLFW_KEY_P, 0, "Keep the numbers of the recorded pixel, to compare it with others."},
     {Command::HideRay, "Rays", "Hide", GLFW_KEY_H, 0, "Do not draw the selected ray.", true},
     {Command::IsolateRay, "Rays", "Isolate", GLFW_KEY_I, 0, "Draw only the selected ray and what belongs to it, or all again."},
     {Command::CopyRays, "Rays", "Copy as JSON", GLFW_KEY_J, 0, "Copy the rays of the chosen sample as JSON."},

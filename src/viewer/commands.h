@@ -51,6 +51,8 @@ enum class Command {
     LeapForward,
     LeapBack,
     HideRay,
+    LiveRay,
+    PinPixel,
     IsolateRay,
     CopyRays,
     ExportRays,

@@ -45,6 +45,12 @@ void Application::carryOutDebugging(Command command) {
         case Command::LeapBack:
             rays.step(-10);
             break;
+        case Command::LiveRay:
+            workspace_.view.liveRay = !workspace_.view.liveRay;
+            break;
+        case Command::PinPixel:
+            rays.pin();
+            break;
         case Command::HideRay:
             rays.hideSelected();
             break;
@@ -91,6 +97,13 @@ void Application::carryOutAtCursor() {
         const CursorInfo& cursor = *workspace_.cursor;
         if (command == Command::LeafUnderCursor && cursor.primitive != kNoPrimitive)
             workspace_.bvh.selectLeafOf(workspace_.render.session().world()->nameOf(cursor.primitive).inBody);
+    }
+    const std::optional<CursorInfo>& cursor = workspace_.cursor;
+    if (workspace_.view.liveRay && cursor && !input_.moving()) {
+        const DebugRays::Shot* shot = workspace_.rays.shot();
+        const bool same = shot && glm::ivec2(shot->tree().name.x, shot->tree().name.y) == cursor->pixel &&
+                          !workspace_.rays.staleFor(workspace_.edit, workspace_.imageSize());
+        rayWanted_ |= !same;
     }
     if (rayWanted_) shootRay();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "probe/names.h"
 #include "render/film.h"
 #include "trace/world.h"
 
@@ -21,12 +22,16 @@ std::size_t bytesOf(const RayTree& tree) {
 void DebugRays::shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
                       SampleName name, const Film* film) {
     Shot shot;
-    shot.samples = world->settings.spp;
+    // Beside the rasterised view the world is compiled for one sample, which only a jittered grid depends on.
+    const bool dependsOnCount = world->settings.sampler == SamplePattern::Jittered;
+    shot.samples = dependsOnCount ? world->settings.spp : state.settings.spp;
     shot.state = state;
     shot.imageSize = imageSize;
     shot.trees = {RayTree{}};
     shot.trees[0].name = name;
     if (film != nullptr) shot.verdict = verify(*world, *film, kSeed, name.x, name.y);
+    shot.pixel = replayPixel(*world, kSeed, name.x, name.y, std::min(shot.samples, kMostSamples));
+    shot.statistics = statisticsOf(shot.pixel.values);
     shot.world = std::move(world);
     shot_ = std::move(shot);
     sample_ = name.index;
@@ -91,6 +96,19 @@ void DebugRays::verifyAgain(const Film& film) {
 void DebugRays::select(RaySelection selection) {
     filter.selected = selection;
     ++version_;
+}
+
+void DebugRays::pin() {
+    if (!shot_) return;
+    const RayTree& tree = shot_->tree();
+    const RayNode& first = tree.nodes.front();
+    double rays = 0.0;
+    for (const std::uint32_t count : shot_->pixel.rays) rays += count;
+    pins.push_back({{tree.name.x, tree.name.y},
+                    first.hit ? objectName(*shot_->world, first.object) : "nothing",
+                    shot_->statistics.mean,
+                    shot_->statistics.errorOfMean(),
+                    rays / static_cast<double>(std::max<std::size_t>(shot_->pixel.rays.size(), 1))});
 }
 
 void DebugRays::hideSelected() {

@@ -3,9 +3,11 @@
 #include <memory>
 #include <optional>
 
+#include "probe/pixel_samples.h"
 #include "probe/traversal_log.h"
 #include "viewer/edit_state.h"
 #include "viewer/overlay/debug_rays_overlay.h"
+#include "viewer/overlay/surface_overlay.h"
 #include "viewer/overlay/traversal_overlay.h"
 
 namespace rayscope::viewer {
@@ -22,6 +24,8 @@ class DebugRays {
         glm::ivec2 imageSize{1};
         std::shared_ptr<const World> world;
         std::optional<ReplayVerdict> verdict;
+        PixelSamples pixel;  ///< of all samples, at most kMostSamples
+        SampleStatistics statistics;
 
         const RayTree& tree() const { return trees[chosen]; }
     };
@@ -31,6 +35,7 @@ class DebugRays {
     void shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
                SampleName name, const Film* film);
     void clear();
+    static constexpr int kMostSamples = 4096;
     const Shot* shot() const { return shot_ ? &*shot_ : nullptr; }
     bool staleFor(const EditState& state, glm::ivec2 imageSize) const;
 
@@ -49,11 +54,21 @@ class DebugRays {
     const std::vector<TraversalLog>& searches() const { return searches_; }
     void step(int by);
 
+    /// What is kept of a pixel, to compare it with others.
+    struct Pin {
+        glm::ivec2 pixel{0};
+        std::string surface;  ///< what its first sample shows
+        double mean = 0.0, error = 0.0, raysPerSample = 0.0;
+    };
+    std::vector<Pin> pins;
+    void pin();
+
     /// Grows when the recorded rays or the search change.
     int version() const { return version_; }
 
     DebugRayFilter filter;
     TraversalChoice search;
+    SurfaceChoice surface;
     std::size_t budget = std::size_t{64} << 20;  ///< bytes of recorded trees
 
   private:

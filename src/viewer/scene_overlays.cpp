@@ -14,8 +14,30 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 }  // namespace
 
 SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
-    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter, workspace.rays.search,
-            workspace.bvh.shown};
+    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter,
+            workspace.rays.search,    workspace.rays.surface,  workspace.bvh.shown};
+}
+
+/// What surfaces and the lens add to the rays of the chosen sample.
+void SceneOverlays::addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const RayTree& tree = shot.tree();
+    const SurfaceChoice& choice = rays.surface;
+    for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
+        const RayNode& node = tree.nodes[static_cast<std::size_t>(i)];
+        if (!isShown(tree, {i, -1}, rays.filter)) continue;
+        if (rays.filter.vertexNormals)
+            if (const auto normals = vertexNormalsOf(*shot.world, node, tree.time))
+                append(lines_, vertexNormalLines(*normals, sceneSize / 20.0f));
+        if (choice.environment && node.hit)
+            if (const auto point = environmentOf(*shot.world, node))
+                append(lines_, environmentLines(*point, node.position, sceneSize));
+    }
+    if (choice.glossySquare)
+        for (const int i : glossySurfaces(tree))
+            if (const auto square = glossySquareOf(*shot.world, tree, i))
+                append(lines_, glossySquareLines(*square));
+    if (choice.lens)
+        if (const auto lens = lensOf(*shot.world)) append(lines_, lensLines(*lens));
 }
 
 void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
@@ -29,6 +51,7 @@ void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, 
         append(lines_, debugRayLines(shot.trees[i], others, sceneSize));
     }
     append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
+    addSurfaces(shot, rays, sceneSize);
     for (const TraversalLog& log : rays.searches()) {
         append(boxes_, traversalBoxes(log, rays.search));
         append(lines_,

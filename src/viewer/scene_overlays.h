@@ -12,6 +12,7 @@ class SceneOverlays {
         int raysVersion = 0, bvhVersion = 0;
         DebugRayFilter rays;
         TraversalChoice search;
+        SurfaceChoice surface;
         BvhChoice bvh;
         bool operator==(const Inputs&) const = default;
     };
@@ -21,6 +22,7 @@ class SceneOverlays {
     OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize);
 
   private:
+    void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
     void addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
     void rebuild(const Workspace& workspace, float sceneSize);
 

@@ -22,7 +22,7 @@ namespace rayscope::viewer {
 
 /// How the scene is looked at; not part of what can be undone.
 struct ViewState {
-    bool traced = false, overlay = true, sidePanel = true, flying = false;
+    bool traced = false, overlay = true, sidePanel = true, flying = false, liveRay = false;
     bool showKeys = false, showStatistics = false;
     RasterStyle raster;
     float resolution = 1.0f;  ///< pixels of the traced image per pixel of the view

@@ -17,7 +17,8 @@ PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
 TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH = (977, 66), (1042, 66), (1103, 66), (1147, 66)
-LEGEND_CAMERA, FIRST_RAY = (1030, 555), (980, 274)
+LEGEND_CAMERA, FIRST_RAY = (1030, 662), (980, 357)  # once the camera has moved away from recorded rays
+SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 580, 100, 90)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
@@ -292,6 +293,56 @@ def test_search(viewer):
     viewer.settled_picture()
 
 
+def is_square_purple(red, green, blue):
+    return 150 < red < 230 and 70 < green < 135 and blue > 180
+
+
+def open_and_shoot(viewer, scene, pixel):
+    """Opens the scene, records the rays of a pixel of the rasterised view, and looks at them from the side."""
+    viewer.open_by_name(scene)
+    wait_for("the other scene", lambda: scene in viewer.title())
+    viewer.point(100, 600)
+    before = viewer.settled_picture()
+    viewer.point(*pixel)
+    viewer.key("r")
+    wait_for("the rays", lambda: viewer.picture().differing(before) > 10)
+    viewer.drag((100, 600), (260, 560))
+    return viewer.settled_picture()
+
+
+def test_surfaces(viewer):
+    """Texels, the glossy square, the lens and its focus, and samples of the pixel."""
+    viewer.click(*TAB_RAYS)
+    open_and_shoot(viewer, "builtin:quad-textured", (440, 330))
+    wait_for("texels in the panel", lambda: viewer.capture().crop(*TEXELS).count(
+        lambda r, g, b: r > 200 and g < 120 and b < 120) > 200)
+    # A click on the last bar of the strip chooses the last sample, whose camera ray is another one.
+    first = viewer.capture().crop(*SAMPLE_GRID)
+    viewer.click(*LAST_SAMPLE)
+    viewer.point(100, 600)
+    wait_for("another sample", lambda: viewer.capture().crop(*SAMPLE_GRID).differing(first) > 10)
+    viewer.key("c")
+    glossy = open_and_shoot(viewer, "builtin:cornell-glossy", (440, 330))
+    expect(glossy.count(is_square_purple) > 60, "the square of the glossy reflection is purple")
+    viewer.key("c")
+    lens = open_and_shoot(viewer, "builtin:spheres-dof", (420, 330))
+    expect(lens.count(is_visited_green) > 300, "the plane of focus is green")
+    viewer.key("p")
+    viewer.key("c")
+    # A live ray follows the cursor without any key.
+    bare = viewer.settled_picture()
+    viewer.key("l")
+    viewer.point(500, 360)
+    wait_for("live rays", lambda: viewer.picture().differing(bare) > 30)
+    one = viewer.settled_picture()
+    viewer.point(300, 400)
+    wait_for("live rays elsewhere", lambda: viewer.picture().differing(one) > 30)
+    viewer.key("Escape")
+    viewer.key("Escape")
+    wait_for("no ray any more", lambda: viewer.picture().differing(bare) == 0)
+    viewer.click(*TAB_SCENE)
+
+
 def test_bvh_boxes(viewer):
     """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
     viewer.open_by_name("builtin:monkey")
@@ -406,7 +457,8 @@ def run_all(program, folder):
     test_without_display(program)
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_bvh_boxes,
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces,
+                     test_bvh_boxes,
                      test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
             if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
                 continue

@@ -80,8 +80,8 @@ glm::vec3 endOf(const RayNode& node, float sceneSize) {
 OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {
     const Look look = lookOf(node);
     OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
-    const bool seesSomething = node.hit || node.contribution != RgbSum(0.0);
-    if (colors == RayColors::Kind || !seesSomething) return line;
+    const bool seesEnvironment = !node.hit && node.contribution != RgbSum(0.0);
+    if (!seesEnvironment && (colors == RayColors::Kind || !node.hit)) return line;
     if (colors == RayColors::Arriving) {
         line.color = {displayColor(Rgb(arriving)), 1.0f};
     } else {

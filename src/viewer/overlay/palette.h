@@ -18,6 +18,9 @@ inline constexpr glm::vec4 kVertexNormal{0.55f, 0.90f, 0.80f, 1.0f};
 inline constexpr glm::vec4 kRejectedRay{0.75f, 0.40f, 0.85f, 0.9f};
 inline constexpr glm::vec4 kHalo{1.0f, 1.0f, 1.0f, 0.45f};
 
+inline constexpr glm::vec4 kGlossySquare{0.75f, 0.40f, 0.85f, 1.0f};
+inline constexpr glm::vec4 kLens{0.10f, 0.78f, 0.55f, 1.0f};
+
 // Hierarchies.
 inline constexpr glm::vec4 kLevelBox{0.95f, 0.96f, 0.98f, 0.85f};
 inline constexpr glm::vec4 kRivalBox{0.90f, 0.30f, 0.10f, 0.9f};

@@ -14,7 +14,8 @@ bool isEnabled(const Workspace& workspace, Command command) {
     if (command == Command::Redo) return workspace.history.canRedo();
     const bool hasSelection = !workspace.rays.selection().empty();
     if (command == Command::HideRay || command == Command::IsolateRay) return hasSelection;
-    if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays)
+    if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays ||
+        command == Command::PinPixel)
         return workspace.rays.shot() != nullptr;
     return true;
 }
@@ -34,6 +35,8 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.flying;
         case Command::PauseOrResume:
             return workspace.render.paused();
+        case Command::LiveRay:
+            return view.liveRay;
         case Command::ToggleSearch:
             return workspace.rays.search.shown;
         case Command::IsolateRay:

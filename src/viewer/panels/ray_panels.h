@@ -10,4 +10,12 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot);
 /// The search of the selected ray through the hierarchy, step by step.
 void drawSearch(Workspace& workspace);
 
+/// Where the samples lie in the pixel, and what each is worth.
+void drawPixelSamples(Workspace& workspace, const DebugRays::Shot& shot);
+/// Pixels that were pinned, side by side.
+void drawPins(Workspace& workspace);
+
+/// Texels, environment, gloss and lens where the selected ray ends.
+void drawSurface(Workspace& workspace, const DebugRays::Shot& shot);
+
 }  // namespace rayscope::viewer

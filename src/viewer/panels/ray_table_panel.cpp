@@ -75,24 +75,27 @@ void drawShadowRay(const ShadowRay& ray) {
 }
 
 void drawActions(Workspace& workspace) {
-    DebugRays& rays = workspace.rays;
-    const auto button = [&](const char* label, Command command, const char* help) {
-        const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-        const bool first = ImGui::GetCursorPosX() < scaled(40.0f);
-        if (ImGui::Button(label, {first ? width : -1.0f, 0.0f})) workspace.commands.push_back(command);
+    const DebugRays& rays = workspace.rays;
+    const auto button = [&](const char* label, int perRow, Command command, const char* help) {
+        const float gaps = ImGui::GetStyle().ItemSpacing.x * static_cast<float>(perRow - 1);
+        static float rowWidth = 0.0f;
+        if (ImGui::GetCursorPosX() < scaled(20.0f)) rowWidth = ImGui::GetContentRegionAvail().x;
+        if (ImGui::Button(label, {(rowWidth - gaps) / static_cast<float>(perRow), 0.0f}))
+            workspace.commands.push_back(command);
         tooltip(help);
-        if (first) ImGui::SameLine();
     };
     ImGui::BeginDisabled(rays.selection().empty());
-    button("Hide (H)", Command::HideRay, "Do not draw the selected ray.");
-    button(rays.filter.isolated ? "Show all (I)" : "Isolate (I)", Command::IsolateRay,
+    button("Hide (H)", 2, Command::HideRay, "Do not draw the selected ray.");
+    ImGui::SameLine();
+    button(rays.filter.isolated ? "Show all (I)" : "Isolate (I)", 2, Command::IsolateRay,
            "Draw only the selected ray, the rays that led to it and its shadow rays.");
     ImGui::EndDisabled();
-    button("Copy as JSON (J)", Command::CopyRays, "Copy the tree of the sample as JSON.");
-    button("Export OBJ", Command::ExportRays,
-           "Write the rays as line segments to rayscope-0001.obj, and as JSON.");
-    button("Clear (C)", Command::ClearRays, "Forget the recorded rays.");
-    ImGui::NewLine();
+    button("Copy JSON", 3, Command::CopyRays, "Copy the tree of the sample as JSON (J).");
+    ImGui::SameLine();
+    button("Export OBJ", 3, Command::ExportRays,
+           "Write the rays as line segments to rayscope-0001.obj, and as JSON (Ctrl+J).");
+    ImGui::SameLine();
+    button("Clear", 3, Command::ClearRays, "Forget the recorded rays (C).");
 }
 
 }  // namespace
@@ -107,7 +110,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
     revealed = rays.selection();
     constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
                                        ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Resizable;
-    if (ImGui::BeginTable("rays", 3, kFlags, {0.0f, scaled(128.0f)})) {
+    if (ImGui::BeginTable("rays", 3, kFlags, {0.0f, scaled(110.0f)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("ray", ImGuiTableColumnFlags_WidthStretch, 0.42f);
         ImGui::TableSetupColumn("t, meets", ImGuiTableColumnFlags_WidthStretch, 0.42f);
@@ -141,7 +144,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
     const RaySelection selected = rays.selection();
     if (selected.node >= 0) drawNode(*shot.world, tree.nodes[static_cast<std::size_t>(selected.node)]);
     if (selected.shadow >= 0) drawShadowRay(tree.shadowRays[static_cast<std::size_t>(selected.shadow)]);
-    if (selected.empty()) dimText("Click a ray, here or in the picture, for everything about it.");
+    if (selected.empty()) dimText("Click a ray for everything about it.");
 }
 
 }  // namespace rayscope::viewer

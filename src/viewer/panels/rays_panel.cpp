@@ -113,10 +113,11 @@ void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
     text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
                      tree.shadowRays.size()));
     if (rays.staleFor(workspace.edit, workspace.imageSize()))
-        coloredText(kWarningText, "Stale: camera, scene or settings have changed");
+        coloredText(kWarningText, "Stale: something has changed since");
     if (shot.verdict) drawVerdict(*shot.verdict);
     labelledRow("Radiance");
     text(rgbText(tree.radiance));
+    drawPixelSamples(workspace, shot);
     drawSamples(rays, shot);
     drawRayTable(workspace, shot);
 }
@@ -136,8 +137,10 @@ void drawRaysPanel(Workspace& workspace) {
         ImGui::Spacing();
     }
     if (shot != nullptr && section("Search (T)")) drawSearch(workspace);
+    if (shot != nullptr && section("Where it ends")) drawSurface(workspace, *shot);
     if (section("Legend: click to show or hide")) drawLegend(workspace.rays.filter);
     if (section("Shown")) drawFilter(workspace);
+    if (section("Pinned pixels")) drawPins(workspace);
 }
 
 }  // namespace rayscope::viewer
