@@ -3,44 +3,12 @@
 #include <algorithm>
 
 #include "probe/binary_traversal_recorder.h"
+#include "probe/counting_observer.h"
 #include "trace/world.h"
 
 namespace rayscope {
 
 namespace {
-
-/// The walk of walkToAnyHit(), watched.
-bool walkToAnyHitWatched(const BinaryTree& tree, const AccelInput& input, const Ray& ray,
-                         BinaryTraversalRecorder& recorder, Hit& hit) {
-    const RayQuery query(ray);
-    const IndexedPrimitives primitives{input, tree.primitives};
-    std::uint32_t stack[kMaxTreeLevel + 1] = {0};
-    int waiting = 1;
-    float entry;
-    while (waiting > 0) {
-        const std::uint32_t number = stack[--waiting];
-        const BinaryNode& node = tree.nodes[number];
-        if (!intersectBox(planes(node), query.box, query.box.tMax, entry)) {
-            recorder.missed(number);
-            continue;
-        }
-        recorder.entered(number, ray.tMax);
-        if (!node.isLeaf()) {
-            for (const std::uint32_t child : {node.first + 1, node.first}) {
-                stack[waiting++] = child;
-                recorder.waits(child);
-            }
-            continue;
-        }
-        for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
-            const bool found = primitives.hits(query, slot, ray.tMax, hit);
-            recorder.tested(primitives.number(slot), found);
-            hit.primitive = primitives.number(slot);
-            if (found) return true;
-        }
-    }
-    return false;
-}
 
 TraversalLog startLog(const World& world, std::size_t number, const Ray& ray, float time) {
     TraversalLog log;
@@ -123,8 +91,7 @@ std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float
         log.anyHit = true;
         BinaryTraversalRecorder recorder(log, *tree, world.bodies[i].geometry->input);
         Hit hit;
-        const bool found =
-            walkToAnyHitWatched(*tree, world.bodies[i].geometry->input, log.ray, recorder, hit);
+        const bool found = anyHitWatched(*tree, world.bodies[i].geometry->input, log.ray, recorder, hit);
         if (found) log.hit = hit;
         logs.push_back(std::move(log));
         if (found) break;

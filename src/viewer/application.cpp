@@ -51,7 +51,7 @@ double Application::patience() const {
     if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
     const bool job = workspace_.job && workspace_.job->running();
     const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
-                         job || workspace_.bvh.busy();
+                         job || workspace_.bvh.busy() || workspace_.heat.busy();
     return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -154,6 +154,7 @@ void Application::drawSidePanel(const Layout& parts) {
             tab("Settings", [&] { drawSettingsPanel(workspace_); });
             tab("Rays", [&] { drawRaysPanel(workspace_); });
             tab("BVH", [&] { drawBvhPanel(workspace_); });
+            tab("Map", [&] { drawHeatPanel(workspace_); });
             ImGui::EndTabBar();
         }
     }
@@ -181,9 +182,14 @@ void Application::updateInspectors() {
     const bool isPresent = world && world->description == workspace_.edit.scene;
     if (bvhSeen && isPresent) workspace_.bvh.update(world);
 
+    // While the picture still refines, the map would only take its time.
+    const bool quiet = !workspace_.render.busy() && !input_.moving();
+    const auto film = workspace_.render.session().film();
+    if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
+        workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
+
     DebugRays& rays = workspace_.rays;
     rays.updateSearch();
-    const auto film = workspace_.render.session().film();
     const bool settled =
         workspace_.render.settledWorld() && workspace_.render.status().state == RenderState::Done;
     if (film && settled && workspace_.view.traced && !rays.staleFor(workspace_.edit, workspace_.imageSize()))

@@ -26,6 +26,7 @@ constexpr CommandInfo kCommands[] = {
 
     {Command::SwitchView, "View", "Ray-traced", GLFW_KEY_TAB, 0, "Switch between the rasterised and the ray-traced view."},
     {Command::PauseOrResume, "View", "Pause tracing", GLFW_KEY_SPACE, 0, "Pause or resume the rendering."},
+    {Command::ToggleHeatMap, "View", "Heat map", GLFW_KEY_M, 0, "Show what pixels cost, or how certain they are, in place of the picture."},
     {Command::ToggleOverlay, "View", "Overlay", GLFW_KEY_O, 0, "Show or hide rays, lights and handles.", true},
     {Command::ToggleWireframe, "View", "Wireframe", GLFW_KEY_Z, 0, "Draw only the edges in the rasterised view."},
     {Command::ToggleSidePanel, "View", "Side panel", GLFW_KEY_N, 0, "Show or hide the side panel."},

@@ -52,6 +52,7 @@ enum class Command {
     LeapBack,
     HideRay,
     LiveRay,
+    ToggleHeatMap,
     PinPixel,
     IsolateRay,
     CopyRays,

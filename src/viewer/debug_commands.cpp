@@ -48,6 +48,10 @@ void Application::carryOutDebugging(Command command) {
         case Command::LiveRay:
             workspace_.view.liveRay = !workspace_.view.liveRay;
             break;
+        case Command::ToggleHeatMap:
+            workspace_.heat.shown = !workspace_.heat.shown;
+            workspace_.view.traced |= workspace_.heat.shown;
+            break;
         case Command::PinPixel:
             rays.pin();
             break;

@@ -17,9 +17,17 @@ HandleSize handleSize(float scale) {
 
 Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
     const ViewState& view = workspace.view;
-    return {workspace.edit,     view.raster,         view.traced,
-            view.overlay,       workspace.viewSize,  SceneOverlays::inputsOf(workspace),
-            view.selectedLight, view.selectedHandle, hovered,
+    return {workspace.edit,
+            view.raster,
+            view.traced,
+            view.overlay,
+            workspace.viewSize,
+            SceneOverlays::inputsOf(workspace),
+            workspace.heat.version(),
+            workspace.heat.image() != nullptr,
+            view.selectedLight,
+            view.selectedHandle,
+            hovered,
             view.scale};
 }
 
@@ -51,7 +59,9 @@ void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
 void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
     const ViewFrame frame = viewFrame(inputs.state.camera, inputs.size.x, inputs.size.y);
     target_.bind();
-    if (inputs.traced)
+    if (inputs.traced && inputs.heatShown)
+        traced_.drawInstead(*workspace.heat.image(), inputs.heatVersion, inputs.size);
+    else if (inputs.traced)
         traced_.draw(inputs.state.settings, inputs.size);
     else
         raster_.draw(frame, inputs.raster);

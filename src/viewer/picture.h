@@ -34,6 +34,8 @@ class Picture {
         bool traced = false, overlay = false;
         glm::ivec2 size{0};
         SceneOverlays::Inputs overlays;
+        int heatVersion = 0;
+        bool heatShown = false;
         int selectedLight = -1, selectedHandle = 0;
         std::optional<Grip> hovered;
         float scale = 1.0f;

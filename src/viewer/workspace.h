@@ -12,6 +12,7 @@
 #include "viewer/edit_state.h"
 #include "viewer/export.h"
 #include "viewer/frame_times.h"
+#include "viewer/heat_map.h"
 #include "viewer/history.h"
 #include "viewer/raster_view.h"
 #include "viewer/recent_files.h"
@@ -56,6 +57,7 @@ struct Workspace {
     RenderControl render;
     DebugRays rays;
     BvhInspector bvh;
+    HeatMap heat;
     bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};

@@ -16,7 +16,8 @@ WIDTH, HEIGHT = 1280, 720
 PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
-TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH = (977, 66), (1042, 66), (1103, 66), (1147, 66)
+TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH, TAB_MAP = (977, 66), (1042, 66), (1103, 66), (1147, 66), (1186, 66)
+HISTOGRAM_END = (1120, 220), (1000, 220)
 LEGEND_CAMERA, FIRST_RAY = (1030, 662), (980, 357)  # once the camera has moved away from recorded rays
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 580, 100, 90)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
@@ -402,6 +403,28 @@ def test_light_handle(viewer):
     expect(viewer.settled_picture().data == before.data, "a click beside it lets go of the light")
 
 
+def is_map_yellow(red, green, blue):
+    return red > 200 and green > 200 and blue < 140
+
+
+def test_heat_map(viewer):
+    """The cost of pixels in place of the picture; a drag in the histogram narrows the range."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_MAP)
+    viewer.point(100, 600)
+    viewer.key("m")
+    wait_for("the map", lambda: viewer.settled_picture().count(is_map_yellow) > 300)
+    few = viewer.settled_picture().count(is_map_yellow)
+    viewer.drag(*HISTOGRAM_END)
+    viewer.point(100, 600)
+    wait_for("more pixels beyond the range", lambda: viewer.settled_picture().count(is_map_yellow) > 2 * few)
+    viewer.key("m")
+    wait_for("the traced picture", lambda: viewer.settled_picture().count(is_map_yellow) < few)
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
+
+
 def test_typing_is_not_a_shortcut(viewer):
     """Letters in a text field open no panel, switch no view and shoot no ray."""
     viewer.open_by_name("builtin:spheres")
@@ -458,7 +481,7 @@ def run_all(program, folder):
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
         for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces,
-                     test_bvh_boxes,
+                     test_bvh_boxes, test_heat_map,
                      test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
             if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
                 continue

@@ -37,6 +37,8 @@ bool isTicked(const Workspace& workspace, Command command) {
             return workspace.render.paused();
         case Command::LiveRay:
             return view.liveRay;
+        case Command::ToggleHeatMap:
+            return workspace.heat.shown;
         case Command::ToggleSearch:
             return workspace.rays.search.shown;
         case Command::IsolateRay:
