@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
+#include "probe/explain.h"
 #include "probe/traversal_log.h"
 #include "trace/compile.h"
 
@@ -20,6 +21,7 @@ struct ProbeOptions {
     std::string pixel, jsonFile;
     std::string traversal;  ///< "3" or "s3"
     int sample = 0;
+    bool explain = false;
 };
 
 [[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
@@ -43,10 +45,20 @@ std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, co
 }
 
 /// What the options ask for, as one JSON object.
-std::string asJson(const RayTree& tree, const World& world, const std::vector<TraversalLog>& searches) {
+std::string asJson(const RayTree& tree, const World& world, const std::vector<TraversalLog>& searches,
+                   const std::vector<Explanation>& explanations) {
     nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
     for (const TraversalLog& log : searches)
         j["traversal"].push_back(nlohmann::ordered_json::parse(toJson(log)));
+    for (const Explanation& why : explanations) {
+        nlohmann::ordered_json entry = {
+            {"symptom", nameOf(why.symptom)}, {"cause", nameOf(why.cause)}, {"sentence", why.sentence}};
+        entry["rays"] = nlohmann::ordered_json::array();
+        for (const Evidence& e : why.evidence)
+            entry["rays"].push_back(
+                {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
+        j["explanation"].push_back(std::move(entry));
+    }
     return j.dump(2) + "\n";
 }
 
@@ -64,7 +76,14 @@ int runProbe(const ProbeOptions& options) {
     fmt::print("{}", toText(tree, *world));
     for (const TraversalLog& log : searches) fmt::print("{}", toText(log));
     if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
-    if (!options.jsonFile.empty()) writeFileAtomically(options.jsonFile, asJson(tree, *world, searches));
+    std::vector<Explanation> explanations;
+    if (options.explain)
+        explanations =
+            explainPixel(*world, request.seed, pixel.x, pixel.y, samplesToExplain(request.settings));
+    for (const Explanation& why : explanations) fmt::print("{}", toText(why));
+    if (options.explain && explanations.empty()) fmt::print("nothing stands out about this pixel\n");
+    if (!options.jsonFile.empty())
+        writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
     return kDone;
 }
 
@@ -87,6 +106,8 @@ void addProbeCommand(CLI::App& program, int& exitCode) {
             "for a shadow ray; the camera ray if none is given")
         ->expected(0, 1)
         ->default_str("0");
+    command->add_flag("--explain", options->explain,
+                      "Say why the pixel is black, bright, noisy, slow or not a number");
     command->add_option("--json", options->jsonFile, "Write the tree to this file as JSON, too");
     command->callback([options, &exitCode] { exitCode = runProbe(*options); });
 }

@@ -1,7 +1,8 @@
 #include "probe/aov.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -162,6 +163,14 @@ void CountingObserver::lightSampled(const LightConnection& light, const glm::dve
     });
 }
 
+SampleCost costAt(const World& world, std::uint64_t seed, int x, int y, int samples) {
+    AovRequest request{world};
+    request.seed = seed;
+    request.samples = samples;
+    const Costs costs = costsOf(request, x, y, true);
+    return {costs.nodes, costs.tests, costs.rays};
+}
+
 std::span<const AovInfo> aovTable() { return kTable; }
 
 const AovInfo& infoOf(Aov aov) { return kTable[static_cast<std::size_t>(aov)]; }
@@ -196,6 +205,9 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
         }
     };
     namespace tbb = oneapi::tbb;
+    const tbb::global_control parallelism(
+        tbb::global_control::max_allowed_parallelism,
+        static_cast<std::size_t>(std::max(request.threads, tbb::info::default_concurrency())));
     tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
     arena.execute([&] { tbb::parallel_for(region.y0, region.y1, renderRow); });
     if (request.stop.stop_requested()) throw Stopped{};

@@ -40,6 +40,12 @@ const AovInfo& infoOf(Aov aov);
 /// Throws InputError that names the nearest one.
 Aov aovNamed(std::string_view name);
 
+/// What a sample of a pixel costs, as the mean over its first samples.
+struct SampleCost {
+    double nodes = 0.0, tests = 0.0, rays = 0.0;
+};
+SampleCost costAt(const World& world, std::uint64_t seed, int x, int y, int samples);
+
 /// What the images are made of.
 struct AovRequest {
     const World& world;

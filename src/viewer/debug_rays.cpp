@@ -98,6 +98,20 @@ void DebugRays::select(RaySelection selection) {
     ++version_;
 }
 
+const std::vector<Explanation>& DebugRays::explain() {
+    Shot& shot = *shot_;
+    const SampleName name = shot.tree().name;
+    if (!shot.explanations)
+        shot.explanations = explainPixel(*shot.world, kSeed, name.x, name.y,
+                                         std::min(samplesToExplain(shot.state.settings), shot.samples));
+    return *shot.explanations;
+}
+
+void DebugRays::show(const Evidence& evidence) {
+    chooseSample(evidence.sample);
+    select({evidence.node, evidence.shadow});
+}
+
 void DebugRays::pin() {
     if (!shot_) return;
     const RayTree& tree = shot_->tree();

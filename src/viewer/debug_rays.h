@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "probe/explain.h"
 #include "probe/pixel_samples.h"
 #include "probe/traversal_log.h"
 #include "viewer/edit_state.h"
@@ -26,6 +27,7 @@ class DebugRays {
         std::optional<ReplayVerdict> verdict;
         PixelSamples pixel;  ///< of all samples, at most kMostSamples
         SampleStatistics statistics;
+        std::optional<std::vector<Explanation>> explanations;
 
         const RayTree& tree() const { return trees[chosen]; }
     };
@@ -44,6 +46,11 @@ class DebugRays {
     void showAllSamples(bool all);
     /// Compares with the film again if that has other samples than at the time of the last verdict.
     void verifyAgain(const Film& film);
+
+    /// Finds out what stands out about the pixel, if that was not done yet.
+    const std::vector<Explanation>& explain();
+    /// Goes to the ray that a sentence rests on.
+    void show(const Evidence& evidence);
 
     /// The chosen ray; its search is recorded as soon as it is to be shown.
     void select(RaySelection selection);

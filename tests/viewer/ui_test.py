@@ -18,8 +18,9 @@ PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
 TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH, TAB_MAP = (977, 66), (1042, 66), (1103, 66), (1147, 66), (1186, 66)
 HISTOGRAM_END = (1120, 220), (1000, 220)
-LEGEND_CAMERA, FIRST_RAY = (1030, 662), (980, 357)  # once the camera has moved away from recorded rays
-SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 580, 100, 90)
+FIRST_RAY = (980, 357)  # once the camera has moved away from recorded rays
+RECORDED, LEGEND_CAMERA = (1100, 90), (1030, 291)  # the latter with the former folded
+SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
@@ -278,10 +279,12 @@ def test_search(viewer):
     tree = json.loads(next(viewer.folder.glob("*.json")).read_text())
     lines = next(viewer.folder.glob("*.obj")).read_text().count("\nl ")
     expect(lines == len(tree["nodes"]) + len(tree["shadow_rays"]), "the OBJ has a line for each ray")
+    viewer.click(*RECORDED)
     viewer.click(*LEGEND_CAMERA)
     viewer.point(100, 600)
     expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a click on the legend hides the camera rays")
     viewer.click(*LEGEND_CAMERA)
+    viewer.click(*RECORDED)
     viewer.click(*FIRST_RAY)
     viewer.point(100, 600)
     expect(viewer.settled_picture().differing(bare) > 100, "the ray that is selected in the table has a halo")
@@ -329,6 +332,13 @@ def test_surfaces(viewer):
     lens = open_and_shoot(viewer, "builtin:spheres-dof", (420, 330))
     expect(lens.count(is_visited_green) > 300, "the plane of focus is green")
     viewer.key("p")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.settled_picture()
+    viewer.point(450, 60)
+    viewer.key("r")
+    wait_for("the reason why the background is black", lambda: viewer.capture().crop(950, 80, 320, 600).count(
+        lambda r, g, b: r > 220 and 165 < g < 215 and 60 < b < 120) > 60)
     viewer.key("c")
     # A live ray follows the cursor without any key.
     bare = viewer.settled_picture()

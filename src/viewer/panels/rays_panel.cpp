@@ -122,6 +122,24 @@ void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
     drawRayTable(workspace, shot);
 }
 
+/// Sentences about the pixel; a click goes to a ray that they rest on.
+void drawExplanations(DebugRays& rays) {
+    const std::vector<Explanation> all = rays.explain();
+    if (all.empty()) dimText("Nothing stands out about this pixel.");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Explanation& why = all[i];
+        coloredText(kWarningText, fmt::format("{}: {}", nameOf(why.symptom), nameOf(why.cause)));
+        wrappedText(why.sentence);
+        ImGui::PushID(static_cast<int>(i));
+        for (std::size_t e = 0; e < std::min<std::size_t>(why.evidence.size(), 8); ++e) {
+            if (e % 4 > 0) ImGui::SameLine();
+            if (ImGui::SmallButton(fmt::format("ray {}", e + 1).c_str())) rays.show(why.evidence[e]);
+            tooltip("Go to a ray that this rests on.");
+        }
+        ImGui::PopID();
+    }
+}
+
 }  // namespace
 
 void drawRaysPanel(Workspace& workspace) {
@@ -136,6 +154,8 @@ void drawRaysPanel(Workspace& workspace) {
             wrappedText("Point at a pixel and press R: its rays are recorded, drawn and listed here.");
         ImGui::Spacing();
     }
+    if (shot != nullptr && !workspace.view.liveRay && section("Why is it so?"))
+        drawExplanations(workspace.rays);
     if (shot != nullptr && section("Search (T)")) drawSearch(workspace);
     if (shot != nullptr && section("Where it ends")) drawSurface(workspace, *shot);
     if (section("Legend: click to show or hide")) drawLegend(workspace.rays.filter);
