@@ -171,7 +171,7 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     const glm::ivec2 image = workspace_.imageSize();
     workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced});
     updateInspectors();
-    picture_.update(workspace_, input_.hoveredGrip());
+    picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
     updateCursorRadiance();
 }
 

@@ -25,18 +25,20 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip
             SceneOverlays::inputsOf(workspace),
             workspace.heat.version(),
             workspace.heat.image() != nullptr,
+            false,
             view.selectedLight,
             view.selectedHandle,
             hovered,
             view.scale};
 }
 
-void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
+void Picture::update(Workspace& workspace, std::optional<Grip> hovered, bool moving) {
     if (loaded_ != workspace.edit.scene) {
         loaded_ = workspace.edit.scene;
         raster_.setScene(loaded_);
     }
     Inputs inputs = inputsOf(workspace, hovered);
+    inputs.moving = moving;
     const bool everything = target_.resize(workspace.viewSize.x, workspace.viewSize.y) || inputs != drawn_;
     std::optional<PixelBounds> changed;
     if (workspace.view.traced)
@@ -77,7 +79,7 @@ void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, con
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    sceneLines_.upload(overlays_.lines(workspace, frame, size));
+    sceneLines_.upload(overlays_.lines(workspace, frame, size, inputs.moving));
     if (inputs.traced) {
         glDisable(GL_DEPTH_TEST);
         sceneLines_.draw(toClip, viewport, inputs.scale, 1.0f);

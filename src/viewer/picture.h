@@ -15,7 +15,7 @@ namespace rayscope::viewer {
 class Picture {
   public:
     /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
-    void update(Workspace& workspace, std::optional<Grip> hovered);
+    void update(Workspace& workspace, std::optional<Grip> hovered, bool moving);
 
     /// Copies the finished picture to the window, its lower left corner to this pixel.
     void show(glm::ivec2 corner) const { target_.copyToWindow(corner.x, corner.y); }
@@ -35,7 +35,7 @@ class Picture {
         glm::ivec2 size{0};
         SceneOverlays::Inputs overlays;
         int heatVersion = 0;
-        bool heatShown = false;
+        bool heatShown = false, moving = false;
         int selectedLight = -1, selectedHandle = 0;
         std::optional<Grip> hovered;
         float scale = 1.0f;

@@ -75,7 +75,10 @@ void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
     }
 }
 
-OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize) {
+OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize,
+                                  bool moving) {
+    // What software OpenGL draws in some milliseconds, and what it draws in a moment.
+    constexpr std::size_t kMostMoving = 1500, kMostStill = 20000;
     const Inputs inputs = inputsOf(workspace);
     if (inputs != built_ || sceneSize != builtSize_) {
         rebuild(workspace, sceneSize);
@@ -84,7 +87,7 @@ OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& f
     }
     OverlayLines all = lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
                                   static_cast<double>(workspace.view.scale));
-    append(all, boxLines(boxes_, frame));
+    append(all, boxLines(boxes_, frame, moving ? kMostMoving : kMostStill));
     append(all, lines_);
     return all;
 }

@@ -18,8 +18,8 @@ class SceneOverlays {
     };
     static Inputs inputsOf(const Workspace& workspace);
 
-    /// `sceneSize` is the diagonal of the scene.
-    OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize);
+    /// `sceneSize` is the diagonal of the scene. While something is moving, fewer boxes are drawn whole.
+    OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize, bool moving);
 
   private:
     void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);

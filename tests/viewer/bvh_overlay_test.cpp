@@ -25,6 +25,13 @@ TEST(BoxLines, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) 
     const OverlayBoxes many(1000, one[0]);
     EXPECT_EQ(boxLines(many, frameAt({0, 0, 5})).size(), 12000u);
     EXPECT_EQ(boxLines(many, frameAt({0, 0, 5000})).size(), 1u);
+    // With a limit the largest are whole.
+    OverlayBoxes sizes;
+    for (int i = 1; i <= 100; ++i) {
+        const float half = 0.01f * static_cast<float>(i);
+        sizes.push_back({glm::vec3(-half), glm::vec3(half)});
+    }
+    EXPECT_EQ(boxLines(sizes, frameAt({0, 0, 5}), 10).size(), 10u * 12u + 1u);
 }
 
 TEST(BoxLines, LeaveOutWhatIsNotInThePicture) {

@@ -13,9 +13,9 @@ struct OverlayBox {
 };
 using OverlayBoxes = std::vector<OverlayBox>;
 
-/// Boxes as they can be told apart from where the camera stands: those of some pixels have twelve edges, of
-/// the smaller ones one per spot of the picture is drawn, as a stroke, and those outside the picture are left
-/// out. So the number of lines is bounded by the picture, not by the number of boxes.
-OverlayLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame);
+/// Boxes as they can be told apart from where the camera stands: those of some pixels have twelve edges, but
+/// no more than the `mostWhole` largest; of the others one per spot of the picture is drawn, as a stroke;
+/// those outside the picture are left out. So the number of lines is bounded, whatever the number of boxes.
+OverlayLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
 
 }  // namespace rayscope::viewer
