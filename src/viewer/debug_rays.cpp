@@ -30,7 +30,7 @@ void DebugRays::shoot(std::shared_ptr<const World> world, const EditState& state
     shot.trees = {RayTree{}};
     shot.trees[0].name = name;
     if (film != nullptr) shot.verdict = verify(*world, *film, kSeed, name.x, name.y);
-    shot.pixel = replayPixel(*world, kSeed, name.x, name.y, std::min(shot.samples, kMostSamples));
+    shot.pixel = replayPixel(*world, kSeed, name.x, name.y, std::min(shot.samples, mostSamples));
     shot.statistics = statisticsOf(shot.pixel.values);
     shot.world = std::move(world);
     shot_ = std::move(shot);

@@ -25,7 +25,7 @@ class DebugRays {
         glm::ivec2 imageSize{1};
         std::shared_ptr<const World> world;
         std::optional<ReplayVerdict> verdict;
-        PixelSamples pixel;  ///< of all samples, at most kMostSamples
+        PixelSamples pixel;  ///< of all samples, at most mostSamples
         SampleStatistics statistics;
         std::optional<std::vector<Explanation>> explanations;
 
@@ -37,7 +37,8 @@ class DebugRays {
     void shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
                SampleName name, const Film* film);
     void clear();
-    static constexpr int kMostSamples = 4096;
+    static constexpr int kMostSamples = 4096, kMostLiveSamples = 64;
+    int mostSamples = kMostSamples;  ///< that are replayed for the strip
     const Shot* shot() const { return shot_ ? &*shot_ : nullptr; }
     bool staleFor(const EditState& state, glm::ivec2 imageSize) const;
 
