@@ -20,6 +20,8 @@ struct RayNode {
     Hit primitiveHit;  ///< t, primitive, u, v
     int object = -1;   ///< mesh or sphere number: meshes first
     int material = -1;
+    double opacity = 1.0;  ///< of that material
+    glm::vec2 uv{0.0f};    ///< texture coordinates; 0 where the surface has no texture
     glm::vec3 position{0.0f}, geometricNormal{0.0f}, normal{0.0f};
     Rgb kd{0.0f};
     RgbSum contribution{0.0};  ///< sum of what this vertex added to the sample's radiance
@@ -31,6 +33,7 @@ struct ShadowRay {
     int node = 0;  ///< the vertex it belongs to
     int light = 0, sample = 0;
     glm::vec3 from{0.0f}, to{0.0f};
+    Ray ray;          ///< as it was traced; t = 1 is the light
     Rgb color{0.0f};  ///< of the light there
     Visibility visibility = Visibility::Visible;
     RgbSum contribution{0.0};
@@ -39,6 +42,7 @@ struct ShadowRay {
 /// All rays of one sample, in the order in which they were traced.
 struct RayTree {
     SampleName name;
+    float time = 0.0f;  ///< of the shutter, 0 … 1
     std::vector<RayNode> nodes;
     std::vector<ShadowRay> shadowRays;
     std::vector<RgbSum> addends;  ///< their left fold is `radiance`, bit for bit
@@ -48,16 +52,32 @@ struct RayTree {
 /// Traces one sample again with a recorder. Same code, same bits as the render.
 RayTree probe(const World& world, std::uint64_t seed, SampleName name);
 
+/// The radiance that arrives along each segment of the tree: what it and everything after it adds to the
+/// sample, divided by its throughput (0 where that is 0). Indexed like `nodes`.
+std::vector<RgbSum> radianceAlong(const RayTree& tree);
+
+/// What the surface at the end of a segment shows of its own, undimmed by its opacity; where nothing was hit,
+/// what the environment shows.
+RgbSum surfaceColor(const RayNode& node);
+
+/// Where in the image a sample lies: pixel coordinates, x to the right, y downwards.
+glm::dvec2 samplePosition(const World& world, std::uint64_t seed, SampleName name);
+
 /// Whether replaying a pixel gives what the film holds, and whether each tree adds up.
 struct ReplayVerdict {
     bool matchesFilm = false, addsUp = false;
     RgbSum film{0.0}, replayed{0.0};
     int samples = 0;
+    std::vector<RgbSum> values;  ///< of the samples
+    bool good() const { return matchesFilm && addsUp; }
 };
 ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, int x, int y);
 
 /// The tree as an indented text for people, and as JSON for programs.
 std::string toText(const RayTree& tree, const World& world);
 std::string toJson(const RayTree& tree, const World& world);
+
+/// The rays as line segments of a Wavefront OBJ, one group per kind; rays that miss are `missLength` long.
+std::string toObj(const RayTree& tree, float missLength);
 
 }  // namespace rayscope

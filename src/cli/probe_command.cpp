@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <rayscope/probe.h>
+#include <charconv>
+#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
+#include "probe/explain.h"
+#include "probe/traversal_log.h"
 #include "trace/compile.h"
 
 namespace rayscope {
@@ -15,8 +19,48 @@ namespace {
 struct ProbeOptions {
     SceneOptions scene;
     std::string pixel, jsonFile;
+    std::string traversal;  ///< "3" or "s3"
     int sample = 0;
+    bool explain = false;
 };
+
+[[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
+    throw CLI::ValidationError(
+        "--traversal",
+        fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'", tree.nodes.size() - 1,
+                    static_cast<long>(tree.shadowRays.size()) - 1, name));
+}
+
+/// The searches of the ray that the option names by its number in the tree, "s" before those of shadow rays.
+std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, const std::string& name) {
+    const bool isShadow = name.starts_with("s");
+    const std::string digits = name.substr(isShadow ? 1 : 0);
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const std::size_t count = isShadow ? tree.shadowRays.size() : tree.nodes.size();
+    if (error != std::errc{} || end != digits.data() + digits.size() || number >= count)
+        noSuchRay(name, tree);
+    return isShadow ? recordAnyHit(world, tree.shadowRays[number].ray, tree.time)
+                    : recordClosestHit(world, tree.nodes[number].ray, tree.time);
+}
+
+/// What the options ask for, as one JSON object.
+std::string asJson(const RayTree& tree, const World& world, const std::vector<TraversalLog>& searches,
+                   const std::vector<Explanation>& explanations) {
+    nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
+    for (const TraversalLog& log : searches)
+        j["traversal"].push_back(nlohmann::ordered_json::parse(toJson(log)));
+    for (const Explanation& why : explanations) {
+        nlohmann::ordered_json entry = {
+            {"symptom", nameOf(why.symptom)}, {"cause", nameOf(why.cause)}, {"sentence", why.sentence}};
+        entry["rays"] = nlohmann::ordered_json::array();
+        for (const Evidence& e : why.evidence)
+            entry["rays"].push_back(
+                {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
+        j["explanation"].push_back(std::move(entry));
+    }
+    return j.dump(2) + "\n";
+}
 
 int runProbe(const ProbeOptions& options) {
     const RenderRequest request = openScene(options.scene, false);
@@ -27,8 +71,19 @@ int runProbe(const ProbeOptions& options) {
     const auto world =
         compile({request.scene, request.settings, request.camera, request.width, request.height});
     const RayTree tree = probe(*world, request.seed, {pixel.x, pixel.y, options.sample});
+    std::vector<TraversalLog> searches;
+    if (!options.traversal.empty()) searches = searchesOf(*world, tree, options.traversal);
     fmt::print("{}", toText(tree, *world));
-    if (!options.jsonFile.empty()) writeFileAtomically(options.jsonFile, toJson(tree, *world));
+    for (const TraversalLog& log : searches) fmt::print("{}", toText(log));
+    if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
+    std::vector<Explanation> explanations;
+    if (options.explain)
+        explanations =
+            explainPixel(*world, request.seed, pixel.x, pixel.y, samplesToExplain(request.settings));
+    for (const Explanation& why : explanations) fmt::print("{}", toText(why));
+    if (options.explain && explanations.empty()) fmt::print("nothing stands out about this pixel\n");
+    if (!options.jsonFile.empty())
+        writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
     return kDone;
 }
 
@@ -44,6 +99,15 @@ void addProbeCommand(CLI::App& program, int& exitCode) {
     command->add_option("--sample", options->sample, "Index of the sample of the pixel")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    command
+        ->add_option(
+            "--traversal", options->traversal,
+            "Print the search of a ray through the BVH, too: its number in the tree, with an s before it "
+            "for a shadow ray; the camera ray if none is given")
+        ->expected(0, 1)
+        ->default_str("0");
+    command->add_flag("--explain", options->explain,
+                      "Say why the pixel is black, bright, noisy, slow or not a number");
     command->add_option("--json", options->jsonFile, "Write the tree to this file as JSON, too");
     command->callback([options, &exitCode] { exitCode = runProbe(*options); });
 }

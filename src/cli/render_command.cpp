@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <rayscope/probe.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <thread>
 
 #include "base/atomic_file.h"
@@ -13,6 +16,7 @@
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "post/develop.h"
+#include "probe/aov.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
 
@@ -24,6 +28,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::vector<std::string> outputs;
     std::string pixelBounds, statsFile, progress;
+    std::vector<std::string> aovs;
     double timeLimit = 0.0;
     bool quiet = false, dumpSettings = false;
 };
@@ -67,25 +72,56 @@ int waitFor(RenderSession& session, const RenderOptions& options, const Interrup
     }
 }
 
+/// Beside the first output: "image.nodes.exr". Numbers do not fit into a PNG.
+std::string aovPath(const std::string& output, std::string_view name) {
+    std::filesystem::path path(output);
+    const std::string suffix = path.extension() == ".pfm" ? ".pfm" : ".exr";
+    path.replace_extension(fmt::format(".{}{}", name, suffix));
+    return path.string();
+}
+
+void writeAovs(const RenderOptions& options, const std::vector<Aov>& wanted, const RenderRequest& request,
+               const RenderSession& session, const ImageMetadata& metadata) {
+    const auto world = session.world();
+    const auto film = session.film();
+    if (wanted.empty() || !world || !film) return;
+    AovRequest job{*world,         film.get(),           request.seed, std::max(1, film->completeSamples()),
+                   request.region, options.scene.threads};
+    const std::vector<RgbImage> images = renderAovs(job, wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        writeImage(aovPath(options.outputs.front(), infoOf(wanted[i]).name), images[i], metadata);
+}
+
 bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
+/// The first sample of a pixel that is not finite; 0 if none is by itself.
+int firstBadSample(const RenderSession& session, const RenderRequest& request, glm::ivec2 pixel) {
+    int samples = 0;
+    session.film()->sums(pixel.x, pixel.y, samples);
+    for (int index = 0; index < samples; ++index)
+        if (!isFinite(Rgb(probe(*session.world(), request.seed, {pixel.x, pixel.y, index}).radiance)))
+            return index;
+    return 0;
+}
+
 /// Names the pixels that are not numbers and says how to look into the first.
-bool reportNonFinite(const RgbImage& image, const RenderOptions& options) {
+bool reportNonFinite(const RgbImage& image, const RenderOptions& options, const RenderRequest& request,
+                     const RenderSession& session) {
     constexpr int kNamed = 8;
     int count = 0;
-    std::string names, first;
+    std::string names;
+    glm::ivec2 first(0);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             if (isFinite(image.at(x, y))) continue;
-            if (count == 0) first = fmt::format("{},{}", x, y);
+            if (count == 0) first = {x, y};
             if (count++ < kNamed) names += fmt::format(" ({}, {})", x, y);
         }
     }
     if (count == 0) return false;
-    fmt::print(stderr,
-               "error: {} pixels are NaN or infinite:{}{}; look into it with: rayscope probe {} --size {} "
-               "--pixel {}\n",
-               count, names, count > kNamed ? " …" : "", options.scene.scene, options.scene.size, first);
+    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; look into it with: {}\n", count, names,
+               count > kNamed ? " …" : "",
+               probeCommand(options.scene, first, firstBadSample(session, request, first)));
     return true;
 }
 
@@ -100,6 +136,9 @@ int runRender(const RenderOptions& options) {
     }
     if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
     request.region = regionFor(options, request);
+    std::vector<Aov> aovs;
+    for (const std::string& name : options.aovs) aovs.push_back(aovNamed(name));
+    for (const Aov aov : aovs) checkImageDestination(aovPath(options.outputs.front(), infoOf(aov).name));
     // With a limit the image should be complete early; without one, larger passes cost less.
     request.keepBinaryTrees = false;
     request.progressive = options.timeLimit > 0.0;
@@ -117,6 +156,7 @@ int runRender(const RenderOptions& options) {
     for (const std::string& output : options.outputs)
         writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
                    request.settings.tone);
+    if (exitCode != kInterrupted) writeAovs(options, aovs, request, session, metadata);
     if (!options.statsFile.empty() && session.world()) {
         const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const int threads = options.scene.threads > 0 ? options.scene.threads
@@ -127,7 +167,8 @@ int runRender(const RenderOptions& options) {
     if (exitCode == kStoppedByLimit)
         fmt::print(stderr, "stopped by the time limit at {:.1f} % of {} samples per pixel\n",
                    100.0 * status.progress, status.targetSamples);
-    if (reportNonFinite(mean, options) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
+    if (reportNonFinite(mean, options, request, session) && exitCode != kInterrupted)
+        exitCode = kNonFiniteImage;
     return exitCode;
 }
 
@@ -147,6 +188,16 @@ void addRenderCommand(CLI::App& program, int& exitCode) {
         ->check(CLI::PositiveNumber);
     command->add_option("--pixelbounds", options->pixelBounds,
                         "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
+    std::vector<std::string_view> names;
+    for (const AovInfo& info : aovTable()) names.push_back(info.name);
+    command
+        ->add_option(
+            "--aov", options->aovs,
+            fmt::format("Extra images beside the first output, as NAME.AOV.exr: {}", fmt::join(names, ", ")))
+        ->delimiter(',')
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
     command->add_option("--stats", options->statsFile, "Write everything that was counted and timed as JSON");
     command->add_option("--progress", options->progress, "bar, json or none")
         ->check(CLI::IsMember({"bar", "json", "none"}));

@@ -111,4 +111,29 @@ std::string dumpSettings(const Settings& settings) {
     return text;
 }
 
+std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int sample) {
+    std::string words = "rayscope probe";
+    const auto add = [&](std::string_view option, const std::string& value) {
+        if (value.empty()) return;
+        if (!option.empty()) words += fmt::format(" {}", option);
+        const bool plain = value.find_first_not_of(
+                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                               "_-+=:,./") == std::string::npos;
+        std::string quoted;
+        for (const char c : value) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        words += plain ? " " + value : fmt::format(" '{}'", quoted);
+    };
+    add("", options.scene);
+    add("--size", options.size);
+    add("--camera", options.camera);
+    add("--look-from", options.lookFrom);
+    add("--look-at", options.lookAt);
+    add("--up", options.up);
+    if (options.fov) add("--fov", fmt::format("{}", *options.fov));
+    if (options.spp) add("--spp", fmt::format("{}", *options.spp));
+    if (options.seed != 0) add("--seed", fmt::format("{}", options.seed));
+    for (const std::string& assignment : options.assignments) add("--set", assignment);
+    return words + fmt::format(" --pixel {},{} --sample {}", pixel.x, pixel.y, sample);
+}
+
 }  // namespace rayscope

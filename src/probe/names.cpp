@@ -22,6 +22,11 @@ std::string_view nameOf(Visibility visibility) {
     return names[static_cast<int>(visibility)];
 }
 
+std::string_view nameOf(TraversalEvent event) {
+    constexpr std::string_view names[] = {"enters", "keeps", "skips", "misses", "hits", "tests"};
+    return names[static_cast<int>(event)];
+}
+
 std::string objectName(const World& world, int object) {
     const SceneDescription& scene = *world.description;
     const auto index = static_cast<std::size_t>(object);

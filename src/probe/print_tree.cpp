@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <rayscope/probe.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "probe/names.h"
@@ -54,8 +55,23 @@ nlohmann::json nodeJson(const RayNode& node, const World& world) {
                 {"position", json(node.position)},
                 {"geometric_normal", json(node.geometricNormal)},
                 {"normal", json(node.normal)},
-                {"kd", json(node.kd)}};
+                {"kd", json(node.kd)},
+                {"opacity", node.opacity},
+                {"uv", {node.uv.x, node.uv.y}}};
     return j;
+}
+
+/// Names of groups hold no blanks.
+std::string oneWord(std::string_view name) {
+    std::string word(name);
+    std::replace(word.begin(), word.end(), ' ', '_');
+    return word;
+}
+
+glm::vec3 endOf(const RayNode& node, float missLength) {
+    if (node.hit) return node.position;
+    const float length = glm::length(node.ray.direction);
+    return node.ray.origin + (length > 0.0f ? node.ray.direction * (missLength / length) : glm::vec3(0.0f));
 }
 
 }  // namespace
@@ -98,6 +114,23 @@ std::string toJson(const RayTree& tree, const World& world) {
                                     {"visibility", nameOf(ray.visibility)},
                                     {"contribution", json(ray.contribution)}});
     return j.dump(2) + "\n";
+}
+
+std::string toObj(const RayTree& tree, float missLength) {
+    std::string out =
+        fmt::format("# rays of pixel {},{} sample {}\n", tree.name.x, tree.name.y, tree.name.index);
+    int vertices = 0;
+    std::string_view group;
+    const auto line = [&](std::string_view kind, const glm::vec3& from, const glm::vec3& to) {
+        if (kind != group) out += fmt::format("g {}\n", oneWord(group = kind));
+        out += fmt::format("v {} {} {}\nv {} {} {}\nl {} {}\n", from.x, from.y, from.z, to.x, to.y, to.z,
+                           vertices + 1, vertices + 2);
+        vertices += 2;
+    };
+    for (const RayNode& node : tree.nodes)
+        line(node.hit ? nameOf(node.kind) : nameOf(node.end), node.ray.origin, endOf(node, missLength));
+    for (const ShadowRay& ray : tree.shadowRays) line(nameOf(ray.visibility), ray.from, ray.to);
+    return out;
 }
 
 }  // namespace rayscope

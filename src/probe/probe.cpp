@@ -5,12 +5,49 @@
 
 namespace rayscope {
 
+namespace {
+
+SampleStream streamOf(const World& world, std::uint64_t seed, SampleName name) {
+    return {world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp};
+}
+
+/// Zero where nothing gets through: 0 / 0 says nothing.
+RgbSum dividedBy(const RgbSum& value, const RgbSum& factor) {
+    RgbSum quotient(0.0);
+    for (int channel = 0; channel < 3; ++channel)
+        if (factor[channel] > 0.0) quotient[channel] = value[channel] / factor[channel];
+    return quotient;
+}
+
+}  // namespace
+
 RayTree probe(const World& world, std::uint64_t seed, SampleName name) {
     RayTree tree;
     tree.name = name;
-    RayTreeRecorder recorder(tree);
+    if (world.moves) tree.time = streamOf(world, seed, name).get1D(Dim::Time);
+    RayTreeRecorder recorder(tree, world);
     tree.radiance = radiance(world, seed, name, recorder).radiance;
     return tree;
+}
+
+std::vector<RgbSum> radianceAlong(const RayTree& tree) {
+    std::vector<RgbSum> sums(tree.nodes.size(), RgbSum(0.0));
+    // Parents come before their children.
+    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+        const RayNode& node = tree.nodes[i];
+        sums[i] += node.contribution;
+        if (node.parent >= 0) sums[static_cast<std::size_t>(node.parent)] += sums[i];
+        sums[i] = dividedBy(sums[i], node.throughput);
+    }
+    return sums;
+}
+
+RgbSum surfaceColor(const RayNode& node) {
+    return dividedBy(node.contribution, node.throughput * (node.hit ? node.opacity : 1.0));
+}
+
+glm::dvec2 samplePosition(const World& world, std::uint64_t seed, SampleName name) {
+    return glm::dvec2(name.x, name.y) + glm::dvec2(streamOf(world, seed, name).get2D(Dim::Pixel));
 }
 
 }  // namespace rayscope

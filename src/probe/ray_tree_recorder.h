@@ -2,13 +2,14 @@
 #include <rayscope/probe.h>
 
 #include "trace/path_observer.h"
+#include "trace/shadow_ray.h"
 
 namespace rayscope {
 
 /// Writes down everything that happens while a sample is traced.
 class RayTreeRecorder {
   public:
-    explicit RayTreeRecorder(RayTree& tree) : tree_(tree) {}
+    RayTreeRecorder(RayTree& tree, const World& world) : tree_(tree), world_(world) {}
 
     void segment(const Segment& segment) {
         RayNode node;
@@ -27,15 +28,25 @@ class RayTreeRecorder {
         node.primitiveHit = at.hit;
         node.object = static_cast<int>(at.object);
         node.material = static_cast<int>(at.material);
+        node.opacity = world_.materials[at.material].opacity;
+        node.uv = at.uv;
         node.position = glm::vec3(at.position);
         node.geometricNormal = glm::vec3(at.geometricNormal);
         node.normal = glm::vec3(at.normal);
         node.kd = Rgb(at.kd);
     }
     void lightSampled(const LightConnection& light, const glm::dvec3& value) {
-        tree_.shadowRays.push_back({static_cast<int>(tree_.nodes.size()) - 1, light.light, light.sample,
-                                    light.from, glm::vec3(light.at.position), Rgb(light.at.color),
-                                    light.visibility, value});
+        ShadowRay ray;
+        ray.node = static_cast<int>(tree_.nodes.size()) - 1;
+        ray.light = light.light;
+        ray.sample = light.sample;
+        ray.from = light.from;
+        ray.to = glm::vec3(light.at.position);
+        ray.ray = shadowRay(light.from, light.at.position);
+        ray.color = Rgb(light.at.color);
+        ray.visibility = light.visibility;
+        ray.contribution = value;
+        tree_.shadowRays.push_back(ray);
     }
     void added(const glm::dvec3& value) {
         tree_.nodes.back().contribution += value;
@@ -54,6 +65,7 @@ class RayTreeRecorder {
     }
 
     RayTree& tree_;
+    const World& world_;
     std::vector<int> latestAtDepth_;
 };
 static_assert(PathObserver<RayTreeRecorder>);

@@ -21,6 +21,7 @@ ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, i
         for (const RgbSum& addend : tree.addends) sum += addend;
         verdict.addsUp = verdict.addsUp && sameBits(sum, tree.radiance);
         verdict.replayed += tree.radiance;
+        verdict.values.push_back(tree.radiance);
     }
     verdict.matchesFilm = sameBits(verdict.film, verdict.replayed);
     return verdict;

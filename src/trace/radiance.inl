@@ -13,6 +13,7 @@
 #include "sampling/warp.h"
 #include "shading/environment_lookup.h"
 #include "trace/radiance.h"
+#include "trace/shadow_ray.h"
 
 namespace rayscope {
 
@@ -24,17 +25,6 @@ struct LightTerm {
     glm::dvec3 reflected{0.0};
     bool needsShadow = false;
 };
-
-/// The shadow ray ends before the light by the rounding of both ends, so that a lamp's own surface does not
-/// block it.
-inline Ray shadowRay(const LightConnection& connection) {
-    const glm::dvec3 from = connection.from, toLight = connection.at.position - from;
-    const glm::dvec3 size = glm::abs(connection.at.position) + glm::abs(from);
-    const double slack = 0x1p-22 * std::max({size.x, size.y, size.z}) / glm::length(toLight);
-    Ray ray{connection.from, glm::vec3(toLight)};
-    ray.tMax = static_cast<float>(std::max(0.0, 1.0 - slack));
-    return ray;
-}
 
 template <PathObserver O>
 class Tracer {
@@ -201,7 +191,7 @@ void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, co
             if (compiled.dimensions == 2) u = points.get2D(first + k);
             LightTerm& term = terms[static_cast<std::size_t>(k)];
             term = connect(index, first + k, at, u);
-            if (term.needsShadow) shadows[asked++] = shadowRay(term.connection);
+            if (term.needsShadow) shadows[asked++] = shadowRay(term.connection.from, term.connection.at.position);
         }
         transmittances({shadows.data(), asked}, {visible.data(), asked});
         asked = 0;

@@ -50,7 +50,8 @@ void Application::run() {
 double Application::patience() const {
     if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
     const bool job = workspace_.job && workspace_.job->running();
-    const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() || job;
+    const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
+                         job || workspace_.bvh.busy() || workspace_.heat.busy();
     return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -76,7 +77,7 @@ void Application::frame(double seconds) {
     workspace_.closeDialogs = false;
     for (const Command command : std::exchange(workspace_.commands, {})) carryOut(command);
     drawPicture(parts, seconds);
-    if (rayWanted_) shootRay();
+    carryOutAtCursor();
     settleHistory();
     // The picture lies over the status bar and reaches the left edge.
     const int lowest =
@@ -152,6 +153,8 @@ void Application::drawSidePanel(const Layout& parts) {
             });
             tab("Settings", [&] { drawSettingsPanel(workspace_); });
             tab("Rays", [&] { drawRaysPanel(workspace_); });
+            tab("BVH", [&] { drawBvhPanel(workspace_); });
+            tab("Map", [&] { drawHeatPanel(workspace_); });
             ImGui::EndTabBar();
         }
     }
@@ -167,8 +170,30 @@ void Application::drawPicture(const Layout& parts, double seconds) {
 
     const glm::ivec2 image = workspace_.imageSize();
     workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced});
-    picture_.update(workspace_, input_.hoveredGrip());
+    updateInspectors();
+    picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
     updateCursorRadiance();
+}
+
+/// What is looked at in detail is prepared beside the window, and only if something of it is seen.
+void Application::updateInspectors() {
+    const bool bvhSeen = std::exchange(workspace_.bvhSeen, false) || workspace_.bvh.shown.any();
+    const std::shared_ptr<const World> world = workspace_.render.session().world();
+    const bool isPresent = world && world->description == workspace_.edit.scene;
+    if (bvhSeen && isPresent) workspace_.bvh.update(world);
+
+    // While the picture still refines, the map would only take its time.
+    const bool quiet = !workspace_.render.busy() && !input_.moving();
+    const auto film = workspace_.render.session().film();
+    if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
+        workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
+
+    DebugRays& rays = workspace_.rays;
+    rays.updateSearch();
+    const bool settled =
+        workspace_.render.settledWorld() && workspace_.render.status().state == RenderState::Done;
+    if (film && settled && workspace_.view.traced && !rays.staleFor(workspace_.edit, workspace_.imageSize()))
+        rays.verifyAgain(*film);
 }
 
 void Application::updateCursorRadiance() {

@@ -33,10 +33,15 @@ class Application {
     void takeFiles();
     void takeKeys();
     void settleHistory();
+    void updateInspectors();
     void updateCursorRadiance();
 
     void carryOut(Command command);
+    void carryOutDebugging(Command command);
+    void carryOutAtCursor();
     void shootRay();
+    void copyRays();
+    void exportRays();
     void saveImage();
     void copyPixel();
     void setScale(float scale);
@@ -51,7 +56,8 @@ class Application {
     float panelWidth_ = 336.0f;  ///< in units at scale 1
     float appliedScale_ = 0.0f;
     bool screenshotWanted_ = false, rayWanted_ = false;
-    int liveFrames_ = 3;  ///< frames to draw before the loop may wait for events
+    std::vector<Command> cursorCommands_;  ///< that wait for the cursor's place
+    int liveFrames_ = 3;                   ///< frames to draw before the loop may wait for events
     std::string title_;
 };
 

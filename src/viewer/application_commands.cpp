@@ -110,8 +110,13 @@ void Application::carryOut(Command command) {
                 view.showKeys = false;
             else if (view.flying)
                 view.flying = false;
+            else if (view.liveRay)
+                view.liveRay = false;
             else
                 workspace_.rays.clear();
+            break;
+        default:
+            carryOutDebugging(command);
             break;
     }
 }
@@ -126,7 +131,10 @@ void Application::shootRay() {
     if (!world || input_.moving()) return;
     rayWanted_ = false;
     const glm::ivec2 pixel = workspace_.cursor->pixel;
-    const auto film = workspace_.view.traced ? workspace_.render.session().film() : nullptr;
+    // A live ray has to keep up with the hand: it is neither verified nor replayed in full.
+    const bool live = workspace_.view.liveRay;
+    const auto film = workspace_.view.traced && !live ? workspace_.render.session().film() : nullptr;
+    workspace_.rays.mostSamples = live ? DebugRays::kMostLiveSamples : DebugRays::kMostSamples;
     workspace_.rays.shoot(world, workspace_.edit, workspace_.imageSize(), {pixel.x, pixel.y, 0}, film.get());
     workspace_.view.overlay = true;
 }

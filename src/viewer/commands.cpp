@@ -26,6 +26,7 @@ constexpr CommandInfo kCommands[] = {
 
     {Command::SwitchView, "View", "Ray-traced", GLFW_KEY_TAB, 0, "Switch between the rasterised and the ray-traced view."},
     {Command::PauseOrResume, "View", "Pause tracing", GLFW_KEY_SPACE, 0, "Pause or resume the rendering."},
+    {Command::ToggleHeatMap, "View", "Heat map", GLFW_KEY_M, 0, "Show what pixels cost, or how certain they are, in place of the picture."},
     {Command::ToggleOverlay, "View", "Overlay", GLFW_KEY_O, 0, "Show or hide rays, lights and handles.", true},
     {Command::ToggleWireframe, "View", "Wireframe", GLFW_KEY_Z, 0, "Draw only the edges in the rasterised view."},
     {Command::ToggleSidePanel, "View", "Side panel", GLFW_KEY_N, 0, "Show or hide the side panel."},
@@ -45,7 +46,28 @@ constexpr CommandInfo kCommands[] = {
 
     {Command::ShootRay, "Rays", "Shoot debug ray", GLFW_KEY_R, 0, "Record and draw the rays of the pixel under the cursor."},
     {Command::ClearRays, "Rays", "Clear rays", GLFW_KEY_C, 0, "Forget the recorded rays."},
+    {Command::LiveRay, "Rays", "Live ray", GLFW_KEY_L, 0, "Record the pixel under the cursor again and again, wherever it goes."},
+    {Command::PinPixel, "Rays", "Pin pixel", GLFW_KEY_P, 0, "Keep the numbers of the recorded pixel, to compare it with others."},
+    {Command::HideRay, "Rays", "Hide", GLFW_KEY_H, 0, "Do not draw the selected ray.", true},
+    {Command::IsolateRay, "Rays", "Isolate", GLFW_KEY_I, 0, "Draw only the selected ray and what belongs to it, or all again."},
+    {Command::CopyRays, "Rays", "Copy as JSON", GLFW_KEY_J, 0, "Copy the rays of the chosen sample as JSON."},
+    {Command::ExportRays, "Rays", "Export", GLFW_KEY_J, kCtrl,
+     "Write the rays as lines of an OBJ and as JSON to the current folder."},
+    {Command::ToggleSearch, "Rays", "Search in the BVH", GLFW_KEY_T, 0,
+     "Show which boxes the selected ray visits and which it skips.", true},
+    {Command::StepForward, "Rays", "Step forward", GLFW_KEY_RIGHT, 0, "Take one step of the search."},
+    {Command::StepBack, "Rays", "Step back", GLFW_KEY_LEFT, 0, "Take one step of the search back."},
+    {Command::LeapForward, "Rays", "Ten steps forward", GLFW_KEY_RIGHT, kShift, "Take ten steps of the search."},
+    {Command::LeapBack, "Rays", "Ten steps back", GLFW_KEY_LEFT, kShift, "Take ten steps of the search back."},
     {Command::Cancel, "Rays", "Cancel", GLFW_KEY_ESCAPE, 0, "Close what is open, else leave fly mode, else clear the rays."},
+
+    {Command::ToggleBvhLevels, "BVH", "Boxes of a level", GLFW_KEY_B, 0, "Show or hide the boxes of one level of the BVH."},
+    {Command::DeeperLevel, "BVH", "Deeper level", GLFW_KEY_PAGE_DOWN, 0, "Show the boxes of the next deeper level."},
+    {Command::HigherLevel, "BVH", "Higher level", GLFW_KEY_PAGE_UP, 0, "Show the boxes of the next higher level."},
+    {Command::NextLeaf, "BVH", "Next leaf", GLFW_KEY_PERIOD, 0, "Highlight the next leaf and its primitives.", true},
+    {Command::PreviousLeaf, "BVH", "Previous leaf", GLFW_KEY_COMMA, 0, "Highlight the leaf before."},
+    {Command::LeafUnderCursor, "BVH", "Leaf under the cursor", GLFW_KEY_G, 0,
+     "Go to the leaf that holds what the cursor is on."},
 
     {Command::ShowKeys, "Help", "Keys", GLFW_KEY_F1, 0, "List the keys and mouse gestures."},
     {Command::ShowStatistics, "Help", "Statistics", GLFW_KEY_F2, 0, "Show frame times and ray counts."},
@@ -77,8 +99,16 @@ std::string keyText(int key) {
             return "Home";
         case GLFW_KEY_ESCAPE:
             return "Esc";
+        case GLFW_KEY_RIGHT:
+            return "Right";
+        case GLFW_KEY_LEFT:
+            return "Left";
         case GLFW_KEY_EQUAL:
             return "+";
+        case GLFW_KEY_PAGE_DOWN:
+            return "Page down";
+        case GLFW_KEY_PAGE_UP:
+            return "Page up";
         default:
             return std::string(1, static_cast<char>(key));
     }

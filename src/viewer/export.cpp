@@ -13,9 +13,9 @@
 
 namespace rayscope::viewer {
 
-std::string nextFreeName() {
+std::string nextFreeName(std::string_view suffix) {
     for (int number = 1;; ++number) {
-        std::string name = fmt::format("rayscope-{:04}.png", number);
+        std::string name = fmt::format("rayscope-{:04}{}", number, suffix);
         std::error_code ignored;
         if (!std::filesystem::exists(name, ignored)) return name;
     }

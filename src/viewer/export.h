@@ -8,8 +8,8 @@
 
 namespace rayscope::viewer {
 
-/// The first of rayscope-0001.png, rayscope-0002.png … that does not exist in the current folder.
-std::string nextFreeName();
+/// The first of rayscope-0001, rayscope-0002 … with this suffix that does not exist in the current folder.
+std::string nextFreeName(std::string_view suffix = ".png");
 
 /// What travels inside a saved image.
 ImageMetadata metadataOf(const EditState& state, std::uint64_t seed, int samples);

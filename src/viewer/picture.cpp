@@ -22,20 +22,23 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip
             view.traced,
             view.overlay,
             workspace.viewSize,
-            workspace.rays.version(),
-            workspace.rays.filter,
+            SceneOverlays::inputsOf(workspace),
+            workspace.heat.version(),
+            workspace.heat.image() != nullptr,
+            false,
             view.selectedLight,
             view.selectedHandle,
             hovered,
             view.scale};
 }
 
-void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
+void Picture::update(Workspace& workspace, std::optional<Grip> hovered, bool moving) {
     if (loaded_ != workspace.edit.scene) {
         loaded_ = workspace.edit.scene;
         raster_.setScene(loaded_);
     }
     Inputs inputs = inputsOf(workspace, hovered);
+    inputs.moving = moving;
     const bool everything = target_.resize(workspace.viewSize.x, workspace.viewSize.y) || inputs != drawn_;
     std::optional<PixelBounds> changed;
     if (workspace.view.traced)
@@ -58,7 +61,9 @@ void Picture::update(Workspace& workspace, std::optional<Grip> hovered) {
 void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
     const ViewFrame frame = viewFrame(inputs.state.camera, inputs.size.x, inputs.size.y);
     target_.bind();
-    if (inputs.traced)
+    if (inputs.traced && inputs.heatShown)
+        traced_.drawInstead(*workspace.heat.image(), inputs.heatVersion, inputs.size);
+    else if (inputs.traced)
         traced_.draw(inputs.state.settings, inputs.size);
     else
         raster_.draw(frame, inputs.raster);
@@ -68,18 +73,13 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
 
 void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
     const std::vector<Light>& lights = inputs.state.scene->lights;
-    OverlayLines lines = lightLines(lights, inputs.selectedLight, frame, static_cast<double>(inputs.scale));
-    if (const DebugRays::Shot* shot = workspace.rays.shot()) {
-        const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
-        const OverlayLines rays = debugRayLines(shot->tree, inputs.filter, size);
-        lines.insert(lines.end(), rays.begin(), rays.end());
-    }
+    const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
     const glm::mat4 toClip = viewProjection(frame, raster_.bounds());
     const glm::vec2 viewport(inputs.size);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    sceneLines_.upload(lines);
+    sceneLines_.upload(overlays_.lines(workspace, frame, size, inputs.moving));
     if (inputs.traced) {
         glDisable(GL_DEPTH_TEST);
         sceneLines_.draw(toClip, viewport, inputs.scale, 1.0f);

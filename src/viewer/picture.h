@@ -5,6 +5,7 @@
 #include "viewer/gl/render_target.h"
 #include "viewer/light_handles.h"
 #include "viewer/raster_view.h"
+#include "viewer/scene_overlays.h"
 #include "viewer/traced_view.h"
 #include "viewer/workspace.h"
 
@@ -14,7 +15,7 @@ namespace rayscope::viewer {
 class Picture {
   public:
     /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
-    void update(Workspace& workspace, std::optional<Grip> hovered);
+    void update(Workspace& workspace, std::optional<Grip> hovered, bool moving);
 
     /// Copies the finished picture to the window, its lower left corner to this pixel.
     void show(glm::ivec2 corner) const { target_.copyToWindow(corner.x, corner.y); }
@@ -32,8 +33,9 @@ class Picture {
         RasterStyle raster;
         bool traced = false, overlay = false;
         glm::ivec2 size{0};
-        int raysVersion = 0;
-        DebugRayFilter filter;
+        SceneOverlays::Inputs overlays;
+        int heatVersion = 0;
+        bool heatShown = false, moving = false;
         int selectedLight = -1, selectedHandle = 0;
         std::optional<Grip> hovered;
         float scale = 1.0f;
@@ -46,6 +48,7 @@ class Picture {
     RenderTarget target_;
     RasterView raster_;
     TracedView traced_;
+    SceneOverlays overlays_;
     LineBatch sceneLines_, handleLines_;
     Inputs drawn_;
     std::shared_ptr<const SceneDescription> loaded_;

@@ -85,13 +85,28 @@ void TracedView::draw(const Settings& settings, glm::ivec2 size) {
         glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
+    fill(bloomShown_ ? bloomTexture_ : texture_, size, std::exp2(settings.exposure),
+         settings.tone == ToneCurve::Course);
+}
+
+void TracedView::drawInstead(const RgbImage& image, int version, glm::ivec2 size) {
+    if (otherVersion_ != version) {
+        otherVersion_ = version;
+        otherTexture_ = GlTexture::floatImage(image.width, image.height);
+        otherTexture_.upload(0, 0, image.width, image.height, image.pixels.data());
+    }
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    fill(otherTexture_, size, 1.0f, false);
+}
+
+void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve) {
     shader_.use();
     shader_.set("image", 0);
-    const GlTexture& shown = bloomShown_ ? bloomTexture_ : texture_;
-    shader_.set("onePixelEach", shown.width() == size.x && shown.height() == size.y ? 1 : 0);
-    shader_.set("exposureFactor", std::exp2(settings.exposure));
-    shader_.set("courseCurve", settings.tone == ToneCurve::Course ? 1 : 0);
-    shown.bind(0);
+    shader_.set("onePixelEach", texture.width() == size.x && texture.height() == size.y ? 1 : 0);
+    shader_.set("exposureFactor", exposureFactor);
+    shader_.set("courseCurve", courseCurve ? 1 : 0);
+    texture.bind(0);
     glBindVertexArray(emptyVertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -23,6 +23,10 @@ class TracedView {
     /// Fills the bound target, which has this size.
     void draw(const Settings& settings, glm::ivec2 size);
 
+    /// Fills the bound target with another image, as it is. The version tells whether it is another one than
+    /// at the last call.
+    void drawInstead(const RgbImage& image, int version, glm::ivec2 size);
+
     /// Linear means as far as they have been taken; samples of a pixel's tile are not told apart.
     const RgbImage& image() const { return image_; }
     bool computingBloom() const { return bloom_.valid(); }
@@ -31,6 +35,7 @@ class TracedView {
     void take(const TileView& tile);
     void resize(int width, int height);
     bool updateBloom(const Settings& settings);
+    void fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve);
     void markChanged(const PixelBounds& bounds);
 
     Shader shader_{"display"};
@@ -38,6 +43,9 @@ class TracedView {
     RgbImage image_;
     GlTexture texture_;
     std::optional<PixelBounds> changed_;  ///< since the last update()
+
+    GlTexture otherTexture_;
+    int otherVersion_ = -1;
 
     /// Bloom of a copy of the image; done again when image or settings changed.
     std::future<RgbImage> bloom_;

@@ -101,6 +101,18 @@ void ViewInput::release(Workspace& workspace, const ViewFrame& frame) {
     const auto picked = pickLight(frame, workspace.edit.scene->lights, cursor_, reach);
     workspace.view.selectedLight = picked ? picked->light : -1;
     workspace.view.selectedHandle = picked ? picked->handle : 0;
+    if (!picked) pickDebugRay(workspace, frame);
+}
+
+/// A click on a recorded ray selects it, a click beside all rays lets go of it.
+void ViewInput::pickDebugRay(Workspace& workspace, const ViewFrame& frame) {
+    constexpr double kReach = 6.0;
+    const DebugRays::Shot* shot = workspace.rays.shot();
+    if (shot == nullptr) return;
+    const SceneBounds bounds = boundsOf(*workspace.edit.scene);
+    const double reach = kReach * static_cast<double>(workspace.view.scale);
+    workspace.rays.select(pickRay(shot->tree(), workspace.rays.filter, frame, cursor_, reach,
+                                  glm::distance(bounds.lower, bounds.upper)));
 }
 
 void ViewInput::wheel(Workspace& workspace, const ViewFrame& frame, double notches) {
@@ -147,6 +159,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
             const PrimitiveName name = world->nameOf(surface->hit.primitive);
+            info.primitive = surface->hit.primitive;
             info.object = objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
         }

@@ -27,6 +27,7 @@ class ViewInput {
     void press(Workspace& workspace, const ViewFrame& frame, bool left);
     void dragTo(Workspace& workspace, const ViewFrame& frame);
     void release(Workspace& workspace, const ViewFrame& frame);
+    void pickDebugRay(Workspace& workspace, const ViewFrame& frame);
     void wheel(Workspace& workspace, const ViewFrame& frame, double notches);
     bool fly(Workspace& workspace, const Window& window, double seconds);
     void updateCursor(Workspace& workspace, const ViewFrame& frame, bool inside);

@@ -51,7 +51,10 @@ void Workspace::show(LoadedScene loaded) {
         return;
     }
     sceneNotes = std::move(loaded.notes);
-    if (!loaded.reload) view.selectedLight = -1;
+    if (!loaded.reload) {
+        view.selectedLight = -1;
+        bvh.letGo();
+    }
     view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
     history.record(edit);
     recent.add(loaded.path);

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "viewer/bvh_inspector.h"
 #include "viewer/commands.h"
 #include "viewer/debug_rays.h"
 #include "viewer/edit_state.h"
 #include "viewer/export.h"
 #include "viewer/frame_times.h"
+#include "viewer/heat_map.h"
 #include "viewer/history.h"
 #include "viewer/raster_view.h"
 #include "viewer/recent_files.h"
@@ -21,7 +23,7 @@ namespace rayscope::viewer {
 
 /// How the scene is looked at; not part of what can be undone.
 struct ViewState {
-    bool traced = false, overlay = true, sidePanel = true, flying = false;
+    bool traced = false, overlay = true, sidePanel = true, flying = false, liveRay = false;
     bool showKeys = false, showStatistics = false;
     RasterStyle raster;
     float resolution = 1.0f;  ///< pixels of the traced image per pixel of the view
@@ -34,8 +36,9 @@ struct ViewState {
 struct CursorInfo {
     glm::ivec2 pixel{0};  ///< of the traced image
     std::optional<Rgb> radiance;
-    std::string object;  ///< as the scene calls it; empty if nothing is hit
-    long triangle = -1;  ///< within the object; -1 for a sphere
+    std::string object;                      ///< as the scene calls it; empty if nothing is hit
+    std::uint32_t primitive = kNoPrimitive;  ///< of the world
+    long triangle = -1;                      ///< within the object; -1 for a sphere
 };
 
 struct Notice {
@@ -53,6 +56,9 @@ struct Workspace {
     ViewState view;
     RenderControl render;
     DebugRays rays;
+    BvhInspector bvh;
+    HeatMap heat;
+    bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};
     std::unique_ptr<RenderJob> job;

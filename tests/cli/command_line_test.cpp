@@ -83,6 +83,37 @@ TEST(CommandLine, InfoTellsContentsRequirementsAndLint) {
         EXPECT_THAT(list.out, HasSubstr(name));
 }
 
+TEST(CommandLine, ProbePrintsTheSearchOfARay) {
+    const TemporaryFolder folder;
+    const std::string probe = "rayscope probe builtin:cornell --size 40x40 --pixel 20,25 ";
+    const ProgramResult camera = run(folder, probe + "--traversal --json tree.json");
+    EXPECT_EQ(camera.exitCode, 0) << camera.err;
+    EXPECT_THAT(camera.out, HasSubstr("search for the closest hit"));
+    const nlohmann::json j = nlohmann::json::parse(test::readText(folder / "tree.json"));
+    EXPECT_EQ(j["traversal"][0]["hit"]["primitive"], j["nodes"][0]["hit"]["primitive"]);
+    EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("search for any hit"));
+    EXPECT_THAT(run(folder, probe + "--traversal --set bvh=false").out, HasSubstr("no hierarchy"));
+    for (const char* wrong : {"99", "s99", "x", "-1", "1x", "s"})
+        EXPECT_EQ(run(folder, probe + "--traversal " + wrong).exitCode, 1) << wrong;
+}
+
+TEST(CommandLine, ProbeExplains) {
+    const TemporaryFolder folder;
+    folder.write("dark.toml",
+                 "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n[[sphere]]\ncenter = "
+                 "[0, 0, 0]\n"
+                 "radius = 1\nmaterial = \"m\"\n[material.m]\nkd = [1, 1, 1]\n");
+    const std::string probe = "rayscope probe dark.toml --size 21x21 --explain --json tree.json --pixel ";
+    const ProgramResult dark = run(folder, probe + "10,10");
+    EXPECT_EQ(dark.exitCode, 0) << dark.err;
+    EXPECT_THAT(dark.out, HasSubstr("black, no light: The scene has no light."));
+    EXPECT_THAT(dark.out, HasSubstr("see sample 0, ray 0"));
+    const nlohmann::json j = nlohmann::json::parse(test::readText(folder / "tree.json"));
+    EXPECT_EQ(j["explanation"][0]["cause"], "no light");
+    EXPECT_EQ(j["explanation"][0]["rays"][0]["sample"], 0);
+    EXPECT_THAT(run(folder, probe + "0,0").out, HasSubstr("black, nothing hit"));
+}
+
 TEST(CommandLine, ProbePrintsTheTree) {
     const TemporaryFolder folder;
     const ProgramResult result =

@@ -77,8 +77,10 @@ TEST(Render, StopsAtTheTimeLimitWithAnImage) {
 
 TEST(Render, WritesTheImageWhenInterrupted) {
     const TemporaryFolder folder;
+    // In the foreground, because otherwise the signal goes to the process group as well, and two stop at
+    // once.
     const ProgramResult result =
-        run(folder, std::string("timeout --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
+        run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
                         "' render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
     EXPECT_EQ(result.exitCode, 130) << result.err;
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
@@ -119,8 +121,33 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
                  "type = \"point\"\nposition = [0, 0, 3]\ncolor = [3e38, 0, 0]\n");
     const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
     EXPECT_EQ(result.exitCode, 5) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --pixel "));
+    EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --spp 1 --pixel "));
+    // The command that is named repeats it.
+    const std::string command = result.err.substr(result.err.find("rayscope probe"));
+    const ProgramResult probe = run(folder, command.substr(0, command.find('\n')));
+    EXPECT_EQ(probe.exitCode, 0) << probe.err;
+    EXPECT_THAT(probe.out, HasSubstr("radiance (3.5379e+38"));
     EXPECT_TRUE(std::filesystem::exists(folder / "a.exr"));
+}
+
+TEST(Render, WritesExtraImages) {
+    const TemporaryFolder folder;
+    const std::string render = "rayscope render builtin:cornell-area --size 30x20 --spp 4 -q ";
+    EXPECT_EQ(run(folder, render + "-o plain.pfm").exitCode, 0);
+    EXPECT_EQ(run(folder, render + "-o a.png -o b.pfm --aov nodes,depth --aov variance").exitCode, 0);
+    for (const char* name : {"a.nodes.exr", "a.depth.exr", "a.variance.exr"}) {
+        const RgbImage image = readImage((folder / name).string());
+        EXPECT_EQ(image.width, 30) << name;
+        float highest = 0.0f;
+        for (const Rgb& pixel : image.pixels) highest = std::max(highest, pixel.x);
+        EXPECT_GT(highest, 0.0f) << name;
+    }
+    // Counting does not change what is counted.
+    EXPECT_EQ(test::readText(folder / "b.pfm"), test::readText(folder / "plain.pfm"));
+    const ProgramResult wrong = run(folder, render + "-o c.png --aov dept");
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("'depth'"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "c.png"));
 }
 
 TEST(Render, AppliesSettingsInOrder) {

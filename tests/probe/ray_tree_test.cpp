@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <rayscope/probe.h>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +57,38 @@ TEST(RayTree, PrintsAsTextAndJson) {
     EXPECT_EQ(j["nodes"][2]["parent"], 1);
     EXPECT_EQ(j["radiance"][0], 0.75);
     EXPECT_EQ(j["nodes"][0]["hit"]["object"], "mesh 0 'quad'");
+}
+
+TEST(RayTree, RadianceAlongARayIsWhatItAndItsChildrenBring) {
+    const auto world = paneAndMirror();
+    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    const std::vector<RgbSum> along = radianceAlong(tree);
+    EXPECT_EQ(along[0], tree.radiance);
+    // Through the first pane: the mirror alone, and in it the pane's back and the wall.
+    EXPECT_EQ(along[1], RgbSum(0.5, 0.25, 0.25));
+    EXPECT_EQ(along[3], RgbSum(1.0));
+    EXPECT_EQ(surfaceColor(tree.nodes[0]), RgbSum(1.0, 0.0, 0.0)) << "undimmed by its opacity";
+    EXPECT_EQ(tree.nodes[0].opacity, 0.5);
+}
+
+TEST(RayTree, ExportsLinesOfAnObj) {
+    const auto world = paneAndMirror();
+    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    std::istringstream obj(toObj(tree, 10.0f));
+    std::size_t vertices = 0, lines = 0, groups = 0;
+    for (std::string line; std::getline(obj, line);) {
+        vertices += line.starts_with("v ");
+        groups += line.starts_with("g ");
+        if (!line.starts_with("l ")) continue;
+        std::size_t a = 0, b = 0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "l %zu %zu", &a, &b), 2);
+        EXPECT_EQ(a, 2 * lines + 1);
+        EXPECT_EQ(b, 2 * lines + 2);
+        ++lines;
+    }
+    EXPECT_EQ(lines, tree.nodes.size() + tree.shadowRays.size());
+    EXPECT_EQ(vertices, 2 * lines);
+    EXPECT_GE(groups, 3u);
 }
 
 TEST(RayTree, AMissedRayIsOneNode) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "render/film.h"
+#include "trace/compile.h"
 #include "viewer/debug_rays.h"
 #include "viewer/overlay/light_overlay.h"
 
@@ -37,11 +38,15 @@ RayTree handMadeTree() {
     return tree;
 }
 
-DebugRayFilter nothing() { return {false, false, false, false, false, 16}; }
+DebugRayFilter nothing() {
+    DebugRayFilter filter;
+    for (const RayLegendEntry& entry : debugRayLegend()) filter.*entry.shown = false;
+    return filter;
+}
 
 TEST(DebugRaysOverlay, drawsEachRayFromItsOriginToItsEnd) {
     DebugRayFilter filter = nothing();
-    filter.camera = filter.reflections = true;
+    filter.camera = filter.reflections = filter.missed = true;
     const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].from, glm::vec3(0.0f, 0.0f, 5.0f));
@@ -53,9 +58,10 @@ TEST(DebugRaysOverlay, drawsEachRayFromItsOriginToItsEnd) {
 
 TEST(DebugRaysOverlay, showsTheVerdictOnShadowRays) {
     DebugRayFilter filter = nothing();
-    filter.shadow = true;
-    const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
-    ASSERT_EQ(lines.size(), 4u);
+    filter.camera = filter.shadowVisible = filter.shadowBlocked = filter.shadowAway = true;
+    OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
+    ASSERT_EQ(lines.size(), 5u);
+    lines.erase(lines.begin());
     EXPECT_LT(glm::distance(glm::vec3(lines[0].color), glm::vec3(0.0f, 0.0f, 1.0f)), 1e-6f)
         << "the light's colour";
     EXPECT_EQ(lines[0].style, LineStyle::Solid);
@@ -78,6 +84,97 @@ TEST(DebugRaysOverlay, depthHidesWhatComesLater) {
     const std::size_t all = debugRayLines(handMadeTree(), filter, 10.0f).size();
     filter.maxDepth = 0;
     EXPECT_EQ(debugRayLines(handMadeTree(), filter, 10.0f).size(), all - 1);
+}
+
+TEST(DebugRaysOverlay, everyRowOfTheLegendSwitchesSomething) {
+    RayTree tree = handMadeTree();
+    RayNode more = tree.nodes[0];
+    more.parent = 0;
+    for (const RayKind kind : {RayKind::Reflection, RayKind::Glossy, RayKind::Transparent}) {
+        more.kind = kind;
+        tree.nodes.push_back(more);
+    }
+    more.kind = RayKind::Glossy;
+    more.hit = false;
+    more.end = RayEnd::BelowSurface;
+    tree.nodes.push_back(more);
+    const std::size_t all = debugRayLines(tree, {}, 10.0f).size();
+    for (const RayLegendEntry& entry : debugRayLegend()) {
+        if (entry.shown == &DebugRayFilter::vertexNormals)
+            continue;  // drawn from the world, not from the tree
+        DebugRayFilter filter;
+        filter.*entry.shown = false;
+        EXPECT_LT(debugRayLines(tree, filter, 10.0f).size(), all) << entry.label;
+    }
+}
+
+TEST(DebugRaysOverlay, hidesIsolatesAndSelects) {
+    const RayTree tree = handMadeTree();
+    DebugRayFilter filter;
+    filter.normals = false;
+    EXPECT_EQ(shownRays(tree, filter).size(), 6u);
+    filter.hidden = {{1, -1}, {-1, 2}};
+    EXPECT_EQ(shownRays(tree, filter).size(), 4u);
+    filter.hidden.clear();
+    filter.isolated = true;
+    EXPECT_EQ(shownRays(tree, filter).size(), 6u) << "nothing is selected";
+    filter.selected = {1, -1};
+    EXPECT_EQ(shownRays(tree, filter), (std::vector<RaySelection>{{0, -1}, {1, -1}})) << "and what led to it";
+    filter.selected = {-1, 3};
+    EXPECT_EQ(shownRays(tree, filter), (std::vector<RaySelection>{{0, -1}, {-1, 3}}));
+    EXPECT_EQ(debugRayLines(tree, filter, 10.0f).size(), 3u) << "the selected ray has a halo";
+    filter = {};
+    filter.light = 1;
+    EXPECT_EQ(shownRays(tree, filter).size(), 2u);
+    filter.light = -1;
+    filter.leastContribution = 0.5f;
+    EXPECT_TRUE(shownRays(tree, filter).empty());
+}
+
+TEST(DebugRaysOverlay, colorsShowWhatARaySees) {
+    // A pane of half opacity shows red, and lets green through from behind.
+    RayTree tree;
+    RayNode pane, behind;
+    pane.hit = behind.hit = true;
+    pane.opacity = 0.5;
+    pane.contribution = {0.4, 0.0, 0.0};
+    behind.parent = 0;
+    behind.kind = RayKind::Transparent;
+    behind.throughput = glm::dvec3(0.5);
+    behind.contribution = {0.0, 0.5, 0.0};
+    tree.nodes = {pane, behind};
+    DebugRayFilter filter = nothing();
+    filter.camera = filter.transparent = true;
+    filter.colors = RayColors::Surface;
+    OverlayLines lines = debugRayLines(tree, filter, 10.0f);
+    EXPECT_EQ(glm::vec3(lines[0].color), displayColor({0.8f, 0.0f, 0.0f}));
+    EXPECT_EQ(lines[0].color.a, 0.5f);
+    EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
+    EXPECT_EQ(lines[1].color.a, 1.0f);
+    filter.colors = RayColors::Arriving;
+    lines = debugRayLines(tree, filter, 10.0f);
+    EXPECT_EQ(glm::vec3(lines[0].color), displayColor({0.4f, 0.5f, 0.0f}));
+    EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
+}
+
+TEST(DebugRaysOverlay, aClickPicksTheNearestRayBeforeTheCamera) {
+    const RayTree tree = handMadeTree();
+    CameraDescription camera;
+    camera.lookFrom = {10.0f, 1.0f, 2.0f};
+    camera.lookAt = {0.0f, 1.0f, 2.0f};
+    const ViewFrame frame = viewFrame(camera, 800, 600);
+    DebugRayFilter filter;
+    const auto pickAt = [&](glm::dvec3 place) {
+        return pickRay(tree, filter, frame, *frame.project(place), 5.0, 10.0f);
+    };
+    EXPECT_EQ(pickAt({0, 0, 3}), (RaySelection{0, -1}));
+    EXPECT_EQ(pickAt({0, 4.5, 1}), (RaySelection{1, -1}));
+    EXPECT_TRUE(pickAt({0, 2, 4}).empty());
+    filter.camera = false;
+    EXPECT_TRUE(pickAt({0, 0, 3}).empty()) << "what is not drawn cannot be picked";
+    // The camera looks away: everything lies behind it.
+    camera.lookAt = {20.0f, 1.0f, 2.0f};
+    EXPECT_TRUE(pickRay(tree, {}, viewFrame(camera, 800, 600), {400, 300}, 5000.0, 10.0f).empty());
 }
 
 TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
@@ -104,9 +201,15 @@ TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
     rays.shoot(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
     ASSERT_TRUE(rays.shot());
     EXPECT_TRUE(rays.shot()->verdict->matchesFilm);
-    EXPECT_EQ(rays.shot()->tree.nodes[0].ray.origin, state.camera.lookFrom);
+    EXPECT_EQ(rays.shot()->tree().nodes[0].ray.origin, state.camera.lookFrom);
     EXPECT_FALSE(rays.staleFor(state, {48, 48}));
     EXPECT_TRUE(rays.staleFor(state, {96, 48}));
+
+    rays.step(1);
+    ASSERT_EQ(rays.searches().size(), 1u);
+    EXPECT_EQ(rays.searches()[0].hit.primitive, rays.shot()->tree().nodes[0].primitiveHit.primitive);
+    rays.step(100000);
+    EXPECT_EQ(rays.search.step, static_cast<int>(rays.searches()[0].steps.size()));
 
     EditState other = state;
     other.settings.exposure = 1.0f;
@@ -118,6 +221,25 @@ TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
     EXPECT_TRUE(rays.staleFor(other, {48, 48}));
     rays.clear();
     EXPECT_FALSE(rays.staleFor(other, {48, 48}));
+}
+
+TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
+    Diagnostics notes;
+    EditState state = openingState(loadScene("builtin:cornell", notes), {}, {});
+    state.settings.spp = 64;
+    const auto world = compile({state.scene, state.settings, state.camera, 48, 48});
+    DebugRays rays;
+    rays.shoot(world, state, {48, 48}, {24, 30, 0}, nullptr);
+    EXPECT_EQ(rays.shot()->trees.size(), 1u);
+    rays.showAllSamples(true);
+    EXPECT_EQ(rays.shot()->trees.size(), 64u);
+    rays.chooseSample(40);
+    EXPECT_EQ(rays.shot()->tree().name.index, 40);
+    rays.budget = 4096;
+    rays.showAllSamples(true);
+    EXPECT_LT(rays.shot()->trees.size(), 20u);
+    EXPECT_EQ(rays.shot()->tree().name.index, 40) << "the chosen one is always there";
+    EXPECT_EQ(rays.shot()->samples, 64);
 }
 
 TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {

@@ -1,7 +1,8 @@
 """Drives the real window under a virtual display and judges it by what it shows and saves.
 
-usage: ui_test.py PROGRAM        exits 77 where Xvfb, xdotool or ImageMagick is missing
+usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or ImageMagick is missing
 """
+import json
 import os
 import shutil
 import subprocess
@@ -15,7 +16,12 @@ WIDTH, HEIGHT = 1280, 720
 PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (4, 697)
-TAB_SCENE, TAB_SETTINGS = (977, 66), (1042, 66)
+TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH, TAB_MAP = (977, 66), (1042, 66), (1103, 66), (1147, 66), (1186, 66)
+HISTOGRAM_END = (1120, 220), (1000, 220)
+FIRST_RAY = (980, 357)  # once the camera has moved away from recorded rays
+RECORDED, LEGEND_CAMERA = (1100, 90), (1030, 291)  # the latter with the former folded
+SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
+BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
@@ -156,8 +162,9 @@ class Viewer:
 
     def open_by_name(self, name):
         self.key("ctrl+o")
-        time.sleep(0.5)
+        time.sleep(0.7)
         self.key("ctrl+a")
+        time.sleep(0.3)
         self.do("type", "--delay", "40", name)
         self.key("Return")
 
@@ -228,6 +235,167 @@ def test_debug_ray(viewer):
     viewer.settled_picture()
 
 
+def is_box_white(red, green, blue):
+    return min(red, green, blue) > 190 and max(red, green, blue) - min(red, green, blue) < 25
+
+
+def is_rival_red(red, green, blue):
+    return red > 170 and 40 < green < 110 and blue < 80
+
+
+def is_leaf_yellow(red, green, blue):
+    return red > 200 and green > 180 and blue < 100
+
+
+def is_visited_green(red, green, blue):
+    return green > 150 and red < 80 and 90 < blue < 180
+
+
+def test_search(viewer):
+    """The search of a camera ray, step by step; its tree as files; the legend as a filter."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(390, 480)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    bare = viewer.settled_picture()
+    expect(bare.count(is_ray_yellow) > 100, "the camera ray is seen")
+    viewer.key("t")
+    searched = viewer.settled_picture()
+    expect(searched.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
+    seen = set()
+    for _ in range(6):
+        viewer.key("Right")
+        seen.add(viewer.settled_picture().data)
+    expect(len(seen) >= 4, "each step looks different")
+    viewer.key("Left")
+    expect(viewer.settled_picture().data in seen, "a step back shows the same as before")
+    viewer.key("t")
+    viewer.key("ctrl+j")
+    wait_for("the exported rays", lambda: list(viewer.folder.glob("*.obj")) and list(viewer.folder.glob("*.json")))
+    tree = json.loads(next(viewer.folder.glob("*.json")).read_text())
+    lines = next(viewer.folder.glob("*.obj")).read_text().count("\nl ")
+    expect(lines == len(tree["nodes"]) + len(tree["shadow_rays"]), "the OBJ has a line for each ray")
+    viewer.click(*RECORDED)
+    viewer.click(*LEGEND_CAMERA)
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a click on the legend hides the camera rays")
+    viewer.click(*LEGEND_CAMERA)
+    viewer.click(*RECORDED)
+    viewer.click(*FIRST_RAY)
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().differing(bare) > 100, "the ray that is selected in the table has a halo")
+    viewer.key("h")
+    viewer.point(100, 600)
+    expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a hidden ray is not drawn")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def is_square_purple(red, green, blue):
+    return 150 < red < 230 and 70 < green < 135 and blue > 180
+
+
+def open_and_shoot(viewer, scene, pixel):
+    """Opens the scene, records the rays of a pixel of the rasterised view, and looks at them from the side."""
+    viewer.open_by_name(scene)
+    wait_for("the other scene", lambda: scene in viewer.title())
+    viewer.point(100, 600)
+    before = viewer.settled_picture()
+    viewer.point(*pixel)
+    viewer.key("r")
+    wait_for("the rays", lambda: viewer.picture().differing(before) > 10)
+    viewer.drag((100, 600), (260, 560))
+    return viewer.settled_picture()
+
+
+def test_surfaces(viewer):
+    """Texels, the glossy square, the lens and its focus, and samples of the pixel."""
+    viewer.click(*TAB_RAYS)
+    open_and_shoot(viewer, "builtin:quad-textured", (440, 330))
+    wait_for("texels in the panel", lambda: viewer.capture().crop(*TEXELS).count(
+        lambda r, g, b: r > 200 and g < 120 and b < 120) > 200)
+    # A click on the last bar of the strip chooses the last sample, whose camera ray is another one.
+    first = viewer.capture().crop(*SAMPLE_GRID)
+    viewer.click(*LAST_SAMPLE)
+    viewer.point(100, 600)
+    wait_for("another sample", lambda: viewer.capture().crop(*SAMPLE_GRID).differing(first) > 10)
+    viewer.key("c")
+    glossy = open_and_shoot(viewer, "builtin:cornell-glossy", (440, 330))
+    expect(glossy.count(is_square_purple) > 60, "the square of the glossy reflection is purple")
+    viewer.key("c")
+    lens = open_and_shoot(viewer, "builtin:spheres-dof", (420, 330))
+    expect(lens.count(is_visited_green) > 300, "the plane of focus is green")
+    viewer.key("p")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.settled_picture()
+    viewer.point(450, 60)
+    viewer.key("r")
+    wait_for("the reason why the background is black", lambda: viewer.capture().crop(950, 80, 320, 600).count(
+        lambda r, g, b: r > 220 and 165 < g < 215 and 60 < b < 120) > 60)
+    viewer.key("c")
+    # A live ray follows the cursor without any key.
+    bare = viewer.settled_picture()
+    viewer.key("l")
+    viewer.point(500, 360)
+    wait_for("live rays", lambda: viewer.picture().differing(bare) > 30)
+    one = viewer.settled_picture()
+    viewer.point(300, 400)
+    wait_for("live rays elsewhere", lambda: viewer.picture().differing(one) > 30)
+    viewer.key("Escape")
+    viewer.key("Escape")
+    wait_for("no ray any more", lambda: viewer.picture().differing(bare) == 0)
+    viewer.click(*TAB_SCENE)
+
+
+def test_bvh_boxes(viewer):
+    """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_BVH)
+    viewer.point(100, 600)
+    bare = viewer.settled_picture()
+    viewer.key("b")
+    root = wait_for("the root's box", lambda: viewer.settled_picture().count(is_box_white) - bare.count(is_box_white))
+    for _ in range(3):
+        viewer.key("Next")
+    deeper = viewer.settled_picture()
+    expect(deeper.count(is_box_white) - bare.count(is_box_white) > root + 500, "a deeper level has more boxes")
+    viewer.point(460, 400)
+    viewer.key("g")
+    viewer.point(100, 600)
+    wait_for("the leaf under the cursor", lambda: viewer.settled_picture().crop(430, 340, 80, 80).count(is_leaf_yellow) > 50)
+    before = viewer.settled_picture()
+    viewer.key("period")
+    expect(viewer.settled_picture().differing(before) > 50, "the next leaf is another one")
+    viewer.click(*BVH_SAVINGS)
+    viewer.point(100, 600)
+    wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
+    viewer.click(*BVH_SAVINGS)
+    # A tree of one level: its leaves hold half of the triangles each.
+    few = viewer.settled_picture().count(is_leaf_yellow)
+    viewer.do("keydown", "ctrl")
+    viewer.click(*BVH_MAX_LEVEL)
+    viewer.do("keyup", "ctrl")
+    viewer.do("type", "--delay", "40", "1")
+    viewer.key("Return")
+    viewer.point(100, 600)
+    wait_for("the coarse tree", lambda: viewer.settled_picture().count(is_leaf_yellow) > 10 * few)
+    viewer.key("ctrl+z")
+    wait_for("the fine tree", lambda: viewer.settled_picture().count(is_leaf_yellow) < 10 * few)
+    viewer.open_by_name("builtin:cornell")
+    wait_for("the first scene", lambda: "builtin:cornell" in viewer.title())
+    viewer.key("b")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
 def test_light_handle(viewer):
     """The light of the Cornell box is clicked and its upward arrow pulled down."""
     before = viewer.settled_picture()
@@ -243,6 +411,28 @@ def test_light_handle(viewer):
     expect(viewer.settled_picture().data == selected.data, "undo puts the light back")
     viewer.click(100, 600)
     expect(viewer.settled_picture().data == before.data, "a click beside it lets go of the light")
+
+
+def is_map_yellow(red, green, blue):
+    return red > 200 and green > 200 and blue < 140
+
+
+def test_heat_map(viewer):
+    """The cost of pixels in place of the picture; a drag in the histogram narrows the range."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_MAP)
+    viewer.point(100, 600)
+    viewer.key("m")
+    wait_for("the map", lambda: viewer.settled_picture().count(is_map_yellow) > 300)
+    few = viewer.settled_picture().count(is_map_yellow)
+    viewer.drag(*HISTOGRAM_END)
+    viewer.point(100, 600)
+    wait_for("more pixels beyond the range", lambda: viewer.settled_picture().count(is_map_yellow) > 2 * few)
+    viewer.key("m")
+    wait_for("the traced picture", lambda: viewer.settled_picture().count(is_map_yellow) < few)
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
 
 
 def test_typing_is_not_a_shortcut(viewer):
@@ -300,8 +490,11 @@ def run_all(program, folder):
     test_without_display(program)
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_typing_is_not_a_shortcut, test_missing_file,
-                     test_keys_window, test_render_to_file):
+        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces,
+                     test_bvh_boxes, test_heat_map,
+                     test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
+            if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
+                continue
             test(viewer)
             print(f"ok  {test.__name__}", flush=True)
         viewer.quit()

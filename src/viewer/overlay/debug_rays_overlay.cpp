@@ -1,55 +1,104 @@
 #include "viewer/overlay/debug_rays_overlay.h"
 
+#include <algorithm>
+
+#include "viewer/overlay/palette.h"
+
 namespace rayscope::viewer {
 
 namespace {
-
-// Okabe and Ito's palette, which people with red-green blindness tell apart too.
-constexpr glm::vec4 kCameraColor{0.95f, 0.90f, 0.35f, 1.0f};
-constexpr glm::vec4 kReflectionColor{0.34f, 0.71f, 0.91f, 1.0f};
-constexpr glm::vec4 kTransparentColor{0.85f, 0.55f, 0.80f, 1.0f};
-constexpr glm::vec4 kMissColor{0.84f, 0.25f, 0.10f, 1.0f};
-constexpr glm::vec4 kBlockedColor{0.95f, 0.16f, 0.12f, 0.9f};
-constexpr glm::vec4 kAwayColor{0.55f, 0.57f, 0.60f, 0.6f};
-constexpr glm::vec4 kNormalColor{0.10f, 0.78f, 0.55f, 1.0f};
 
 struct Look {
     glm::vec4 color;
     LineStyle style;
 };
-Look lookOf(RayKind kind) {
-    switch (kind) {
+Look lookOf(const RayNode& node) {
+    if (node.end == RayEnd::BelowSurface) return {palette::kRejectedRay, LineStyle::Dotted};
+    if (!node.hit) return {palette::kMissedRay, LineStyle::Dashed};
+    switch (node.kind) {
         case RayKind::Camera:
-            return {kCameraColor, LineStyle::Solid};
+            return {palette::kCameraRay, LineStyle::Solid};
         case RayKind::Reflection:
+            return {palette::kReflectedRay, LineStyle::Solid};
         case RayKind::Glossy:
-            return {kReflectionColor, LineStyle::Solid};
+            return {palette::kReflectedRay, LineStyle::Dashed};
         case RayKind::Transparent:
             break;
     }
-    return {kTransparentColor, LineStyle::Dashed};
+    return {palette::kTransmittedRay, LineStyle::Dashed};
 }
 
-bool isShown(const RayNode& node, const DebugRayFilter& filter) {
-    if (node.depth > filter.maxDepth) return false;
-    if (node.kind == RayKind::Camera) return filter.camera;
-    return node.kind == RayKind::Transparent ? filter.transparent : filter.reflections;
+bool kindIsShown(const RayNode& node, const DebugRayFilter& filter) {
+    if (node.end == RayEnd::BelowSurface) return filter.rejected;
+    if (!node.hit && !filter.missed) return false;
+    switch (node.kind) {
+        case RayKind::Camera:
+            return filter.camera;
+        case RayKind::Reflection:
+            return filter.reflections;
+        case RayKind::Glossy:
+            return filter.glossy;
+        case RayKind::Transparent:
+            break;
+    }
+    return filter.transparent;
 }
 
-OverlayLine segmentLine(const RayNode& node, float sceneSize) {
-    const Look look = lookOf(node.kind);
-    if (node.hit) return {node.ray.origin, node.position, look.color, look.style, 2.0f};
+bool verdictIsShown(Visibility visibility, const DebugRayFilter& filter) {
+    if (visibility == Visibility::Blocked) return filter.shadowBlocked;
+    return visibility == Visibility::FacingAway ? filter.shadowAway : filter.shadowVisible;
+}
+
+bool addsEnough(const RgbSum& contribution, const DebugRayFilter& filter) {
+    if (filter.leastContribution <= 0.0f) return true;
+    return std::max({contribution.x, contribution.y, contribution.z}) >=
+           static_cast<double>(filter.leastContribution);
+}
+
+bool isOnTheWayTo(const RayTree& tree, int node, int target) {
+    while (target > node) target = tree.nodes[static_cast<std::size_t>(target)].parent;
+    return target == node;
+}
+
+/// With a ray isolated, only what led to it and what it asked the lights.
+bool belongsToSelected(const RayTree& tree, RaySelection ray, RaySelection selected) {
+    if (selected.shadow >= 0) {
+        if (ray.shadow >= 0) return ray.shadow == selected.shadow;
+        return isOnTheWayTo(tree, ray.node, tree.shadowRays[static_cast<std::size_t>(selected.shadow)].node);
+    }
+    if (ray.shadow >= 0) return tree.shadowRays[static_cast<std::size_t>(ray.shadow)].node == selected.node;
+    return isOnTheWayTo(tree, ray.node, selected.node);
+}
+
+/// The end of the line that stands for a segment.
+glm::vec3 endOf(const RayNode& node, float sceneSize) {
+    if (node.hit) return node.position;
     const float length = glm::length(node.ray.direction);
-    const glm::vec3 direction = length > 0.0f ? node.ray.direction / length : node.ray.direction;
-    return {node.ray.origin, node.ray.origin + direction * sceneSize, kMissColor, LineStyle::Dashed, 2.0f};
+    return node.ray.origin + (length > 0.0f ? node.ray.direction / length : node.ray.direction) * sceneSize;
+}
+
+OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {
+    const Look look = lookOf(node);
+    OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
+    const bool seesEnvironment = !node.hit && node.contribution != RgbSum(0.0);
+    if (!seesEnvironment && (colors == RayColors::Kind || !node.hit)) return line;
+    if (colors == RayColors::Arriving) {
+        line.color = {displayColor(Rgb(arriving)), 1.0f};
+    } else {
+        // A pane of glass is drawn as thin as it is.
+        const float opacity = node.hit ? static_cast<float>(node.opacity) : 1.0f;
+        line.color = {displayColor(Rgb(surfaceColor(node))), std::max(opacity, 0.25f)};
+    }
+    line.width = 2.5f;
+    return line;
 }
 
 OverlayLine shadowLine(const ShadowRay& ray) {
     switch (ray.visibility) {
         case Visibility::Blocked:
-            return {ray.from, ray.to, kBlockedColor, LineStyle::Dotted, 1.5f};
+            return {ray.from, ray.to, palette::kBlockedRay, LineStyle::Dotted, 1.5f};
         case Visibility::FacingAway:
-            return {ray.from, ray.to, kAwayColor, LineStyle::Dotted, 1.0f};
+            return {ray.from, ray.to, palette::kAwayRay, LineStyle::Dotted, 1.0f};
         case Visibility::Attenuated:
             return {ray.from, ray.to, glm::vec4(displayColor(ray.color), 0.9f), LineStyle::Dashed, 1.5f};
         case Visibility::Visible:
@@ -58,33 +107,106 @@ OverlayLine shadowLine(const ShadowRay& ray) {
     return {ray.from, ray.to, glm::vec4(displayColor(ray.color), 0.9f), LineStyle::Solid, 1.5f};
 }
 
+double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double length2 = glm::dot(along, along);
+    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0.0;
+    return glm::distance(point, a + t * along);
+}
+
+/// The distance in pixels from the cursor to a line of the scene, as far as that is before the camera.
+std::optional<double> distanceOnScreen(const ViewFrame& frame, glm::dvec3 a, glm::dvec3 b,
+                                       glm::dvec2 cursor) {
+    const double nearest = 1e-3 * (glm::distance(frame.eye, a) + glm::distance(frame.eye, b));
+    const double depthA = glm::dot(a - frame.eye, frame.forward) - nearest;
+    const double depthB = glm::dot(b - frame.eye, frame.forward) - nearest;
+    if (depthA <= 0.0 && depthB <= 0.0) return std::nullopt;
+    if (depthA < 0.0) a = glm::mix(a, b, depthA / (depthA - depthB));
+    if (depthB < 0.0) b = glm::mix(b, a, depthB / (depthB - depthA));
+    const auto onScreenA = frame.project(a), onScreenB = frame.project(b);
+    if (!onScreenA || !onScreenB) return std::nullopt;
+    return distanceToSegment(cursor, *onScreenA, *onScreenB);
+}
+
 }  // namespace
+
+bool isShown(const RayTree& tree, RaySelection ray, const DebugRayFilter& filter) {
+    const ShadowRay* shadow =
+        ray.shadow >= 0 ? &tree.shadowRays[static_cast<std::size_t>(ray.shadow)] : nullptr;
+    const RayNode& node = tree.nodes[static_cast<std::size_t>(shadow ? shadow->node : ray.node)];
+    if (node.depth > filter.maxDepth) return false;
+    if (shadow ? !verdictIsShown(shadow->visibility, filter) : !kindIsShown(node, filter)) return false;
+    if (shadow && filter.light >= 0 && shadow->light != filter.light) return false;
+    if (!addsEnough(shadow ? shadow->contribution : node.contribution, filter)) return false;
+    if (filter.isolated && !filter.selected.empty() && !belongsToSelected(tree, ray, filter.selected))
+        return false;
+    return std::find(filter.hidden.begin(), filter.hidden.end(), ray) == filter.hidden.end();
+}
+
+std::vector<RaySelection> shownRays(const RayTree& tree, const DebugRayFilter& filter) {
+    std::vector<RaySelection> rays;
+    std::size_t shadow = 0;
+    for (int node = 0; node < static_cast<int>(tree.nodes.size()); ++node) {
+        if (isShown(tree, {node, -1}, filter)) rays.push_back({node, -1});
+        for (; shadow < tree.shadowRays.size() && tree.shadowRays[shadow].node == node; ++shadow)
+            if (isShown(tree, {-1, static_cast<int>(shadow)}, filter))
+                rays.push_back({-1, static_cast<int>(shadow)});
+    }
+    return rays;
+}
 
 OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize) {
     OverlayLines lines;
-    for (const RayNode& node : tree.nodes)
-        if (isShown(node, filter)) lines.push_back(segmentLine(node, sceneSize));
-    if (filter.shadow)
-        for (const ShadowRay& ray : tree.shadowRays)
-            if (tree.nodes[static_cast<std::size_t>(ray.node)].depth <= filter.maxDepth)
-                lines.push_back(shadowLine(ray));
+    const std::vector<RgbSum> arriving =
+        filter.colors == RayColors::Arriving ? radianceAlong(tree) : std::vector<RgbSum>(tree.nodes.size());
+    for (const RaySelection ray : shownRays(tree, filter)) {
+        const auto index = static_cast<std::size_t>(std::max(ray.node, ray.shadow));
+        OverlayLine line = ray.node >= 0
+                               ? segmentLine(tree.nodes[index], arriving[index], filter.colors, sceneSize)
+                               : shadowLine(tree.shadowRays[index]);
+        if (ray == filter.selected) {
+            // A halo below keeps colour and style of the ray itself readable.
+            lines.push_back({line.from, line.to, palette::kHalo, LineStyle::Solid, 7.0f});
+            line.width = 3.5f;
+        }
+        lines.push_back(line);
+    }
     if (filter.normals)
         for (const RayNode& node : tree.nodes)
             if (node.hit && node.depth <= filter.maxDepth)
                 lines.push_back({node.position, node.position + node.normal * (sceneSize / 20.0f),
-                                 kNormalColor, LineStyle::Solid, 2.0f});
+                                 palette::kNormal, LineStyle::Solid, 2.0f});
     return lines;
 }
 
+RaySelection pickRay(const RayTree& tree, const DebugRayFilter& filter, const ViewFrame& frame,
+                     glm::dvec2 cursor, double reach, float sceneSize) {
+    RaySelection nearest;
+    for (const RaySelection ray : shownRays(tree, filter)) {
+        const auto index = static_cast<std::size_t>(std::max(ray.node, ray.shadow));
+        const glm::vec3 from = ray.node >= 0 ? tree.nodes[index].ray.origin : tree.shadowRays[index].from;
+        const glm::vec3 to = ray.node >= 0 ? endOf(tree.nodes[index], sceneSize) : tree.shadowRays[index].to;
+        const auto distance = distanceOnScreen(frame, glm::dvec3(from), glm::dvec3(to), cursor);
+        if (!distance || *distance > reach) continue;
+        reach = *distance;
+        nearest = ray;
+    }
+    return nearest;
+}
+
 std::vector<RayLegendEntry> debugRayLegend() {
-    return {{"camera ray", kCameraColor, LineStyle::Solid},
-            {"reflection", kReflectionColor, LineStyle::Solid},
-            {"behind transparent", kTransparentColor, LineStyle::Dashed},
-            {"misses everything", kMissColor, LineStyle::Dashed},
-            {"shadow ray, light visible: its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid},
-            {"shadow ray, blocked", kBlockedColor, LineStyle::Dotted},
-            {"light behind the surface", kAwayColor, LineStyle::Dotted},
-            {"normal", kNormalColor, LineStyle::Solid}};
+    using F = DebugRayFilter;
+    return {{"camera ray", palette::kCameraRay, LineStyle::Solid, &F::camera},
+            {"mirror reflection", palette::kReflectedRay, LineStyle::Solid, &F::reflections},
+            {"glossy reflection", palette::kReflectedRay, LineStyle::Dashed, &F::glossy},
+            {"glossy, below the surface", palette::kRejectedRay, LineStyle::Dotted, &F::rejected},
+            {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
+            {"misses everything", palette::kMissedRay, LineStyle::Dashed, &F::missed},
+            {"light visible: in its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
+            {"light blocked", palette::kBlockedRay, LineStyle::Dotted, &F::shadowBlocked},
+            {"light behind the surface", palette::kAwayRay, LineStyle::Dotted, &F::shadowAway},
+            {"shading normal", palette::kNormal, LineStyle::Solid, &F::normals},
+            {"normals of the vertices", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
 }
 
 }  // namespace rayscope::viewer

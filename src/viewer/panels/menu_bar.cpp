@@ -12,7 +12,11 @@ namespace {
 bool isEnabled(const Workspace& workspace, Command command) {
     if (command == Command::Undo) return workspace.history.canUndo();
     if (command == Command::Redo) return workspace.history.canRedo();
-    if (command == Command::ClearRays) return workspace.rays.shot() != nullptr;
+    const bool hasSelection = !workspace.rays.selection().empty();
+    if (command == Command::HideRay || command == Command::IsolateRay) return hasSelection;
+    if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays ||
+        command == Command::PinPixel)
+        return workspace.rays.shot() != nullptr;
     return true;
 }
 
@@ -31,6 +35,16 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.flying;
         case Command::PauseOrResume:
             return workspace.render.paused();
+        case Command::LiveRay:
+            return view.liveRay;
+        case Command::ToggleHeatMap:
+            return workspace.heat.shown;
+        case Command::ToggleSearch:
+            return workspace.rays.search.shown;
+        case Command::IsolateRay:
+            return workspace.rays.filter.isolated;
+        case Command::ToggleBvhLevels:
+            return workspace.bvh.shown.levels;
         case Command::ShowKeys:
             return view.showKeys;
         case Command::ShowStatistics:
@@ -90,7 +104,7 @@ void drawRasterChoices(Workspace& workspace) {
 
 void drawMenuBar(Workspace& workspace) {
     if (!ImGui::BeginMainMenuBar()) return;
-    for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "Help"}) {
+    for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "BVH", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
         drawCommands(workspace, menu);
         if (std::strcmp(menu, "View") == 0) drawRasterChoices(workspace);

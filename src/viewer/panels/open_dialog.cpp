@@ -84,7 +84,8 @@ void OpenDialog::draw(Workspace& workspace) {
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    bool open = ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue);
+    bool open = ImGui::InputText("##path", &typed_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     open |= drawEntries();
     if (problem_.empty())
         dimText("A scene (.toml), a mesh (.obj) or builtin:NAME; double-click opens.");

@@ -21,6 +21,8 @@ void drawCameraPanel(Workspace& workspace);
 void drawLightsPanel(Workspace& workspace);
 void drawSettingsPanel(Workspace& workspace);
 void drawRaysPanel(Workspace& workspace);
+void drawBvhPanel(Workspace& workspace);
+void drawHeatPanel(Workspace& workspace);
 
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {

@@ -1,7 +1,9 @@
+// What was recorded of a pixel: samples, the proof that they are those of the picture, and the legend.
 #include <fmt/format.h>
 
 #include "probe/names.h"
 #include "viewer/panels/panels.h"
+#include "viewer/panels/ray_panels.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/theme.h"
 
@@ -9,35 +11,58 @@ namespace rayscope::viewer {
 
 namespace {
 
+constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
+
 ImU32 toU32(glm::vec4 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, c.w}); }
 
-void drawLegend() {
+/// A piece of line as it looks in the picture, on the line of text that follows.
+void drawLineSample(const RayLegendEntry& entry, bool shown) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float y = at.y + 0.5f * ImGui::GetTextLineHeight(), length = scaled(26.0f);
+    const float dash = entry.style == LineStyle::Solid    ? length
+                       : entry.style == LineStyle::Dashed ? scaled(6.0f)
+                                                          : scaled(2.0f);
+    glm::vec4 color = entry.color;
+    if (!shown) color.a *= 0.25f;
+    for (float x = 0.0f; x < length; x += 1.7f * dash)
+        ImGui::GetWindowDrawList()->AddLine({at.x + x, y}, {at.x + std::min(x + dash, length), y},
+                                            toU32(color), scaled(2.0f));
+    ImGui::Dummy({length, ImGui::GetTextLineHeight()});
+}
+
+/// The legend is the filter: a click on a row shows or hides what it stands for.
+void drawLegend(DebugRayFilter& filter) {
     for (const RayLegendEntry& entry : debugRayLegend()) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float y = at.y + 0.5f * ImGui::GetTextLineHeight(), length = scaled(26.0f);
-        const float dash = entry.style == LineStyle::Solid    ? length
-                           : entry.style == LineStyle::Dashed ? scaled(6.0f)
-                                                              : scaled(2.0f);
-        for (float x = 0.0f; x < length; x += 1.7f * dash)
-            ImGui::GetWindowDrawList()->AddLine({at.x + x, y}, {at.x + std::min(x + dash, length), y},
-                                                toU32(entry.color), scaled(2.0f));
-        ImGui::Dummy({length, ImGui::GetTextLineHeight()});
+        bool& shown = filter.*entry.shown;
+        drawLineSample(entry, shown);
         ImGui::SameLine();
-        text(entry.label);
+        ImGui::PushStyleColor(ImGuiCol_Text, shown ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : kDimText);
+        if (ImGui::Selectable(entry.label)) shown = !shown;
+        ImGui::PopStyleColor();
     }
 }
 
-void drawFilter(DebugRayFilter& filter) {
-    ImGui::Checkbox("Camera", &filter.camera);
-    ImGui::SameLine(scaled(110.0f));
-    ImGui::Checkbox("Reflections", &filter.reflections);
-    ImGui::SameLine(scaled(225.0f));
-    ImGui::Checkbox("Normals", &filter.normals);
-    ImGui::Checkbox("Shadow", &filter.shadow);
-    ImGui::SameLine(scaled(110.0f));
-    ImGui::Checkbox("Transparent", &filter.transparent);
-    labelledRow("Depth up to");
-    ImGui::SliderInt("##depth", &filter.maxDepth, 0, 16, "%d", ImGuiSliderFlags_AlwaysClamp);
+void drawFilter(Workspace& workspace) {
+    DebugRayFilter& filter = workspace.rays.filter;
+    labelledRow("Depth up to", false, "Rays after more reflections than this are not drawn.");
+    ImGui::SliderInt("##depth", &filter.maxDepth, 0, 16, "%d", kClamp);
+    labelledRow("Light", false, "Shadow rays to one light, or to all.");
+    const int lights = static_cast<int>(workspace.edit.scene->lights.size());
+    filter.light = std::min(filter.light, lights - 1);
+    ImGui::SliderInt("##light", &filter.light, -1, lights - 1, filter.light < 0 ? "all" : "%d", kClamp);
+    labelledRow("Adds at least", false, "Hides what adds less than this to the radiance of the sample.");
+    ImGui::SliderFloat("##least", &filter.leastContribution, 0.0f, 1.0f, "%.3g",
+                       ImGuiSliderFlags_Logarithmic);
+    labelledRow(
+        "Colour", false,
+        "By kind as in the legend; in what the surface at the end of the ray shows of its own, thin where "
+        "it lets light through; or in the light that comes along the ray.");
+    constexpr const char* kNames[] = {"kind", "surface", "arriving light"};
+    int colors = static_cast<int>(filter.colors);
+    if (ImGui::Combo("##colors", &colors, kNames, 3)) filter.colors = static_cast<RayColors>(colors);
+    if (!filter.hidden.empty() &&
+        ImGui::Button(fmt::format("Show {} hidden rays", filter.hidden.size()).c_str(), {-1.0f, 0.0f}))
+        filter.hidden.clear();
 }
 
 std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
@@ -45,91 +70,97 @@ std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g
 /// The proof that the rays shown are those of the picture.
 void drawVerdict(const ReplayVerdict& verdict) {
     if (verdict.samples == 0) return;
-    const bool good = verdict.matchesFilm && verdict.addsUp;
-    coloredText(good ? kGoodText : kErrorText,
-                good ? fmt::format("Replay of {} samples: same bits as the picture", verdict.samples)
-                     : "The replay differs from the picture");
-    if (good) return;
-    text("Picture: " + rgbText(verdict.film));
-    text("Replay:  " + rgbText(verdict.replayed));
+    coloredText(verdict.good() ? kGoodText : kErrorText,
+                verdict.good() ? fmt::format("[x] replay of {} samples: same bits", verdict.samples)
+                               : "[ ] the replay differs from the picture");
+    tooltip(
+        "All samples of the pixel were traced again with the recorder. The tick says that their sum has the "
+        "same bits as the picture's, and that the contributions in every tree add up to its radiance.");
+    if (verdict.good()) return;
+    if (!verdict.matchesFilm) {
+        text(fmt::format("picture {} {} {}", verdict.film.r, verdict.film.g, verdict.film.b));
+        text(fmt::format("replay  {} {} {}", verdict.replayed.r, verdict.replayed.g, verdict.replayed.b));
+    }
+    if (!verdict.addsUp) text("the contributions of a tree do not add up to its radiance");
 }
 
-void drawNode(const DebugRays::Shot& shot, int index) {
-    const RayNode& node = shot.tree.nodes[static_cast<std::size_t>(index)];
-    const std::string label =
-        fmt::format("{} {}  {}", nameOf(node.kind), node.depth,
-                    node.hit ? fmt::format("t {:.5g}", node.primitiveHit.t) : std::string(nameOf(node.end)));
-    ImGui::PushID(index);
-    if (ImGui::TreeNodeEx("node", ImGuiTreeNodeFlags_DefaultOpen, "%s", label.c_str())) {
-        if (node.hit)
-            dimText(fmt::format("{}, primitive {}", objectName(*shot.world, node.object),
-                                node.primitiveHit.primitive));
-        dimText("adds " + rgbText(node.contribution));
-        int visible = 0, blocked = 0, away = 0;
-        for (const ShadowRay& ray : shot.tree.shadowRays) {
-            if (ray.node != index) continue;
-            if (ray.visibility == Visibility::Blocked)
-                ++blocked;
-            else if (ray.visibility == Visibility::FacingAway)
-                ++away;
-            else
-                ++visible;
-        }
-        if (visible + blocked + away > 0)
-            dimText(fmt::format("shadow rays: {} free, {} blocked, {} behind", visible, blocked, away));
-        for (int child = index + 1; child < static_cast<int>(shot.tree.nodes.size()); ++child)
-            if (shot.tree.nodes[static_cast<std::size_t>(child)].parent == index) drawNode(shot, child);
-        ImGui::TreePop();
+void drawSamples(DebugRays& rays, const DebugRays::Shot& shot) {
+    int sample = shot.tree().name.index;
+    labelledRow("Sample");
+    if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, shot.samples - 1), "%d", kClamp))
+        rays.chooseSample(sample);
+    tooltip("Which sample of the pixel the table lists.");
+    bool all = rays.filter.allSamples;
+    if (ImGui::Checkbox("Draw all samples", &all)) rays.showAllSamples(all);
+    if (!all) return;
+    const std::string words = fmt::format("{} of {} shown", shot.trees.size(), shot.samples);
+    ImGui::SameLine();
+    if (static_cast<int>(shot.trees.size()) < shot.samples)
+        coloredText(kWarningText, words);
+    else
+        dimText(words);
+    labelledRow("Budget", false, "How much memory the recorded rays may take.");
+    int mebibytes = static_cast<int>(rays.budget >> 20);
+    if (ImGui::SliderInt("##budget", &mebibytes, 1, 1024, "%d MiB", kClamp | ImGuiSliderFlags_Logarithmic)) {
+        rays.budget = static_cast<std::size_t>(mebibytes) << 20;
+        rays.showAllSamples(true);
     }
-    ImGui::PopID();
 }
 
 void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
-    const RayTree& tree = shot.tree;
-    text(fmt::format("Pixel {}, {}", tree.name.x, tree.name.y));
-    if (workspace.rays.staleFor(workspace.edit, workspace.imageSize()))
-        coloredText(kWarningText, "Stale: camera, scene or settings have changed");
-    int sample = tree.name.index;
-    labelledRow("Sample");
-    if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, shot.state.settings.spp - 1), "%d",
-                         ImGuiSliderFlags_AlwaysClamp)) {
-        const DebugRays::Shot before = shot;
-        workspace.rays.shoot(before.world, before.state, before.imageSize, {tree.name.x, tree.name.y, sample},
-                             nullptr);
-        return;
-    }
-    tooltip("Which sample of the pixel the rays belong to.");
+    DebugRays& rays = workspace.rays;
+    const RayTree& tree = shot.tree();
+    text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
+                     tree.shadowRays.size()));
+    if (rays.staleFor(workspace.edit, workspace.imageSize()))
+        coloredText(kWarningText, "Stale: something has changed since");
+    if (shot.verdict) drawVerdict(*shot.verdict);
     labelledRow("Radiance");
     text(rgbText(tree.radiance));
-    labelledRow("Recorded");
-    text(fmt::format("{} rays, {} shadow rays", tree.nodes.size(), tree.shadowRays.size()));
-    if (shot.verdict) drawVerdict(*shot.verdict);
-    if (ImGui::Button("Clear", {-1.0f, 0.0f})) {
-        workspace.rays.clear();
-        return;
-    }
-    if (ImGui::TreeNodeEx("Tree", ImGuiTreeNodeFlags_DefaultOpen)) {
-        for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i)
-            if (tree.nodes[static_cast<std::size_t>(i)].parent < 0) drawNode(shot, i);
-        ImGui::TreePop();
+    drawPixelSamples(workspace, shot);
+    drawSamples(rays, shot);
+    drawRayTable(workspace, shot);
+}
+
+/// Sentences about the pixel; a click goes to a ray that they rest on.
+void drawExplanations(DebugRays& rays) {
+    const std::vector<Explanation> all = rays.explain();
+    if (all.empty()) dimText("Nothing stands out about this pixel.");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Explanation& why = all[i];
+        coloredText(kWarningText, fmt::format("{}: {}", nameOf(why.symptom), nameOf(why.cause)));
+        wrappedText(why.sentence);
+        ImGui::PushID(static_cast<int>(i));
+        for (std::size_t e = 0; e < std::min<std::size_t>(why.evidence.size(), 8); ++e) {
+            if (e % 4 > 0) ImGui::SameLine();
+            if (ImGui::SmallButton(fmt::format("ray {}", e + 1).c_str())) rays.show(why.evidence[e]);
+            tooltip("Go to a ray that this rests on.");
+        }
+        ImGui::PopID();
     }
 }
 
 }  // namespace
 
 void drawRaysPanel(Workspace& workspace) {
-    if (ImGui::CollapsingHeader("Recorded rays", ImGuiTreeNodeFlags_DefaultOpen)) {
-        if (const DebugRays::Shot* shot = workspace.rays.shot())
+    const auto section = [](const char* name) {
+        return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
+    };
+    const DebugRays::Shot* shot = workspace.rays.shot();
+    if (section("Recorded rays")) {
+        if (shot != nullptr)
             drawShot(workspace, *shot);
         else
             wrappedText("Point at a pixel and press R: its rays are recorded, drawn and listed here.");
         ImGui::Spacing();
     }
-    if (ImGui::CollapsingHeader("Shown", ImGuiTreeNodeFlags_DefaultOpen)) {
-        drawFilter(workspace.rays.filter);
-        ImGui::Spacing();
-    }
-    if (ImGui::CollapsingHeader("Legend", ImGuiTreeNodeFlags_DefaultOpen)) drawLegend();
+    if (shot != nullptr && !workspace.view.liveRay && section("Why is it so?"))
+        drawExplanations(workspace.rays);
+    if (shot != nullptr && section("Search (T)")) drawSearch(workspace);
+    if (shot != nullptr && section("Where it ends")) drawSurface(workspace, *shot);
+    if (section("Legend: click to show or hide")) drawLegend(workspace.rays.filter);
+    if (section("Shown")) drawFilter(workspace);
+    if (section("Pinned pixels")) drawPins(workspace);
 }
 
 }  // namespace rayscope::viewer

@@ -1,0 +1,217 @@
+#include "probe/aov.h"
+
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "base/nearest_name.h"
+#include "probe/counting_observer.h"
+#include "render/film.h"
+#include "sampling/sample_stream.h"
+#include "trace/radiance.inl"
+
+namespace rayscope {
+
+namespace {
+
+// clang-format off
+constexpr AovInfo kTable[] = {
+    {Aov::Normal, "normal", "shading normal, -1 to 1 in world space", true},
+    {Aov::Depth, "depth", "distance along the viewing direction, scene units", false},
+    {Aov::Uv, "uv", "texture coordinates, in red and green", true},
+    {Aov::Primitive, "primitive", "number of the triangle or sphere; -1: none", false},
+    {Aov::Material, "material", "number of the material; -1: none", false},
+    {Aov::Nodes, "nodes", "boxes of the binary tree entered, per sample", false},
+    {Aov::Triangles, "triangles", "triangles and spheres tested, per sample", false},
+    {Aov::Rays, "rays", "rays traced, per sample", false},
+    {Aov::Time, "time", "microseconds per sample, as measured", false},
+    {Aov::NotFinite, "nan", "samples that are NaN or infinite", false},
+    {Aov::Samples, "samples", "samples taken", false},
+    {Aov::Variance, "variance", "variance of the luminance of a sample", false},
+    {Aov::Error, "error", "standard error of the luminance of the pixel", false},
+};
+// clang-format on
+
+bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+Rgb grey(double value) { return Rgb(static_cast<float>(value)); }
+
+/// What the pixel's samples cost, as means over them.
+struct Costs {
+    double nodes = 0.0, tests = 0.0, rays = 0.0, microseconds = 0.0;
+    int notFinite = 0;
+};
+
+Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
+    using Clock = std::chrono::steady_clock;
+    const World& world = request.world;
+    Costs costs;
+    const Clock::time_point start = Clock::now();
+    NullObserver silent;
+    for (int index = 0; index < request.samples; ++index) {
+        const SampleResult result = radiance(world, request.seed, {x, y, index}, silent);
+        costs.rays += static_cast<double>(result.rays);
+        costs.notFinite += isFinite(result.radiance) ? 0 : 1;
+    }
+    costs.microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    for (int index = 0; counted && index < request.samples; ++index) {
+        const SampleStream stream(world.settings.sampler, request.seed, x, y, index, world.settings.spp);
+        CountingObserver observer(world, world.moves ? stream.get1D(Dim::Time) : 0.0f);
+        radiance(world, request.seed, {x, y, index}, observer);
+        costs.nodes += static_cast<double>(observer.counted().nodes);
+        costs.tests += static_cast<double>(observer.counted().tests);
+    }
+    const double n = std::max(request.samples, 1);
+    return {costs.nodes / n, costs.tests / n, costs.rays / n, costs.microseconds / n, costs.notFinite};
+}
+
+/// The surface behind the centre of a pixel, through the centre of the lens, at the start of the shutter.
+std::optional<Interaction> surfaceAt(const World& world, int x, int y) {
+    const Ray ray = world.camera.pinholeRay(glm::dvec2(x, y) + 0.5);
+    Hit hit;
+    if (!world.closestHit(ray, 0.0f, hit)) return std::nullopt;
+    return interactionAt(world, ray, 0.0f, {0.0, world.camera.pixelAngle()}, hit);
+}
+
+Rgb surfaceValue(const World& world, const std::optional<Interaction>& at, Aov aov) {
+    const bool isNumber = aov == Aov::Primitive || aov == Aov::Material;
+    if (!at) return grey(isNumber ? -1.0 : 0.0);
+    switch (aov) {
+        case Aov::Normal:
+            return Rgb(at->normal);
+        case Aov::Depth:
+            return grey(world.camera.depthOf(at->position));
+        case Aov::Uv:
+            return {at->uv.x, at->uv.y, 0.0f};
+        case Aov::Primitive:
+            return grey(at->hit.primitive);
+        default:
+            return grey(at->material);
+    }
+}
+
+Rgb filmValue(const Film* film, int x, int y, Aov aov) {
+    int samples = 0;
+    if (film == nullptr) return grey(0.0);
+    const PixelSums sums = film->sums(x, y, samples);
+    if (aov == Aov::Samples) return grey(samples);
+    if (samples < 2) return grey(0.0);
+    const double n = samples, mean = luminance(sums.radiance) / n;
+    const double variance = std::max(0.0, (sums.squaredLuminance / n - mean * mean) * n / (n - 1.0));
+    return grey(aov == Aov::Variance ? variance : std::sqrt(variance / n));
+}
+
+Rgb costValue(const Costs& costs, Aov aov) {
+    switch (aov) {
+        case Aov::Nodes:
+            return grey(costs.nodes);
+        case Aov::Triangles:
+            return grey(costs.tests);
+        case Aov::Rays:
+            return grey(costs.rays);
+        case Aov::Time:
+            return grey(costs.microseconds);
+        default:
+            return grey(costs.notFinite);
+    }
+}
+
+bool isOfSurface(Aov aov) { return aov <= Aov::Material; }
+bool isOfFilm(Aov aov) { return aov >= Aov::Samples; }
+
+}  // namespace
+
+template <class Count>
+void CountingObserver::inEachBody(const Ray& ray, Count&& count) {
+    for (const Body& body : world_.bodies) {
+        const BinaryTree* tree = world_.settings.bvh && body.accel ? body.accel->binaryTree() : nullptr;
+        if (tree == nullptr) {
+            counter_.tests += world_.settings.bvh ? 0
+                                                  : body.geometry->input.triangles.size() +
+                                                        body.geometry->input.spheres.size();
+            continue;
+        }
+        Ray atRest = ray;
+        if (world_.moves)
+            atRest.origin = glm::vec3(glm::dvec3(ray.origin) -
+                                      static_cast<double>(time_) * glm::dvec3(body.geometry->motion));
+        if (count(*tree, body.geometry->input, atRest)) return;
+    }
+}
+
+void CountingObserver::countClosest(const Ray& ray) {
+    inEachBody(ray, [&](const BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+        Hit hit;
+        closestHit(tree, input, atRest, hit, counter_);
+        return false;
+    });
+}
+
+void CountingObserver::lightSampled(const LightConnection& light, const glm::dvec3&) {
+    const bool traced = light.visibility != Visibility::FacingAway &&
+                        world_.lights[static_cast<std::size_t>(light.light)].castsShadows;
+    if (!traced) return;
+    const Ray ray = shadowRay(light.from, light.at.position);
+    if (world_.attenuatesShadows) return countClosest(ray);
+    inEachBody(ray, [&](const BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+        Hit hit;
+        return anyHitWatched(tree, input, atRest, counter_, hit);
+    });
+}
+
+SampleCost costAt(const World& world, std::uint64_t seed, int x, int y, int samples) {
+    AovRequest request{world};
+    request.seed = seed;
+    request.samples = samples;
+    const Costs costs = costsOf(request, x, y, true);
+    return {costs.nodes, costs.tests, costs.rays};
+}
+
+std::span<const AovInfo> aovTable() { return kTable; }
+
+const AovInfo& infoOf(Aov aov) { return kTable[static_cast<std::size_t>(aov)]; }
+
+Aov aovNamed(std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const AovInfo& info : kTable) {
+        if (info.name == name) return info.aov;
+        names.push_back(info.name);
+    }
+    throw InputError(fmt::format("no extra image is called '{}'{}; there are {}", name,
+                                 didYouMean(std::string(name), names), fmt::join(names, ", ")));
+}
+
+std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov> wanted) {
+    const World& world = request.world;
+    const PixelBounds region = request.region.value_or(PixelBounds{0, world.width, 0, world.height});
+    std::vector<RgbImage> images(wanted.size(), RgbImage(world.width, world.height));
+    const auto wants = [&](auto&& condition) { return std::any_of(wanted.begin(), wanted.end(), condition); };
+    const bool surface = wants(isOfSurface);
+    const bool costs = wants([](Aov aov) { return !isOfSurface(aov) && !isOfFilm(aov); });
+    const bool counted = wants([](Aov aov) { return aov == Aov::Nodes || aov == Aov::Triangles; });
+    const auto renderRow = [&](int y) {
+        for (int x = region.x0; x < region.x1; ++x) {
+            if (request.stop.stop_requested()) return;
+            const auto at = surface ? surfaceAt(world, x, y) : std::nullopt;
+            const Costs cost = costs ? costsOf(request, x, y, counted) : Costs{};
+            for (std::size_t i = 0; i < wanted.size(); ++i)
+                images[i].at(x, y) = isOfSurface(wanted[i]) ? surfaceValue(world, at, wanted[i])
+                                     : isOfFilm(wanted[i])  ? filmValue(request.film, x, y, wanted[i])
+                                                            : costValue(cost, wanted[i]);
+        }
+    };
+    namespace tbb = oneapi::tbb;
+    const tbb::global_control parallelism(
+        tbb::global_control::max_allowed_parallelism,
+        static_cast<std::size_t>(std::max(request.threads, tbb::info::default_concurrency())));
+    tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
+    arena.execute([&] { tbb::parallel_for(region.y0, region.y1, renderRow); });
+    if (request.stop.stop_requested()) throw Stopped{};
+    return images;
+}
+
+}  // namespace rayscope

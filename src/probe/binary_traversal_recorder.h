@@ -1,0 +1,91 @@
+#pragma once
+#include <limits>
+#include <unordered_map>
+
+#include "bvh/traverse.h"
+#include "probe/traversal_log.h"
+
+namespace rayscope {
+
+/// Writes down a walk through a binary tree.
+class BinaryTraversalRecorder {
+  public:
+    BinaryTraversalRecorder(TraversalLog& log, const BinaryTree& tree, const AccelInput& input)
+        : log_(log), tree_(tree), input_(input), query_(log.ray), bound_(log.ray.tMax) {}
+
+    // What an observer of closestHit() is told. A far child that has to wait is not reported by the walk: it
+    // is the one that was neither rejected nor entered at once.
+    void entered(std::uint32_t node, float bound) {
+        if (const std::uint32_t sibling = waitingSiblingOf(node); sibling != kNone) waits(sibling);
+        bound_ = bound;
+        add(TraversalEvent::Entered, boxOf(node), entryOf(node), bound);
+        lastEntered_ = static_cast<int>(boxOf(node));
+        children_ = tree_.nodes[node].isLeaf() || log_.anyHit ? kNone : tree_.nodes[node].first;
+        rejected_ = 0;
+    }
+    void skipped(std::uint32_t node, float bound) {
+        add(TraversalEvent::Behind, boxOf(node), entryOf(node), bound);
+        ++rejected_;
+    }
+    void missed(std::uint32_t node) {
+        add(TraversalEvent::Missed, boxOf(node), kNoDistance, bound_);
+        ++rejected_;
+    }
+    void tested(std::uint32_t primitive, bool hit) {
+        Hit found;
+        if (hit) IndexedPrimitives::hitsPrimitive(query_, input_, primitive, bound_, found);
+        found.primitive = primitive;
+        Hit best{bound_, closest_, 0.0f, 0.0f};
+        const bool closer = hit && keepCloser(found, best);
+        add(closer ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive, hit ? found.t : kNoDistance,
+            bound_);
+        if (!closer) return;
+        bound_ = found.t;
+        closest_ = primitive;
+    }
+
+    /// The search for any hit says itself what waits.
+    void waits(std::uint32_t node) { add(TraversalEvent::Waits, boxOf(node), entryOf(node), bound_); }
+
+  private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr float kNoDistance = std::numeric_limits<float>::quiet_NaN();
+
+    /// The other child of the node that was entered last, if `node` is one of its children and none was
+    /// rejected.
+    std::uint32_t waitingSiblingOf(std::uint32_t node) const {
+        if (children_ == kNone || rejected_ > 0) return kNone;
+        return node == children_ ? children_ + 1 : node == children_ + 1 ? children_ : kNone;
+    }
+    float entryOf(std::uint32_t node) const {
+        float entry;
+        if (!intersectBox(planes(tree_.nodes[node]), query_.box, query_.box.tMax, entry)) return kNoDistance;
+        return static_cast<float>(entry / query_.box.scale);
+    }
+    /// A new box is the root or a child of the node that was entered last.
+    std::uint32_t boxOf(std::uint32_t node) {
+        const auto [known, isNew] = known_.try_emplace(node, static_cast<std::uint32_t>(log_.boxes.size()));
+        if (isNew) {
+            const BinaryNode& n = tree_.nodes[node];
+            log_.boxes.push_back({node, lastEntered_, n.isLeaf(), n.lower, n.upper});
+        }
+        return known->second;
+    }
+    void add(TraversalEvent event, std::uint32_t number, float t, float bound) {
+        log_.steps.push_back({event, number, t, bound});
+    }
+
+    TraversalLog& log_;
+    const BinaryTree& tree_;
+    const AccelInput& input_;
+    RayQuery query_;
+    std::unordered_map<std::uint32_t, std::uint32_t> known_;  ///< node → box
+    float bound_;
+    std::uint32_t closest_ = kNoPrimitive;
+    int lastEntered_ = -1;            ///< box
+    std::uint32_t children_ = kNone;  ///< first child of the node that was entered last, if it has any
+    int rejected_ = 0;                ///< of these children
+};
+static_assert(TraversalObserver<BinaryTraversalRecorder>);
+
+}  // namespace rayscope

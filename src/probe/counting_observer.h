@@ -1,0 +1,82 @@
+#pragma once
+#include "bvh/traverse.h"
+#include "trace/path_observer.h"
+#include "trace/shadow_ray.h"
+
+namespace rayscope {
+
+/// Counts what a walk through the binary tree does.
+struct TraversalCounter {
+    std::uint64_t nodes = 0, tests = 0;
+    void entered(std::uint32_t, float) { ++nodes; }
+    static void skipped(std::uint32_t, float) {}
+    static void missed(std::uint32_t) {}
+    void tested(std::uint32_t, bool) { ++tests; }
+    static void waits(std::uint32_t) {}
+};
+static_assert(TraversalObserver<TraversalCounter>);
+
+/// The walk of walkToAnyHit(), watched: it enters a box that is hit, says which children wait, and ends at
+/// the first hit.
+template <TraversalObserver O>
+bool anyHitWatched(const BinaryTree& tree, const AccelInput& input, const Ray& ray, O& observer, Hit& hit) {
+    if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
+    const RayQuery query(ray);
+    const IndexedPrimitives primitives{input, tree.primitives};
+    std::uint32_t stack[kMaxTreeLevel + 1] = {0};
+    int waiting = 1;
+    float entry;
+    while (waiting > 0) {
+        const std::uint32_t number = stack[--waiting];
+        const BinaryNode& node = tree.nodes[number];
+        if (!intersectBox(planes(node), query.box, query.box.tMax, entry)) {
+            observer.missed(number);
+            continue;
+        }
+        observer.entered(number, ray.tMax);
+        if (!node.isLeaf()) {
+            for (const std::uint32_t child : {node.first + 1, node.first}) {
+                stack[waiting++] = child;
+                observer.waits(child);
+            }
+            continue;
+        }
+        for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
+            const bool found = primitives.hits(query, slot, ray.tMax, hit);
+            observer.tested(primitives.number(slot), found);
+            hit.primitive = primitives.number(slot);
+            if (found) return true;
+        }
+    }
+    return false;
+}
+
+/// Walks the binary tree a second time for every ray that the tracer sends out, and counts. The tracer itself
+/// is not slowed down by counters that nobody asked for, because it has none. With attenuated shadows a
+/// shadow ray counts as far as its first surface.
+class CountingObserver {
+  public:
+    CountingObserver(const World& world, float time) : world_(world), time_(time) {}
+
+    void segment(const Segment& segment) { ray_ = segment.ray; }
+    void hit(const Interaction&) { countClosest(ray_); }
+    void lightSampled(const LightConnection& light, const glm::dvec3&);
+    static void added(const glm::dvec3&) {}
+    void ended(const Segment& segment, RayEnd why) {
+        if (why == RayEnd::Missed) countClosest(segment.ray);
+    }
+
+    const TraversalCounter& counted() const { return counter_; }
+
+  private:
+    template <class Count>
+    void inEachBody(const Ray& ray, Count&& count);
+    void countClosest(const Ray& ray);
+
+    const World& world_;
+    float time_;
+    Ray ray_;
+    TraversalCounter counter_;
+};
+
+}  // namespace rayscope

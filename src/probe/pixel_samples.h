@@ -1,0 +1,26 @@
+#pragma once
+#include <rayscope/probe.h>
+#include <vector>
+
+namespace rayscope {
+
+/// The first samples of a pixel, replayed.
+struct PixelSamples {
+    std::vector<RgbSum> values;
+    std::vector<glm::dvec2> positions;  ///< within the pixel, 0 … 1, y downwards
+    std::vector<std::uint32_t> rays;    ///< traced for each
+};
+PixelSamples replayPixel(const World& world, std::uint64_t seed, int x, int y, int count);
+
+/// Luminances of samples and what they say about each other.
+struct SampleStatistics {
+    std::vector<double> luminance, runningMean;
+    double mean = 0.0, deviation = 0.0;  ///< standard deviation of a sample; 0 for fewer than two
+    /// Samples further from the median than 5 times the median distance from it (and than nothing): they
+    /// decide about the mean by chance. A median is not moved by the outliers it is to find.
+    std::vector<std::size_t> outliers;
+    double errorOfMean() const;  ///< standard error, deviation / √n
+};
+SampleStatistics statisticsOf(const std::vector<RgbSum>& values);
+
+}  // namespace rayscope

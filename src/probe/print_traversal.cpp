@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "probe/names.h"
+#include "probe/traversal_log.h"
+
+namespace rayscope {
+
+namespace {
+
+bool isBoxEvent(TraversalEvent event) {
+    return event != TraversalEvent::Hit && event != TraversalEvent::NoHit;
+}
+
+/// JSON has no NaN and no infinity.
+nlohmann::json number(float x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr); }
+
+std::string stackText(const TraversalLog& log, const TraversalState& state) {
+    std::string words;
+    for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
+        words += fmt::format(" {}@{:.6g}", log.boxes[waiting->box].node, waiting->t);
+    return words.empty() ? " -" : words;
+}
+
+std::string distanceText(const TraversalStep& step) {
+    return std::isnan(step.t) ? "-" : fmt::format("{:.9g}", step.t);
+}
+
+}  // namespace
+
+std::string describe(const TraversalLog& log, const TraversalStep& step) {
+    if (!isBoxEvent(step.event)) return fmt::format("{} primitive {}", nameOf(step.event), step.number);
+    const TraversalBox& box = log.boxes[step.number];
+    return fmt::format("{} {} {}", nameOf(step.event), box.leaf ? "leaf" : "node", box.node);
+}
+
+std::string summary(const TraversalLog& log) {
+    return fmt::format("{} nodes entered, {} hit but skipped, {} missed, {} primitives tested",
+                       log.count(TraversalEvent::Entered), log.count(TraversalEvent::Behind),
+                       log.count(TraversalEvent::Missed), log.tests());
+}
+
+std::string toText(const TraversalLog& log) {
+    std::string out = fmt::format("search for {} hit in body {}: {}\n", log.anyHit ? "any" : "the closest",
+                                  log.body, summary(log));
+    out += fmt::format("  {:>5}  {:<26} {:>12}  {:>12}  stack, next first (node@entry)\n", "step", "what",
+                       "t", "closest so far");
+    // The state is folded along, not computed anew for each line.
+    TraversalState state = stateAfter(log, 0);
+    for (std::size_t i = 0; i < log.steps.size(); ++i) {
+        const TraversalStep& step = log.steps[i];
+        advance(state, step);
+        out += fmt::format("  {:>5}  {:<26} {:>12}  {:>14.9g} {}\n", i + 1, describe(log, step),
+                           distanceText(step), state.bound, stackText(log, state));
+    }
+    return out + (log.hit.primitive == kNoPrimitive
+                      ? std::string("  nothing hit\n")
+                      : fmt::format("  hit: primitive {} at t {:.9g}\n", log.hit.primitive, log.hit.t));
+}
+
+std::string toJson(const TraversalLog& log) {
+    nlohmann::json j = {{"body", log.body},
+                        {"search", log.anyHit ? "any" : "closest"},
+                        {"boxes", nlohmann::json::array()},
+                        {"steps", nlohmann::json::array()},
+                        {"hit", nullptr}};
+    for (const TraversalBox& box : log.boxes)
+        j["boxes"].push_back({{"node", box.node},
+                              {"parent", box.parent},
+                              {"leaf", box.leaf},
+                              {"lower", {box.lower.x, box.lower.y, box.lower.z}},
+                              {"upper", {box.upper.x, box.upper.y, box.upper.z}}});
+    TraversalState state = stateAfter(log, 0);
+    for (const TraversalStep& step : log.steps) {
+        advance(state, step);
+        nlohmann::json entry = {{"event", nameOf(step.event)},
+                                {isBoxEvent(step.event) ? "box" : "primitive", step.number},
+                                {"t", number(step.t)},
+                                {"closest_so_far", number(state.bound)},
+                                {"stack", nlohmann::json::array()}};
+        for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
+            entry["stack"].push_back({{"box", waiting->box}, {"t", number(waiting->t)}});
+        j["steps"].push_back(std::move(entry));
+    }
+    if (log.hit.primitive != kNoPrimitive)
+        j["hit"] = {
+            {"primitive", log.hit.primitive}, {"t", number(log.hit.t)}, {"u", log.hit.u}, {"v", log.hit.v}};
+    return j.dump(2) + "\n";
+}
+
+}  // namespace rayscope

@@ -1,0 +1,82 @@
+#pragma once
+// The search of one ray through one hierarchy, step by step. The log speaks of boxes and primitives only, so
+// that it can tell of trees of any width; a recorder per layout writes it.
+#include <rayscope/ray.h>
+#include <rayscope/vector.h>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rayscope {
+
+class World;
+
+enum class TraversalEvent {
+    Entered,  ///< the box is searched now
+    Waits,    ///< the box was hit and goes onto the stack
+    Behind,   ///< the box was hit, but begins behind the closest hit found since
+    Missed,   ///< the ray does not meet the box
+    Hit,      ///< a primitive was tested and becomes the closest hit
+    NoHit     ///< a primitive was tested in vain
+};
+
+/// One step. Distances are in units of the ray's direction.
+struct TraversalStep {
+    TraversalEvent event = TraversalEvent::Entered;
+    std::uint32_t number =
+        0;               ///< of a box: index into TraversalLog::boxes; else of the primitive in its body
+    float t = 0.0f;      ///< where the ray enters the box or hits the primitive; NaN where it does not
+    float bound = 0.0f;  ///< upper end of the interval in which hits still count, before the step
+};
+
+/// A box as far as it was looked at.
+struct TraversalBox {
+    std::uint32_t node = 0;  ///< its number in the hierarchy
+    int parent = -1;         ///< index into TraversalLog::boxes
+    bool leaf = false;
+    glm::vec3 lower{0.0f}, upper{0.0f};
+};
+
+struct TraversalLog {
+    std::size_t body = 0;   ///< of the world
+    Ray ray;                ///< in the frame in which the body rests …
+    glm::vec3 shift{0.0f};  ///< … which is this far from where the body is at the ray's time
+    bool anyHit = false;    ///< the search may end at the first hit, as for shadow rays
+    std::vector<TraversalBox> boxes;
+    std::vector<TraversalStep> steps;
+    Hit hit;  ///< what the search found; `primitive` counts within the body
+
+    std::size_t count(TraversalEvent event) const;
+    /// Primitives tested.
+    std::size_t tests() const { return count(TraversalEvent::Hit) + count(TraversalEvent::NoHit); }
+};
+
+/// The search as it stands after a number of steps.
+struct TraversalState {
+    struct Waiting {
+        std::uint32_t box;
+        float t;
+    };
+    int current = -1;            ///< box that is being searched; -1 before the first
+    std::vector<Waiting> stack;  ///< the next one last
+    float bound = 0.0f;
+    std::uint32_t closest = kNoPrimitive;
+};
+void advance(TraversalState& state, const TraversalStep& step);
+TraversalState stateAfter(const TraversalLog& log, std::size_t steps);
+
+/// The search for the closest hit in every body of the world, at the given time of the shutter; the same
+/// binary trees and tests as World::closestHit with the binary layout. Nothing if the BVH is off.
+std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time);
+/// The search for any hit, as shadow rays do it; bodies after the first hit are not searched.
+std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time);
+
+/// "enters node 12".
+std::string describe(const TraversalLog& log, const TraversalStep& step);
+/// How much of everything happened, in one line.
+std::string summary(const TraversalLog& log);
+/// One line per step, with the interval and the stack; and the same as JSON.
+std::string toText(const TraversalLog& log);
+std::string toJson(const TraversalLog& log);
+
+}  // namespace rayscope

@@ -1,0 +1,94 @@
+#include "viewer/overlay/boxes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// Boxes of a smaller diagonal are drawn as a stroke, at most one in a square of this many pixels.
+constexpr double kSmallestBox = 4.0;
+
+/// Which spots of the picture have a stroke already.
+class Spots {
+  public:
+    explicit Spots(const ViewFrame& frame)
+        : columns_(static_cast<std::size_t>(frame.width / kSmallestBox) + 1),
+          taken_(columns_ * (static_cast<std::size_t>(frame.height / kSmallestBox) + 1)) {}
+
+    /// Whether the spot was free until now. `pixel` lies in the picture.
+    bool take(glm::dvec2 pixel) {
+        const auto column = static_cast<std::size_t>(pixel.x / kSmallestBox);
+        const auto row = static_cast<std::size_t>(pixel.y / kSmallestBox);
+        const bool wasFree = !taken_[row * columns_ + column];
+        taken_[row * columns_ + column] = true;
+        return wasFree;
+    }
+
+  private:
+    std::size_t columns_;
+    std::vector<bool> taken_;
+};
+
+/// Whether a ball of `radius` pixels around `pixel` reaches into the picture.
+bool reaches(const ViewFrame& frame, glm::dvec2 pixel, double radius) {
+    return pixel.x > -radius && pixel.y > -radius && pixel.x < frame.width + radius &&
+           pixel.y < frame.height + radius;
+}
+
+/// A box that reaches into the picture.
+struct VisibleBox {
+    const OverlayBox* box;
+    glm::dvec2 pixel;  ///< of its middle; not of boxes around or close to the camera
+    double size;       ///< of its diagonal, in pixels; infinite around or close to the camera
+};
+
+std::vector<VisibleBox> visibleBoxes(const OverlayBoxes& boxes, const ViewFrame& frame) {
+    std::vector<VisibleBox> visible;
+    for (const OverlayBox& box : boxes) {
+        const glm::dvec3 lower(box.lower), upper(box.upper), center = 0.5 * (lower + upper);
+        const double radius = 0.5 * glm::distance(lower, upper);
+        const double depth = glm::dot(center - frame.eye, frame.forward);
+        if (depth < -radius) continue;
+        if (depth <= 2.0 * radius) {
+            visible.push_back({&box, glm::dvec2(0.0), std::numeric_limits<double>::infinity()});
+            continue;
+        }
+        const glm::dvec2 pixel = *frame.project(center);
+        const double size = 2.0 * radius / frame.unitsPerPixelAt(center);
+        if (reaches(frame, pixel, size)) visible.push_back({&box, pixel, size});
+    }
+    return visible;
+}
+
+/// The size from which on boxes are drawn whole.
+double smallestWhole(const std::vector<VisibleBox>& visible, std::size_t mostWhole) {
+    std::vector<double> sizes;
+    for (const VisibleBox& box : visible)
+        if (box.size >= kSmallestBox) sizes.push_back(box.size);
+    if (sizes.size() <= mostWhole) return kSmallestBox;
+    const auto limit = sizes.begin() + static_cast<std::ptrdiff_t>(mostWhole);
+    std::nth_element(sizes.begin(), limit, sizes.end(), std::greater<>());
+    return std::nextafter(*limit, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+OverlayLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
+    OverlayLines lines;
+    Spots spots(frame);
+    const std::vector<VisibleBox> visible = visibleBoxes(boxes, frame);
+    const double whole = smallestWhole(visible, mostWhole);
+    for (const auto& [box, pixel, size] : visible) {
+        if (size >= whole)
+            appendBox(lines, box->lower, box->upper, box->color, box->style, box->width);
+        else if (reaches(frame, pixel, 0.0) && spots.take(pixel))
+            lines.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
+    }
+    return lines;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,25 @@
+#pragma once
+#include "probe/surface_report.h"
+#include "viewer/overlay/overlay.h"
+
+namespace rayscope::viewer {
+
+/// What is drawn of how surfaces and the camera are sampled.
+struct SurfaceChoice {
+    bool glossySquare = true, environment = true, lens = true;
+    bool operator==(const SurfaceChoice&) const = default;
+};
+
+/// The edges of the triangle and the normals of its vertices, `length` long.
+OverlayLines vertexNormalLines(const VertexNormals& normals, float length);
+
+/// The square as two triangles, and the mirrored direction through its middle.
+OverlayLines glossySquareLines(const GlossySquare& square);
+
+/// A ray of the length into the environment, in the colour that it fetches.
+OverlayLines environmentLines(const EnvironmentPoint& point, glm::vec3 from, float length);
+
+/// The outline of the aperture; the plane of focus, and dashed the planes of the sharp zone.
+OverlayLines lensLines(const LensReport& lens);
+
+}  // namespace rayscope::viewer

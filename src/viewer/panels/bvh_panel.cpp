@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "settings/table.h"
+#include "viewer/panels/panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+using Inspected = BvhInspector::Inspected;
+
+constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
+
+std::string vectorText(glm::vec3 v) { return fmt::format("{:.5g}  {:.5g}  {:.5g}", v.x, v.y, v.z); }
+
+std::string_view nameOf(BvhBuilder builder) {
+    constexpr std::string_view kNames[] = {"median", "SAH", "binned SAH"};
+    return kNames[static_cast<int>(builder)];
+}
+
+/// A slider between two buttons that take one step each. Returns the step.
+int steppedSlider(const char* label, int& value, int highest, std::string_view help) {
+    labelledRow(label, false, help);
+    ImGui::PushID(label);
+    const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0f * (button + gap));
+    ImGui::SliderInt("##value", &value, 0, std::max(0, highest), "%d", kClamp);
+    tooltip(help);
+    int step = 0;
+    ImGui::SameLine(0.0f, gap);
+    if (ImGui::Button("<", {button, 0.0f})) step = -1;
+    ImGui::SameLine(0.0f, gap);
+    if (ImGui::Button(">", {button, 0.0f})) step = 1;
+    ImGui::PopID();
+    return step;
+}
+
+void drawLevels(BvhInspector& bvh, const Inspected& seen) {
+    BvhChoice& shown = bvh.shown;
+    ImGui::Checkbox("Boxes of a level (B)", &shown.levels);
+    ImGui::SameLine();
+    ImGui::Checkbox("Leaves above", &shown.leavesAbove);
+    tooltip("Also the leaves that end above the level: together the boxes then hold everything.");
+    const int step =
+        steppedSlider("Level", shown.level, seen.tree().levels - 1, "Page down and page up step.");
+    if (step != 0) bvh.stepLevel(step);
+}
+
+void drawLeaf(BvhInspector& bvh, const Inspected& seen) {
+    ImGui::Checkbox("One leaf and its primitives", &bvh.shown.leaf);
+    const int leaves = static_cast<int>(seen.index.leaves.size());
+    const int step = steppedSlider("Leaf", bvh.shown.leafNumber, leaves - 1,
+                                   "In preorder; the keys . and , step, G goes to the "
+                                   "one under the cursor.");
+    if (step != 0) bvh.stepLeaf(step);
+    if (!bvh.shown.leaf || bvh.shown.leafNumber >= leaves) return;
+    const std::uint32_t node = seen.index.leaves[static_cast<std::size_t>(bvh.shown.leafNumber)];
+    constexpr std::size_t kNamed = 12;
+    const auto primitives = primitivesOfLeaf(seen.tree(), node);
+    std::string words = fmt::format("node {}, level {}: primitives", node, seen.index.level[node]);
+    for (const std::uint32_t primitive : primitives.first(std::min(primitives.size(), kNamed)))
+        words += fmt::format(" {}", primitive);
+    if (primitives.size() > kNamed) words += fmt::format(" and {} more", primitives.size() - kNamed);
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    wrappedText(words);
+    ImGui::PopStyleColor();
+}
+
+void drawBuild(Workspace& workspace, const Inspected& seen) {
+    Settings& settings = workspace.edit.settings;
+    labelledRow("Max level", settings.bvhMaxLevel != Settings{}.bvhMaxLevel,
+                "The deepest level that is built (setting bvh_max_level); moving it builds anew.");
+    ImGui::SliderInt("##max", &settings.bvhMaxLevel, 0, kMaxTreeLevel, "%d", kClamp);
+    const TreeStatistics& s = seen.statistics;
+    labelledRow("Built");
+    text(fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
+    labelledRow("Nodes");
+    text(fmt::format("{}, of them {} leaves", s.nodes, s.leaves));
+    labelledRow("SAH cost");
+    text(fmt::format("{:.3f}", s.sahCost));
+    labelledRow("Memory");
+    text(fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
+}
+
+/// What one kind of builder saves against the other, in numbers.
+void drawSavings(BvhInspector& bvh, const Inspected& seen) {
+    ImGui::Checkbox("Savings against the rival builder", &bvh.shown.savings);
+    tooltip(
+        "Below the boxes of the level, in red, those that the other kind of builder makes: where red shows, "
+        "space is saved.");
+    if (!bvh.shown.savings) return;
+    const Inspected* rival = bvh.rival();
+    if (rival == nullptr) return dimText("building the rival ...");
+    const LevelComparison c =
+        compareAtLevel(seen.tree(), seen.index, rival->tree(), rival->index, bvh.shown.level);
+    if (!ImGui::BeginTable("savings", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    const auto row = [](std::string_view name, std::string_view own, std::string_view other) {
+        ImGui::TableNextRow();
+        for (const std::string_view words : {name, own, other}) {
+            ImGui::TableNextColumn();
+            text(words);
+        }
+    };
+    row("", nameOf(seen.builder), nameOf(rival->builder));
+    row("boxes on the level", fmt::format("{}", c.boxes[0]), fmt::format("{}", c.boxes[1]));
+    row("of them met by a line", fmt::format("{:.3f}", c.met[0]), fmt::format("{:.3f}", c.met[1]));
+    row("SAH cost of the tree", fmt::format("{:.2f}", c.sahCost[0]), fmt::format("{:.2f}", c.sahCost[1]));
+    ImGui::EndTable();
+    if (c.met[1] > 0.0)
+        text(fmt::format("saved on this level: {:.1f} %, in all: {:.1f} %",
+                         100.0 * (1.0 - c.met[0] / c.met[1]), 100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
+}
+
+bool isAncestor(const TreeIndex& index, std::uint32_t node, std::uint32_t below) {
+    while (below != kNoNode && below != node) below = index.parent[below];
+    return below == node;
+}
+
+/// A node and, where it is unfolded, everything below it.
+void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bool reveal) {
+    const BinaryNode& node = seen.tree().nodes[number];
+    ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
+    if (node.isLeaf()) flags |= ImGuiTreeNodeFlags_Leaf;
+    const bool selected = number == bvh.shown.node;
+    if (selected) flags |= ImGuiTreeNodeFlags_Selected;
+    if (reveal && !selected && isAncestor(seen.index, number, bvh.shown.node)) ImGui::SetNextItemOpen(true);
+    const std::string label = node.isLeaf()
+                                  ? fmt::format("leaf {}: {} primitives", number, node.count)
+                                  : fmt::format("node {}: {} below, cost {:.2f}", number,
+                                                seen.index.primitives[number], seen.index.cost[number]);
+    const bool open = ImGui::TreeNodeEx(
+        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(number) + 1), flags, "%s", label.c_str());
+    if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) bvh.select(selected ? kNoNode : number);
+    if (reveal && selected) ImGui::SetScrollHereY();
+    if (!open) return;
+    if (!node.isLeaf())
+        for (const std::uint32_t child : {node.first, node.first + 1}) drawNode(bvh, seen, child, reveal);
+    ImGui::TreePop();
+}
+
+void drawSelected(const Inspected& seen, std::uint32_t number) {
+    if (number >= seen.tree().nodes.size()) return dimText("Click a node to see it in the picture.");
+    const BinaryNode& node = seen.tree().nodes[number];
+    const double rootArea = halfArea(seen.tree().nodes[0]);
+    const auto row = [](const char* label, const std::string& words) {
+        labelledRow(label);
+        text(words);
+    };
+    row("Node", fmt::format("{}, level {}", number, seen.index.level[number]));
+    row("Lower", vectorText(node.lower));
+    row("Upper", vectorText(node.upper));
+    row("Primitives", fmt::format("{}", seen.index.primitives[number]));
+    row("SAH cost", fmt::format("{:.4g} once entered", seen.index.cost[number]));
+    if (rootArea > 0.0)
+        row("Entered", fmt::format("by {:.3g} % of all lines", 100.0 * halfArea(node) / rootArea));
+    if (!node.isLeaf())
+        row("Overlap", fmt::format("both children: {:.3g} %", 100.0 * childOverlap(seen.tree(), number)));
+}
+
+void drawTree(BvhInspector& bvh, const Inspected& seen) {
+    static std::uint32_t revealed = kNoNode;
+    const bool reveal = bvh.shown.node != revealed && bvh.shown.node != kNoNode;
+    revealed = bvh.shown.node;
+    if (ImGui::BeginChild("nodes", {0.0f, scaled(150.0f)}, true, ImGuiWindowFlags_HorizontalScrollbar))
+        drawNode(bvh, seen, 0, reveal);
+    ImGui::EndChild();
+    drawSelected(seen, bvh.shown.node);
+}
+
+void drawHistogram(const char* title, const char* unit, const std::vector<std::size_t>& counts) {
+    std::vector<float> values(counts.begin(), counts.end());
+    dimText(fmt::format("{}, 0 to {}", title, counts.empty() ? 0 : counts.size() - 1));
+    ImGui::PushID(title);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::PlotHistogram("##counts", values.data(), static_cast<int>(values.size()), 0, nullptr, 0.0f,
+                         FLT_MAX, {width, scaled(54.0f)});
+    if (ImGui::IsItemHovered() && !counts.empty()) {
+        const float share = (ImGui::GetIO().MousePos.x - at.x) / width;
+        const auto bar =
+            std::min(static_cast<std::size_t>(std::max(share, 0.0f) * static_cast<float>(counts.size())),
+                     counts.size() - 1);
+        ImGui::SetTooltip("%s", fmt::format("{} leaves {} {}", counts[bar], unit, bar).c_str());
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawBvhPanel(Workspace& workspace) {
+    workspace.bvhSeen = true;
+    BvhInspector& bvh = workspace.bvh;
+    const Inspected* seen = bvh.inspected();
+    if (seen == nullptr) {
+        wrappedText(workspace.edit.settings.bvh ? "There is nothing to search, or it is being prepared."
+                                                : "The BVH is off: every ray tests every primitive.");
+        return;
+    }
+    const auto world = workspace.render.session().world();
+    if (world && world->bodies.size() > 1) {
+        int body = static_cast<int>(bvh.body);
+        const int step = steppedSlider("Body", body, static_cast<int>(world->bodies.size()) - 1,
+                                       "Things that move alike share a hierarchy; body 0 is at rest.");
+        const int last = static_cast<int>(world->bodies.size()) - 1;
+        bvh.body = static_cast<std::size_t>(std::clamp(body + step, 0, last));
+    }
+    const auto section = [](const char* name) {
+        return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
+    };
+    if (section("Boxes")) {
+        drawLevels(bvh, *seen);
+        drawLeaf(bvh, *seen);
+        drawSavings(bvh, *seen);
+    }
+    if (section("Build")) drawBuild(workspace, *seen);
+    if (section("Nodes")) drawTree(bvh, *seen);
+    if (section("Leaves")) {
+        drawHistogram("Leaves by level", "on level", seen->statistics.leavesAtLevel);
+        drawHistogram("Leaves by number of primitives",
+                      "with this many primitives:", seen->statistics.leavesOfSize);
+    }
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "image/srgb.h"
+#include "viewer/panels/panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+void drawChoices(HeatMap& heat) {
+    labelledRow("Quantity", false, infoOf(heat.aov).help);
+    if (ImGui::BeginCombo("##aov", std::string(infoOf(heat.aov).name).c_str(), ImGuiComboFlags_HeightLarge)) {
+        for (const AovInfo& info : aovTable()) {
+            if (info.isColor) continue;
+            if (ImGui::Selectable(std::string(info.name).c_str(), info.aov == heat.aov)) {
+                heat.aov = info.aov;
+                heat.fitRange = true;
+            }
+            tooltip(info.help);
+        }
+        ImGui::EndCombo();
+    }
+    labelledRow("Colours", false,
+                "All grow evenly in lightness, which every kind of colour vision tells apart.");
+    if (ImGui::BeginCombo("##map", kColorMapNames[static_cast<int>(heat.map)].data())) {
+        for (int i = 0; i < 3; ++i)
+            if (ImGui::Selectable(kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
+                heat.map = static_cast<ColorMap>(i);
+                heat.recolor();
+            }
+        ImGui::EndCombo();
+    }
+    labelledRow("Samples", false, "How many samples of each pixel are counted.");
+    ImGui::SliderInt("##samples", &heat.samples, 1, 64, "%d",
+                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+}
+
+/// The histogram in the colours of the picture; its ends can be dragged.
+void drawHistogram(HeatMap& heat) {
+    const HeatStatistics& s = heat.statistics();
+    const float width = ImGui::GetContentRegionAvail().x, height = scaled(80.0f);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImGui::InvisibleButton("##histogram", {width, height});
+    draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
+    const std::size_t most = std::max<std::size_t>(1, *std::max_element(s.counts.begin(), s.counts.end()));
+    const auto bars = static_cast<float>(s.counts.size());
+    for (std::size_t i = 0; i < s.counts.size(); ++i) {
+        const double value = s.lowest + (s.highest - s.lowest) * (static_cast<double>(i) + 0.5) /
+                                            static_cast<double>(s.counts.size());
+        const double range = static_cast<double>(heat.to) - static_cast<double>(heat.from);
+        const Rgb c =
+            mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
+        const ImU32 color =
+            ImGui::ColorConvertFloat4ToU32({linearToSrgb(c.r), linearToSrgb(c.g), linearToSrgb(c.b), 1.0f});
+        // The square root lets rare values show beside common ones.
+        const float share = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
+        const float x = at.x + width * static_cast<float>(i) / bars;
+        draw.AddRectFilled({x, at.y + height * (1.0f - share)}, {x + width / bars, at.y + height}, color);
+    }
+    if (ImGui::IsItemActive() && s.highest > s.lowest) {
+        const float share = std::clamp((ImGui::GetIO().MousePos.x - at.x) / width, 0.0f, 1.0f);
+        const auto value = static_cast<float>(s.lowest + (s.highest - s.lowest) * static_cast<double>(share));
+        // The nearer end follows the cursor.
+        (std::abs(value - heat.from) < std::abs(value - heat.to) ? heat.from : heat.to) = value;
+        heat.fitRange = false;
+        heat.recolor();
+    }
+    for (const float end : {heat.from, heat.to}) {
+        if (!(s.highest > s.lowest)) break;
+        const double share = (static_cast<double>(end) - s.lowest) / (s.highest - s.lowest);
+        const float x = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
+        draw.AddLine({x, at.y}, {x, at.y + height}, IM_COL32(255, 255, 255, 220), scaled(1.5f));
+    }
+    tooltip("Pixels by value. Drag the ends of the range that the colours span.");
+    dimText(fmt::format("{:.4g} to {:.4g}, mean {:.4g}", s.lowest, s.highest, s.mean));
+}
+
+void drawRange(HeatMap& heat) {
+    labelledRow("Range");
+    float ends[] = {heat.from, heat.to};
+    if (ImGui::DragFloat2("##range", ends, std::max(1e-6f, 0.005f * std::abs(heat.to - heat.from)), 0.0f,
+                          0.0f, "%.4g")) {
+        heat.from = ends[0];
+        heat.to = ends[1];
+        heat.fitRange = false;
+        heat.recolor();
+    }
+    if (ImGui::Button("Fit the range to the values", {-1.0f, 0.0f})) {
+        heat.fitRange = true;
+        heat.from = static_cast<float>(std::min(heat.statistics().lowest, 0.0));
+        heat.to = static_cast<float>(heat.statistics().upperPercentile);
+        heat.recolor();
+    }
+    tooltip("From zero, or the lowest value, to the value that 99 % of the pixels do not exceed.");
+}
+
+}  // namespace
+
+void drawHeatPanel(Workspace& workspace) {
+    HeatMap& heat = workspace.heat;
+    if (ImGui::Checkbox("Show in place of the traced picture (M)", &heat.shown) && heat.shown)
+        workspace.view.traced = true;
+    drawChoices(heat);
+    if (heat.busy()) dimText("computing ...");
+    if (heat.values() == nullptr) return;
+    drawHistogram(heat);
+    drawRange(heat);
+    if (!workspace.cursor || !heat.shown) return;
+    const glm::ivec2 pixel = workspace.cursor->pixel;
+    const RgbImage& values = *heat.values();
+    if (pixel.x >= values.width || pixel.y >= values.height) return;
+    text(fmt::format("pixel {}, {}: {:.6g}", pixel.x, pixel.y, values.at(pixel.x, pixel.y).x));
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,136 @@
+// The samples of a pixel: where they lie in it, and what each is worth.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/overlay/overlay.h"
+#include "viewer/panels/ray_panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
+
+/// The pixel as a square with a dot per sample in its colour; over the grid that jittered samples keep to.
+void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImGui::InvisibleButton("##pixel", {side, side});
+    draw.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(20, 22, 26, 255));
+    const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(shot.samples))));
+    for (int i = 0; i <= cells && cells <= 64; ++i) {
+        const float offset = side * static_cast<float>(i) / static_cast<float>(cells);
+        const ImU32 color = IM_COL32(70, 74, 82, 255);
+        draw.AddLine({at.x + offset, at.y}, {at.x + offset, at.y + side}, color);
+        draw.AddLine({at.x, at.y + offset}, {at.x + side, at.y + offset}, color);
+    }
+    int nearest = -1;
+    float reach = scaled(6.0f);
+    for (std::size_t i = 0; i < shot.pixel.positions.size(); ++i) {
+        const glm::vec2 place = glm::vec2(shot.pixel.positions[i]) * side;
+        const ImVec2 center{at.x + place.x, at.y + place.y};
+        const bool chosen = static_cast<int>(i) == shot.tree().name.index;
+        draw.AddCircleFilled(center, scaled(chosen ? 4.5f : 3.0f),
+                             toU32(displayColor(Rgb(shot.pixel.values[i]))));
+        draw.AddCircle(center, scaled(chosen ? 4.5f : 3.0f),
+                       chosen ? IM_COL32(255, 255, 255, 255) : IM_COL32(130, 134, 142, 255));
+        const ImVec2 mouse = ImGui::GetIO().MousePos;
+        const float distance = std::hypot(mouse.x - center.x, mouse.y - center.y);
+        if (distance < reach) {
+            reach = distance;
+            nearest = static_cast<int>(i);
+        }
+    }
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::SetTooltip("%s", nearest >= 0 ? fmt::format("sample {}", nearest).c_str()
+                                         : "the pixel, and where its samples lie");
+    if (nearest >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.chooseSample(nearest);
+}
+
+/// A bar per sample, outliers in orange, and the running mean as a line. A click chooses a sample.
+void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float height) {
+    const SampleStatistics& s = shot.statistics;
+    const auto count = static_cast<int>(s.luminance.size());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    ImGui::InvisibleButton("##strip", {width, height});
+    draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
+    double highest = 1e-12;
+    for (const double x : s.luminance)
+        if (std::isfinite(x)) highest = std::max(highest, x);
+    const auto xOf = [&](double i) { return at.x + static_cast<float>(i / count) * width; };
+    const auto yOf = [&](double value) {
+        const double share = std::isfinite(value) ? std::clamp(value / highest, 0.0, 1.0) : 1.0;
+        return at.y + height * static_cast<float>(1.0 - share);
+    };
+    for (int i = 0; i < count; ++i) {
+        const double value = s.luminance[static_cast<std::size_t>(i)];
+        ImU32 color = toU32(displayColor(Rgb(shot.pixel.values[static_cast<std::size_t>(i)])));
+        if (!std::isfinite(value)) color = IM_COL32(255, 0, 255, 255);
+        draw.AddRectFilled({xOf(i), yOf(value)}, {std::max(xOf(i + 1) - 1.0f, xOf(i) + 1.0f), at.y + height},
+                           color);
+    }
+    for (const std::size_t i : s.outliers)
+        draw.AddRect({xOf(static_cast<double>(i)), yOf(s.luminance[i])},
+                     {xOf(static_cast<double>(i) + 1.0), at.y + height}, IM_COL32(240, 165, 30, 255));
+    for (int i = 1; i < count; ++i)
+        draw.AddLine({xOf(i - 0.5), yOf(s.runningMean[static_cast<std::size_t>(i) - 1])},
+                     {xOf(i + 0.5), yOf(s.runningMean[static_cast<std::size_t>(i)])},
+                     IM_COL32(90, 180, 235, 255), scaled(1.5f));
+    if (!ImGui::IsItemHovered() || count == 0) return;
+    const int under =
+        std::clamp(static_cast<int>((ImGui::GetIO().MousePos.x - at.x) / width * static_cast<float>(count)),
+                   0, count - 1);
+    ImGui::SetTooltip(
+        "%s", fmt::format("sample {}: {:.5g}", under, s.luminance[static_cast<std::size_t>(under)]).c_str());
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.chooseSample(under);
+}
+
+}  // namespace
+
+void drawPixelSamples(Workspace& workspace, const DebugRays::Shot& shot) {
+    const SampleStatistics& s = shot.statistics;
+    const float side = scaled(96.0f), gap = ImGui::GetStyle().ItemSpacing.x;
+    drawGrid(workspace.rays, shot, side);
+    ImGui::SameLine(0.0f, gap);
+    ImGui::BeginGroup();
+    drawStrip(workspace.rays, shot, ImGui::GetContentRegionAvail().x,
+              side - 2.0f * ImGui::GetTextLineHeightWithSpacing());
+    text(fmt::format("mean {:.4g} +- {:.2g}", s.mean, s.errorOfMean()));
+    tooltip("Luminance of the pixel, and the standard error of that mean.");
+    dimText(fmt::format("{} outliers of {}", s.outliers.size(), s.luminance.size()));
+    ImGui::EndGroup();
+}
+
+void drawPins(Workspace& workspace) {
+    DebugRays& rays = workspace.rays;
+    if (rays.pins.empty()) return dimText("P pins the recorded pixel.");
+    if (!ImGui::BeginTable("pins", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+    for (const char* name : {"pixel", "mean", "+-", "rays"}) ImGui::TableSetupColumn(name);
+    ImGui::TableHeadersRow();
+    std::size_t removed = rays.pins.size();
+    for (std::size_t i = 0; i < rays.pins.size(); ++i) {
+        const DebugRays::Pin& pin = rays.pins[i];
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(fmt::format("{}, {}", pin.pixel.x, pin.pixel.y).c_str(), false,
+                              ImGuiSelectableFlags_SpanAllColumns))
+            removed = i;
+        ImGui::PopID();
+        tooltip(pin.surface + "\nA click lets go of it.");
+        for (const std::string& words : {fmt::format("{:.4g}", pin.mean), fmt::format("{:.2g}", pin.error),
+                                         fmt::format("{:.1f}", pin.raysPerSample)}) {
+            ImGui::TableNextColumn();
+            text(words);
+        }
+    }
+    ImGui::EndTable();
+    if (removed < rays.pins.size()) rays.pins.erase(rays.pins.begin() + static_cast<std::ptrdiff_t>(removed));
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,21 @@
+#pragma once
+// Parts of the panel of recorded rays.
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+/// The rays of the chosen sample as a table in which one can be selected, and everything about that one.
+void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot);
+
+/// The search of the selected ray through the hierarchy, step by step.
+void drawSearch(Workspace& workspace);
+
+/// Where the samples lie in the pixel, and what each is worth.
+void drawPixelSamples(Workspace& workspace, const DebugRays::Shot& shot);
+/// Pixels that were pinned, side by side.
+void drawPins(Workspace& workspace);
+
+/// Texels, environment, gloss and lens where the selected ray ends.
+void drawSurface(Workspace& workspace, const DebugRays::Shot& shot);
+
+}  // namespace rayscope::viewer

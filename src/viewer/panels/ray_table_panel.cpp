@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "probe/names.h"
+#include "trace/world.h"
+#include "viewer/panels/ray_panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
+std::string vectorText(const glm::vec3& v) { return fmt::format("{:.5g}  {:.5g}  {:.5g}", v.x, v.y, v.z); }
+
+int levelOf(const RayTree& tree, int node) {
+    int level = 0;
+    while ((node = tree.nodes[static_cast<std::size_t>(node)].parent) >= 0) ++level;
+    return level;
+}
+
+double largest(const RgbSum& c) { return std::max({c.x, c.y, c.z}); }
+
+/// Kind, t and hit, and what it adds.
+struct Row {
+    std::string kind, where, adds;
+};
+Row rowOf(const World& world, const RayTree& tree, RaySelection ray) {
+    if (ray.shadow >= 0) {
+        const ShadowRay& shadow = tree.shadowRays[static_cast<std::size_t>(ray.shadow)];
+        const int level = levelOf(tree, shadow.node) + 1;
+        return {std::string(static_cast<std::size_t>(level), ' ') + fmt::format("light {}", shadow.light),
+                fmt::format("#{} {}", shadow.sample, nameOf(shadow.visibility)),
+                fmt::format("{:.3g}", largest(shadow.contribution))};
+    }
+    const RayNode& node = tree.nodes[static_cast<std::size_t>(ray.node)];
+    std::string where(nameOf(node.end));
+    if (node.hit) where = fmt::format("{:.4g} {}", node.primitiveHit.t, objectName(world, node.object));
+    return {std::string(static_cast<std::size_t>(levelOf(tree, ray.node)), ' ') +
+                fmt::format("{} {}", nameOf(node.kind), node.depth),
+            where, fmt::format("{:.3g}", largest(node.contribution))};
+}
+
+void row(const char* label, const std::string& words) {
+    labelledRow(label);
+    text(words);
+}
+
+void drawNode(const World& world, const RayNode& node) {
+    row("Origin", vectorText(node.ray.origin));
+    row("Direction", vectorText(node.ray.direction));
+    if (node.hit) {
+        const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+        row("Hit", objectName(world, node.object));
+        row(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
+        row("t", fmt::format("{:.9g}", node.primitiveHit.t));
+        row("u, v", fmt::format("{:.6g}, {:.6g}", node.primitiveHit.u, node.primitiveHit.v));
+        row("Normal", vectorText(node.normal));
+        row("Opacity", fmt::format("{:.4g}", node.opacity));
+    }
+    row("Throughput", rgbText(node.throughput));
+    row("Adds", rgbText(node.contribution));
+    row("Ends", std::string(nameOf(node.end)));
+}
+
+void drawShadowRay(const ShadowRay& ray) {
+    row("From", vectorText(ray.from));
+    row("To", vectorText(ray.to));
+    row("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
+    row("Verdict", std::string(nameOf(ray.visibility)));
+    row("Its colour", rgbText(RgbSum(ray.color)));
+    row("Adds", rgbText(ray.contribution));
+}
+
+void drawActions(Workspace& workspace) {
+    const DebugRays& rays = workspace.rays;
+    const auto button = [&](const char* label, int perRow, Command command, const char* help) {
+        const float gaps = ImGui::GetStyle().ItemSpacing.x * static_cast<float>(perRow - 1);
+        static float rowWidth = 0.0f;
+        if (ImGui::GetCursorPosX() < scaled(20.0f)) rowWidth = ImGui::GetContentRegionAvail().x;
+        if (ImGui::Button(label, {(rowWidth - gaps) / static_cast<float>(perRow), 0.0f}))
+            workspace.commands.push_back(command);
+        tooltip(help);
+    };
+    ImGui::BeginDisabled(rays.selection().empty());
+    button("Hide (H)", 2, Command::HideRay, "Do not draw the selected ray.");
+    ImGui::SameLine();
+    button(rays.filter.isolated ? "Show all (I)" : "Isolate (I)", 2, Command::IsolateRay,
+           "Draw only the selected ray, the rays that led to it and its shadow rays.");
+    ImGui::EndDisabled();
+    button("Copy JSON", 3, Command::CopyRays, "Copy the tree of the sample as JSON (J).");
+    ImGui::SameLine();
+    button("Export OBJ", 3, Command::ExportRays,
+           "Write the rays as line segments to rayscope-0001.obj, and as JSON (Ctrl+J).");
+    ImGui::SameLine();
+    button("Clear", 3, Command::ClearRays, "Forget the recorded rays (C).");
+}
+
+}  // namespace
+
+void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
+    DebugRays& rays = workspace.rays;
+    const RayTree& tree = shot.tree();
+    const std::vector<RaySelection> shown = shownRays(tree, rays.filter);
+    dimText(fmt::format("{} of {} rays shown", shown.size(), tree.nodes.size() + tree.shadowRays.size()));
+    static RaySelection revealed;
+    const bool reveal = rays.selection() != revealed;
+    revealed = rays.selection();
+    constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                       ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Resizable;
+    if (ImGui::BeginTable("rays", 3, kFlags, {0.0f, scaled(110.0f)})) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        ImGui::TableSetupColumn("ray", ImGuiTableColumnFlags_WidthStretch, 0.42f);
+        ImGui::TableSetupColumn("t, meets", ImGuiTableColumnFlags_WidthStretch, 0.42f);
+        ImGui::TableSetupColumn("adds", ImGuiTableColumnFlags_WidthStretch, 0.16f);
+        ImGui::TableHeadersRow();
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(shown.size()));
+        while (clipper.Step())
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                const RaySelection ray = shown[static_cast<std::size_t>(i)];
+                const Row words = rowOf(*shot.world, tree, ray);
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                ImGui::PushID(i);
+                if (ImGui::Selectable(words.kind.c_str(), ray == rays.selection(),
+                                      ImGuiSelectableFlags_SpanAllColumns))
+                    rays.select(ray == rays.selection() ? RaySelection{} : ray);
+                ImGui::PopID();
+                ImGui::TableNextColumn();
+                text(words.where);
+                ImGui::TableNextColumn();
+                text(words.adds);
+            }
+        const auto at = std::find(shown.begin(), shown.end(), rays.selection());
+        if (reveal && at != shown.end())
+            ImGui::SetScrollY(ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(at - shown.begin()) -
+                              scaled(40.0f));
+        ImGui::EndTable();
+    }
+    drawActions(workspace);
+    const RaySelection selected = rays.selection();
+    if (selected.node >= 0) drawNode(*shot.world, tree.nodes[static_cast<std::size_t>(selected.node)]);
+    if (selected.shadow >= 0) drawShadowRay(tree.shadowRays[static_cast<std::size_t>(selected.shadow)]);
+    if (selected.empty()) dimText("Click a ray for everything about it.");
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/ray_panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// The step that was taken last, the interval in which hits still count, and what waits.
+void drawStep(const TraversalLog& log, std::size_t steps) {
+    const TraversalState state = stateAfter(log, steps);
+    if (steps > 0) {
+        const TraversalStep& step = log.steps[steps - 1];
+        const std::string distance = std::isnan(step.t) ? "" : fmt::format(" at t {:.6g}", step.t);
+        text(describe(log, step) + distance);
+    } else {
+        dimText("before the first step");
+    }
+    labelledRow("Hits count");
+    text(fmt::format("{:.4g} < t <= {:.6g}", log.ray.tMin, state.bound));
+    labelledRow("Stack");
+    if (state.stack.empty()) return dimText("empty");
+    std::string words;
+    constexpr std::size_t kNamed = 4;
+    for (std::size_t i = 0; i < std::min(kNamed, state.stack.size()); ++i) {
+        const TraversalState::Waiting& waiting = state.stack[state.stack.size() - 1 - i];
+        words += fmt::format("{}{} at {:.4g}", i > 0 ? "\n" : "", log.boxes[waiting.box].node, waiting.t);
+    }
+    if (state.stack.size() > kNamed) words += fmt::format("\nand {} more", state.stack.size() - kNamed);
+    text(words);
+}
+
+void drawLog(DebugRays& rays, const TraversalLog& log) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
+    wrappedText(summary(log));
+    ImGui::PopStyleColor();
+    ImGui::Checkbox("Step by step", &rays.search.stepping);
+    if (!rays.search.stepping) return;
+    const int steps = static_cast<int>(log.steps.size());
+    rays.search.step = std::clamp(rays.search.step, 0, steps);
+    labelledRow("Step", false, "The arrow keys to the left and right take one, with Shift ten.");
+    ImGui::SliderInt("##step", &rays.search.step, 0, steps, fmt::format("%d of {}", steps).c_str(),
+                     ImGuiSliderFlags_AlwaysClamp);
+    drawStep(log, static_cast<std::size_t>(rays.search.step));
+}
+
+}  // namespace
+
+void drawSearch(Workspace& workspace) {
+    DebugRays& rays = workspace.rays;
+    ImGui::Checkbox("Draw", &rays.search.shown);
+    tooltip("The search of the selected ray through the BVH, else of the first camera ray (T).");
+    ImGui::SameLine();
+    ImGui::Checkbox("Skipped", &rays.search.skipped);
+    tooltip("Boxes that the ray meets, but behind a hit that was found before.");
+    ImGui::SameLine();
+    ImGui::Checkbox("Missed", &rays.search.missed);
+    tooltip("Boxes that were tested and are not on the ray.");
+    if (!rays.search.shown) return;
+    if (rays.searches().empty()) return dimText("There is no hierarchy to search.");
+    for (const TraversalLog& log : rays.searches()) {
+        ImGui::PushID(static_cast<int>(log.body));
+        if (rays.searches().size() > 1) dimText(fmt::format("body {}", log.body));
+        drawLog(rays, log);
+        ImGui::PopID();
+    }
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,95 @@
+#include "viewer/scene_overlays.h"
+
+#include "viewer/overlay/light_overlay.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
+    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter,
+            workspace.rays.search,    workspace.rays.surface,  workspace.bvh.shown};
+}
+
+/// What surfaces and the lens add to the rays of the chosen sample.
+void SceneOverlays::addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const RayTree& tree = shot.tree();
+    const SurfaceChoice& choice = rays.surface;
+    for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
+        const RayNode& node = tree.nodes[static_cast<std::size_t>(i)];
+        if (!isShown(tree, {i, -1}, rays.filter)) continue;
+        if (rays.filter.vertexNormals)
+            if (const auto normals = vertexNormalsOf(*shot.world, node, tree.time))
+                append(lines_, vertexNormalLines(*normals, sceneSize / 20.0f));
+        if (choice.environment && node.hit)
+            if (const auto point = environmentOf(*shot.world, node))
+                append(lines_, environmentLines(*point, node.position, sceneSize));
+    }
+    if (choice.glossySquare)
+        for (const int i : glossySurfaces(tree))
+            if (const auto square = glossySquareOf(*shot.world, tree, i))
+                append(lines_, glossySquareLines(*square));
+    if (choice.lens)
+        if (const auto lens = lensOf(*shot.world)) append(lines_, lensLines(*lens));
+}
+
+void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const DebugRayFilter& filter = rays.filter;
+    for (std::size_t i = 0; i < shot.trees.size(); ++i) {
+        if (i == shot.chosen) continue;
+        // Numbers of rays that are selected or hidden belong to the chosen sample.
+        DebugRayFilter others = filter;
+        others.selected = {};
+        others.hidden.clear();
+        append(lines_, debugRayLines(shot.trees[i], others, sceneSize));
+    }
+    append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
+    addSurfaces(shot, rays, sceneSize);
+    for (const TraversalLog& log : rays.searches()) {
+        append(boxes_, traversalBoxes(log, rays.search));
+        append(lines_,
+               traversalLines(log, shot.world->bodies[log.body].geometry->input, rays.search, sceneSize));
+    }
+}
+
+void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
+    lines_.clear();
+    boxes_.clear();
+    if (const DebugRays::Shot* shot = workspace.rays.shot()) addRays(*shot, workspace.rays, sceneSize);
+    if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
+        const BvhChoice& choice = workspace.bvh.shown;
+        const BvhInspector::Inspected* rival = workspace.bvh.rival();
+        const std::optional<IndexedTree> rivalTree =
+            rival ? std::optional<IndexedTree>(rival->indexed()) : std::nullopt;
+        append(boxes_, levelBoxes(seen->indexed(), rivalTree ? &*rivalTree : nullptr, choice));
+        append(boxes_, nodeBoxes(seen->tree(), choice.node));
+        append(boxes_, leafBoxes(seen->indexed(), choice));
+        append(lines_, leafLines(seen->indexed(), seen->geometry->input, choice));
+    }
+}
+
+OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize,
+                                  bool moving) {
+    // What software OpenGL draws in some milliseconds, and what it draws in a moment.
+    constexpr std::size_t kMostMoving = 1500, kMostStill = 20000;
+    const Inputs inputs = inputsOf(workspace);
+    if (inputs != built_ || sceneSize != builtSize_) {
+        rebuild(workspace, sceneSize);
+        built_ = inputs;
+        builtSize_ = sceneSize;
+    }
+    OverlayLines all = lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
+                                  static_cast<double>(workspace.view.scale));
+    append(all, boxLines(boxes_, frame, moving ? kMostMoving : kMostStill));
+    append(all, lines_);
+    return all;
+}
+
+}  // namespace rayscope::viewer

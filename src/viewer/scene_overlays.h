@@ -1,0 +1,35 @@
+#pragma once
+#include "viewer/overlay/boxes.h"
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+/// Puts together what is drawn over the picture from everything that was recorded.
+class SceneOverlays {
+  public:
+    /// What the overlays are a function of, besides the camera, the lights and the size of the scene.
+    struct Inputs {
+        int raysVersion = 0, bvhVersion = 0;
+        DebugRayFilter rays;
+        TraversalChoice search;
+        SurfaceChoice surface;
+        BvhChoice bvh;
+        bool operator==(const Inputs&) const = default;
+    };
+    static Inputs inputsOf(const Workspace& workspace);
+
+    /// `sceneSize` is the diagonal of the scene. While something is moving, fewer boxes are drawn whole.
+    OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize, bool moving);
+
+  private:
+    void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
+    void addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
+    void rebuild(const Workspace& workspace, float sceneSize);
+
+    Inputs built_;
+    float builtSize_ = -1.0f;
+    OverlayLines lines_;
+    OverlayBoxes boxes_;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,140 @@
+#include "probe/aov.h"
+
+#include <gtest/gtest.h>
+
+#include <rayscope/probe.h>
+
+#include "probe/traversal_log.h"
+#include "render/film.h"
+#include "support/test_scenes.h"
+
+namespace rayscope {
+namespace {
+
+std::shared_ptr<const World> builtin(const std::string& name, const Settings& settings = {}, int size = 20) {
+    Diagnostics notes;
+    return test::compileScene(loadScene("builtin:" + name, notes), settings, size, size);
+}
+
+std::vector<RgbImage> render(const World& world, std::vector<Aov> wanted, int samples = 2, int threads = 0) {
+    AovRequest request{world};
+    request.samples = samples;
+    request.threads = threads;
+    request.seed = 3;
+    return renderAovs(request, wanted);
+}
+
+TEST(Aov, ShowTheSurfaceBehindEachPixel) {
+    const auto world = builtin("cornell");
+    const auto images = render(*world, {Aov::Normal, Aov::Depth, Aov::Uv, Aov::Primitive, Aov::Material});
+    int hits = 0;
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 20; ++x) {
+            const Ray ray = world->camera.pinholeRay(glm::dvec2(x, y) + 0.5);
+            Hit hit;
+            if (!world->closestHit(ray, 0.0f, hit)) {
+                EXPECT_EQ(images[1].at(x, y).x, 0.0f);
+                EXPECT_EQ(images[3].at(x, y).x, -1.0f);
+                continue;
+            }
+            ++hits;
+            EXPECT_NEAR(glm::length(images[0].at(x, y)), 1.0f, 1e-5f);
+            EXPECT_LE(images[1].at(x, y).x, hit.t * 1.0001f);
+            EXPECT_EQ(images[3].at(x, y).x, static_cast<float>(hit.primitive));
+            EXPECT_GE(images[4].at(x, y).x, 0.0f);
+        }
+    EXPECT_GT(hits, 60);
+}
+
+/// Counters agree with the logs of all rays of the replayed samples, ray by ray.
+TEST(Aov, CountWhatTheLogsShow) {
+    for (const std::string name : {"cornell-area", "cubes-transparent", "monkey"}) {
+        const auto world = builtin(name, {}, 8);
+        const auto images = render(*world, {Aov::Nodes, Aov::Triangles, Aov::Rays}, 2);
+        for (int y = 0; y < 8; ++y)
+            for (int x = 0; x < 8; ++x) {
+                std::size_t nodes = 0, tests = 0, rays = 0;
+                for (int index = 0; index < 2; ++index) {
+                    const RayTree tree = probe(*world, 3, {x, y, index});
+                    const auto count = [&](const std::vector<TraversalLog>& logs) {
+                        ++rays;
+                        for (const TraversalLog& log : logs) {
+                            nodes += log.count(TraversalEvent::Entered);
+                            tests += log.tests();
+                        }
+                    };
+                    for (const RayNode& node : tree.nodes)
+                        if (node.end != RayEnd::BelowSurface)
+                            count(recordClosestHit(*world, node.ray, tree.time));
+                    for (const ShadowRay& shadow : tree.shadowRays)
+                        if (shadow.visibility != Visibility::FacingAway)
+                            count(recordAnyHit(*world, shadow.ray, tree.time));
+                }
+                EXPECT_EQ(images[0].at(x, y).x, static_cast<float>(nodes) / 2.0f) << name << x << " " << y;
+                EXPECT_EQ(images[1].at(x, y).x, static_cast<float>(tests) / 2.0f);
+                EXPECT_EQ(images[2].at(x, y).x, static_cast<float>(rays) / 2.0f);
+            }
+    }
+}
+
+TEST(Aov, AreTheSameForAnyNumberOfThreads) {
+    const auto world = builtin("teapot");
+    const std::vector<Aov> wanted{Aov::Normal, Aov::Nodes, Aov::Triangles, Aov::Rays, Aov::NotFinite};
+    const auto one = render(*world, wanted, 2, 1), many = render(*world, wanted, 2, 7);
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(one[i].pixels, many[i].pixels);
+}
+
+TEST(Aov, OfTheFilmAreItsMoments) {
+    Diagnostics notes;
+    RenderRequest request;
+    request.scene = std::make_shared<const SceneDescription>(loadScene("builtin:cornell-area", notes));
+    request.camera = request.scene->cameras.front();
+    request.settings.spp = 8;
+    request.width = request.height = 16;
+    RenderSession session(1);
+    session.submit(request);
+    ASSERT_EQ(session.wait(60.0), RenderState::Done);
+    AovRequest wish{*session.world()};
+    const auto film = session.film();
+    wish.film = film.get();
+    const std::vector<Aov> wanted{Aov::Samples, Aov::Variance, Aov::Error};
+    const auto images = renderAovs(wish, wanted);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            double mean = 0.0, squares = 0.0;
+            for (int i = 0; i < 8; ++i)
+                mean += luminance(probe(*session.world(), 0, {x, y, i}).radiance) / 8.0;
+            for (int i = 0; i < 8; ++i)
+                squares += std::pow(luminance(probe(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
+            EXPECT_EQ(images[0].at(x, y).x, 8.0f);
+            EXPECT_NEAR(images[1].at(x, y).x, squares / 7.0, 1e-6 + 1e-4 * squares);
+            EXPECT_NEAR(images[2].at(x, y).x, std::sqrt(squares / 56.0), 1e-4);
+        }
+}
+
+TEST(Aov, NamesTheNearest) {
+    EXPECT_EQ(aovNamed("nodes"), Aov::Nodes);
+    for (const AovInfo& info : aovTable()) EXPECT_EQ(&infoOf(info.aov), &info);
+    try {
+        aovNamed("nodess");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("'nodes'"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Aov, OfAnEmptySceneAndStopped) {
+    const auto world = test::compileScene({}, {}, 5, 5);
+    const auto images = render(*world, {Aov::Normal, Aov::Nodes, Aov::Rays});
+    EXPECT_EQ(images[1].at(2, 2).x, 0.0f);
+    EXPECT_EQ(images[2].at(2, 2).x, 1.0f);
+    std::stop_source stop;
+    stop.request_stop();
+    AovRequest request{*world};
+    request.stop = stop.get_token();
+    const std::vector<Aov> wanted{Aov::Depth};
+    EXPECT_THROW(renderAovs(request, wanted), Stopped);
+}
+
+}  // namespace
+}  // namespace rayscope

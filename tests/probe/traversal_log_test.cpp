@@ -1,0 +1,143 @@
+#include "probe/traversal_log.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "support/test_scenes.h"
+
+namespace rayscope {
+namespace {
+
+std::shared_ptr<const World> builtin(const std::string& name, Settings settings = {}, bool moving = false) {
+    Diagnostics notes;
+    SceneDescription scene = loadScene("builtin:" + name, notes);
+    if (moving) scene.spheres.at(0).motion = {0.0f, 0.5f, 0.0f};
+    return test::compileScene(std::move(scene), settings, 32, 32);
+}
+
+Ray randomRay(std::mt19937& random) {
+    std::uniform_real_distribution<float> place(-1.5f, 1.5f);
+    Ray ray;
+    ray.origin = {place(random), place(random), 3.0f};
+    ray.direction = glm::vec3(place(random), place(random), 0.0f) - ray.origin;
+    return ray;
+}
+
+TEST(TraversalLog, FindsWhatTheWorldFinds) {
+    for (const std::string name : {"monkey", "cornell", "spheres", "moving spheres"}) {
+        const auto world = name == "moving spheres" ? builtin("spheres", {}, true) : builtin(name);
+        std::mt19937 random(7);
+        int hits = 0;
+        for (int i = 0; i < 300; ++i) {
+            const Ray ray = randomRay(random);
+            Hit hit;
+            const bool found = world->closestHit(ray, 0.25f, hit);
+            hits += found;
+            float nearest = ray.tMax;
+            std::uint32_t primitive = kNoPrimitive;
+            for (const TraversalLog& log : recordClosestHit(*world, ray, 0.25f)) {
+                const TraversalState end = stateAfter(log, log.steps.size());
+                ASSERT_EQ(end.closest, log.hit.primitive) << name;
+                ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
+                if (log.hit.primitive == kNoPrimitive) continue;
+                ASSERT_EQ(end.bound, log.hit.t);
+                if (log.hit.t < nearest || primitive == kNoPrimitive) {
+                    nearest = log.hit.t;
+                    primitive = log.hit.primitive + world->bodies[log.body].firstPrimitive;
+                }
+            }
+            ASSERT_EQ(primitive, hit.primitive) << name << " ray " << i;
+            if (found) {
+                ASSERT_EQ(nearest, hit.t);
+            }
+
+            bool any = false;
+            for (const TraversalLog& log : recordAnyHit(*world, ray, 0.25f))
+                any |= log.hit.primitive != kNoPrimitive;
+            ASSERT_EQ(any, world->anyHit(ray, 0.25f));
+        }
+        EXPECT_GT(hits, 3) << name;
+    }
+}
+
+/// Every claim of a step is checked against the boxes themselves.
+TEST(TraversalLog, EveryStepIsPlausible) {
+    const auto world = builtin("monkey");
+    std::mt19937 random(11);
+    std::size_t skipped = 0, waited = 0;
+    for (int i = 0; i < 200; ++i) {
+        const TraversalLog log = recordClosestHit(*world, randomRay(random), 0.0f).at(0);
+        std::size_t step = 0;
+        for (const TraversalStep& s : log.steps) {
+            const TraversalState before = stateAfter(log, step++);
+            EXPECT_EQ(s.bound, before.bound);
+            const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
+                                           [&](const auto& waiting) { return waiting.box == s.number; });
+            switch (s.event) {
+                case TraversalEvent::Entered:
+                    EXPECT_LE(s.t, before.bound);
+                    // It comes from the top of the stack or from the node before.
+                    EXPECT_TRUE(waits ? before.stack.back().box == s.number
+                                      : log.boxes[s.number].parent == before.current);
+                    break;
+                case TraversalEvent::Waits:
+                    ++waited;
+                    EXPECT_EQ(log.boxes[s.number].parent, before.current);
+                    // The sibling is entered next and is not farther away.
+                    ASSERT_LT(step, log.steps.size());
+                    EXPECT_EQ(log.steps[step].event, TraversalEvent::Entered);
+                    EXPECT_LE(log.steps[step].t, s.t);
+                    break;
+                case TraversalEvent::Behind:
+                    ++skipped;
+                    EXPECT_GT(s.t, before.bound);
+                    break;
+                case TraversalEvent::Missed:
+                    EXPECT_TRUE(std::isnan(s.t));
+                    break;
+                case TraversalEvent::Hit:
+                    EXPECT_LE(s.t, before.bound);
+                    break;
+                case TraversalEvent::NoHit:
+                    break;
+            }
+        }
+    }
+    EXPECT_GT(waited, 100u);
+    EXPECT_GT(skipped, 10u);
+}
+
+TEST(TraversalLog, PrintsAsTextAndJson) {
+    const auto world = builtin("cornell");
+    Ray ray;
+    ray.origin = {0.0f, 0.0f, 3.0f};
+    ray.direction = {0.1f, -0.1f, -1.0f};
+    const TraversalLog log = recordClosestHit(*world, ray, 0.0f).at(0);
+    const std::string text = toText(log);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(log.steps.size()) + 3);
+    const nlohmann::json j = nlohmann::json::parse(toJson(log));
+    ASSERT_EQ(j["steps"].size(), log.steps.size());
+    EXPECT_EQ(j["boxes"][0]["node"], 0);
+    EXPECT_EQ(j["steps"].back()["stack"].size(), 0u);
+    EXPECT_EQ(j["hit"]["primitive"], log.hit.primitive);
+}
+
+TEST(TraversalLog, OfHostileRaysAndEmptyScenes) {
+    const auto empty = test::compileScene({}, {}, 4, 4);
+    EXPECT_TRUE(recordClosestHit(*empty, Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    const auto world = builtin("triangle");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(recordClosestHit(*world, Ray{{0, 0, 0}, {0, 0, 0}}, 0.0f).empty());
+    EXPECT_TRUE(recordAnyHit(*world, Ray{{nan, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    Settings settings;
+    settings.bvh = false;
+    EXPECT_TRUE(recordClosestHit(*builtin("triangle", settings), Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    const TraversalLog passing = recordClosestHit(*world, Ray{{100, 100, 100}, {0, 0, 1}}, 0.0f).at(0);
+    ASSERT_EQ(passing.steps.size(), 1u);
+    EXPECT_EQ(passing.steps[0].event, TraversalEvent::Missed);
+}
+
+}  // namespace
+}  // namespace rayscope

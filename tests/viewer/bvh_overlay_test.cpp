@@ -1,0 +1,154 @@
+#include "viewer/overlay/bvh_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "trace/compile.h"
+#include "viewer/bvh_inspector.h"
+#include "viewer/overlay/palette.h"
+
+namespace rayscope::viewer {
+namespace {
+
+ViewFrame frameAt(glm::vec3 eye) {
+    CameraDescription camera;
+    camera.lookFrom = eye;
+    camera.lookAt = eye + glm::vec3(0, 0, -1);
+    return viewFrame(camera, 800, 600);
+}
+
+TEST(BoxLines, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
+    const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5})).size(), 12u);
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5000})).size(), 1u);
+    const OverlayBoxes many(1000, one[0]);
+    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5})).size(), 12000u);
+    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5000})).size(), 1u);
+    // With a limit the largest are whole.
+    OverlayBoxes sizes;
+    for (int i = 1; i <= 100; ++i) {
+        const float half = 0.01f * static_cast<float>(i);
+        sizes.push_back({glm::vec3(-half), glm::vec3(half)});
+    }
+    EXPECT_EQ(boxLines(sizes, frameAt({0, 0, 5}), 10).size(), 10u * 12u + 1u);
+}
+
+TEST(BoxLines, LeaveOutWhatIsNotInThePicture) {
+    const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
+    EXPECT_TRUE(boxLines(one, frameAt({0, 0, -5})).empty()) << "behind the camera";
+    EXPECT_TRUE(boxLines(one, frameAt({50, 0, 5})).empty()) << "beside the picture";
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 0})).size(), 12u) << "around the camera";
+}
+
+TEST(BoxLines, AreBoundedByThePictureForAnyNumberOfBoxes) {
+    OverlayBoxes boxes;
+    for (int i = 0; i < 200000; ++i) {
+        const glm::vec3 place(static_cast<float>(i % 500) * 0.01f - 2.5f,
+                              static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
+        boxes.push_back({place, place + 0.005f});
+    }
+    const std::size_t lines = boxLines(boxes, frameAt({0, 0, 5})).size();
+    EXPECT_GT(lines, 5000u);
+    EXPECT_LE(lines, 201u * 151u);
+}
+
+std::shared_ptr<const World> worldOf(const std::string& name, BvhBuilder builder = BvhBuilder::SahBinned) {
+    Diagnostics notes;
+    const auto scene = std::make_shared<const SceneDescription>(loadScene("builtin:" + name, notes));
+    Settings settings;
+    settings.bvhBuilder = builder;
+    return compile({scene, settings, CameraDescription{}, 8, 8});
+}
+
+void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const World>& world) {
+    for (int i = 0; i < 2000; ++i) {
+        inspector.update(world);
+        if (!inspector.busy()) return;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+}
+
+TEST(BvhInspector, ShowsTheTreeThatRaysSearchAndItsRival) {
+    const auto world = worldOf("monkey");
+    BvhInspector inspector;
+    waitUntilQuiet(inspector, world);
+    ASSERT_NE(inspector.inspected(), nullptr);
+    EXPECT_EQ(&inspector.inspected()->tree(), world->bodies[0].accel->binaryTree());
+    EXPECT_EQ(inspector.rival(), nullptr) << "nobody asked for one";
+    inspector.shown.savings = true;
+    waitUntilQuiet(inspector, world);
+    ASSERT_NE(inspector.rival(), nullptr);
+    EXPECT_EQ(inspector.rival()->builder, BvhBuilder::Median);
+    EXPECT_GT(inspector.rival()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
+
+    // The boxes of both at a level: the rival's come first, in red.
+    inspector.shown.level = 3;
+    const IndexedTree rival = inspector.rival()->indexed();
+    const OverlayBoxes boxes = levelBoxes(inspector.inspected()->indexed(), &rival, inspector.shown);
+    EXPECT_EQ(boxes.front().color, palette::kRivalBox);
+    EXPECT_EQ(boxes.back().color, palette::kLevelBox);
+    EXPECT_GT(boxes.size(), 8u);
+
+    // Another world has another tree, and its old rival is no longer shown.
+    const auto other = worldOf("monkey", BvhBuilder::Median);
+    inspector.shown.savings = false;
+    waitUntilQuiet(inspector, other);
+    EXPECT_EQ(inspector.rival(), nullptr);
+    EXPECT_EQ(inspector.inspected()->accel, other->bodies[0].accel);
+}
+
+TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
+    const auto world = worldOf("cornell");
+    BvhInspector inspector;
+    waitUntilQuiet(inspector, world);
+    const auto& leaves = inspector.inspected()->index.leaves;
+    inspector.stepLeaf(1);
+    EXPECT_TRUE(inspector.shown.leaf);
+    EXPECT_EQ(inspector.shown.leafNumber, 0) << "the first step shows where one is";
+    inspector.stepLeaf(-1);
+    EXPECT_EQ(inspector.shown.leafNumber, static_cast<int>(leaves.size()) - 1);
+    inspector.stepLeaf(1);
+    EXPECT_EQ(inspector.shown.leafNumber, 0);
+    for (std::uint32_t primitive = 0; primitive < world->primitiveCount(); ++primitive) {
+        inspector.selectLeafOf(primitive);
+        const auto held = primitivesOfLeaf(inspector.inspected()->tree(), inspector.shown.node);
+        EXPECT_NE(std::find(held.begin(), held.end(), primitive), held.end());
+        EXPECT_EQ(leaves[static_cast<std::size_t>(inspector.shown.leafNumber)], inspector.shown.node);
+    }
+}
+
+TEST(BvhInspector, AnEmptySceneHasNothingToInspect) {
+    const auto scene = std::make_shared<const SceneDescription>();
+    BvhInspector inspector;
+    waitUntilQuiet(inspector, compile({scene, Settings{}, CameraDescription{}, 8, 8}));
+    EXPECT_EQ(inspector.inspected(), nullptr);
+    inspector.stepLeaf(1);
+    inspector.stepLevel(1);
+    inspector.selectLeafOf(0);
+}
+
+TEST(BvhOverlay, ALeafIsItsBoxAndItsPrimitives) {
+    const auto world = worldOf("spheres");
+    BvhInspector inspector;
+    waitUntilQuiet(inspector, world);
+    const BvhInspector::Inspected& seen = *inspector.inspected();
+    inspector.stepLeaf(1);
+    const OverlayBoxes boxes = leafBoxes(seen.indexed(), inspector.shown);
+    ASSERT_EQ(boxes.size(), 1u);
+    const auto primitives = primitivesOfLeaf(seen.tree(), seen.index.leaves[0]);
+    const OverlayLines lines = leafLines(seen.indexed(), seen.geometry->input, inspector.shown);
+    EXPECT_EQ(lines.size(), primitives.size() * 3 * 32) << "three circles per sphere";
+    for (const OverlayLine& line : lines)
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_GE(line.from[axis], boxes[0].lower[axis] - 1e-4f);
+            EXPECT_LE(line.from[axis], boxes[0].upper[axis] + 1e-4f);
+        }
+    inspector.shown.leafNumber = 1000;
+    EXPECT_TRUE(leafBoxes(seen.indexed(), inspector.shown).empty());
+    EXPECT_TRUE(nodeBoxes(seen.tree(), 1000000).empty());
+    EXPECT_EQ(nodeBoxes(seen.tree(), 0).size(), seen.tree().nodes[0].isLeaf() ? 1u : 3u);
+}
+
+}  // namespace
+}  // namespace rayscope::viewer

@@ -1,0 +1,86 @@
+#include "viewer/overlay/traversal_overlay.h"
+
+#include <gtest/gtest.h>
+
+#include "viewer/overlay/palette.h"
+
+namespace rayscope::viewer {
+namespace {
+
+/// The root is entered; its left child waits, the right one is a leaf whose triangle is hit; a second
+/// triangle is not; then the left child turns out to lie behind the hit, and a third box was missed.
+struct HandMade {
+    std::vector<glm::vec3> vertices{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}};
+    std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 1}};
+    AccelInput input{vertices, triangles, {}};
+    TraversalLog log;
+    HandMade() {
+        log.ray.direction = {0, 0, 2};
+        log.boxes = {{0, -1, false, {0, 0, 0}, {4, 4, 8}},
+                     {1, 0, true, {0, 0, 6}, {4, 4, 8}},
+                     {2, 0, true, {0, 0, 4}, {4, 4, 6}},
+                     {3, 0, true, {9, 9, 9}, {9, 9, 9}}};
+        const float nan = std::numeric_limits<float>::quiet_NaN(), inf = log.ray.tMax;
+        log.steps = {{TraversalEvent::Entered, 0, 0.0f, inf}, {TraversalEvent::Missed, 3, nan, inf},
+                     {TraversalEvent::Waits, 1, 3.0f, inf},   {TraversalEvent::Entered, 2, 2.0f, inf},
+                     {TraversalEvent::Hit, 0, 2.5f, inf},     {TraversalEvent::NoHit, 1, nan, 2.5f},
+                     {TraversalEvent::Behind, 1, 3.0f, 2.5f}};
+    }
+};
+
+std::size_t countOf(const OverlayBoxes& boxes, glm::vec4 color) {
+    return static_cast<std::size_t>(
+        std::count_if(boxes.begin(), boxes.end(), [&](const OverlayBox& box) { return box.color == color; }));
+}
+
+TEST(TraversalOverlay, AtTheEndVisitedIsGreenAndSkippedIsPurple) {
+    const HandMade made;
+    TraversalChoice choice;
+    EXPECT_TRUE(traversalBoxes(made.log, choice).empty());
+    choice.shown = true;
+    OverlayBoxes boxes = traversalBoxes(made.log, choice);
+    EXPECT_EQ(boxes.size(), 3u);
+    EXPECT_EQ(countOf(boxes, palette::kVisitedBox), 2u);
+    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 1u);
+    choice.skipped = false;
+    choice.missed = true;
+    boxes = traversalBoxes(made.log, choice);
+    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 0u);
+    EXPECT_EQ(countOf(boxes, palette::kMissedBox), 1u);
+    const OverlayLines lines = traversalLines(made.log, made.input, choice, 10.0f);
+    EXPECT_EQ(lines.size(), 3u) << "the edges of the triangle that was hit";
+    EXPECT_EQ(lines[0].color, palette::kHitPrimitive);
+}
+
+TEST(TraversalOverlay, EachStepIsDrawnAsTheSearchStandsThen) {
+    const HandMade made;
+    TraversalChoice choice;
+    choice.shown = choice.stepping = true;
+    EXPECT_TRUE(traversalBoxes(made.log, choice).empty()) << "before the first step nothing is known";
+    choice.step = 3;
+    OverlayBoxes boxes = traversalBoxes(made.log, choice);
+    EXPECT_EQ(countOf(boxes, palette::kWaitingBox), 1u);
+    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 0u);
+    EXPECT_EQ(boxes.back().lower, made.log.boxes[0].lower) << "the root is searched now";
+    choice.step = 6;
+    boxes = traversalBoxes(made.log, choice);
+    EXPECT_EQ(boxes.back().lower, made.log.boxes[2].lower);
+    // The interval ends at the hit, in units of the ray's direction.
+    OverlayLines lines = traversalLines(made.log, made.input, choice, 10.0f);
+    EXPECT_EQ(lines.back().to, glm::vec3(0, 0, 5));
+    EXPECT_EQ(lines.size(), 3u + 3u + 1u) << "the triangle tested last, the one that was hit, the interval";
+    choice.step = 1000;
+    EXPECT_EQ(shownSteps(made.log, choice), made.log.steps.size());
+}
+
+TEST(TraversalOverlay, FollowsABodyThatMoves) {
+    HandMade made;
+    made.log.shift = {0, 100, 0};
+    TraversalChoice choice;
+    choice.shown = true;
+    EXPECT_EQ(traversalBoxes(made.log, choice)[0].lower, glm::vec3(0, 100, 0));
+    EXPECT_EQ(traversalLines(made.log, made.input, choice, 10.0f)[0].from, glm::vec3(0, 100, 5));
+}
+
+}  // namespace
+}  // namespace rayscope::viewer
