@@ -44,6 +44,7 @@ int runProgram(std::vector<std::string> arguments) {
     addRenderCommand(program, exitCode);
     addProbeCommand(program, exitCode);
     addInfoCommand(program, exitCode);
+    addCastCommand(program, exitCode);
     addCompareCommand(program, exitCode);
     addSettingsCommand(program, exitCode);
 

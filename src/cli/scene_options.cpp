@@ -10,8 +10,7 @@
 namespace rayscope {
 
 void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
-    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
-    if (sceneRequired) positional->required();
+    addSceneTo(command, sceneRequired);
     command.add_option("--size", size, "Width and height of the image in pixels, as WxH")
         ->capture_default_str();
     command.add_option("--camera", camera, "Name of one of the scene's cameras");
@@ -21,6 +20,11 @@ void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
     command.add_option("--fov", fov, "Vertical angle of view in degrees")->check(CLI::Range(0.001, 179.0));
     command.add_option("--spp,--samples", spp, "Samples per pixel");
     command.add_option("--seed", seed, "Seed of the random numbers")->capture_default_str();
+}
+
+void SceneOptions::addSceneTo(CLI::App& command, bool sceneRequired) {
+    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    if (sceneRequired) positional->required();
     command.add_option("-t,--threads,--nthreads", threads, "Tracing threads; 0 takes one per core")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();

@@ -21,6 +21,8 @@ struct SceneOptions {
     std::vector<std::string> assignments;  ///< KEY=VALUE
 
     void addTo(CLI::App& command, bool sceneRequired);
+    /// Only those that are not about the picture: the scene, threads and settings.
+    void addSceneTo(CLI::App& command, bool sceneRequired);
 };
 
 /// Opens the scene, prints its notes to stderr (unless quiet) and applies settings in the order: defaults,
