@@ -1,5 +1,5 @@
 # The rooms of the house, from the ground up. A room includes rooms before it in this list and no others.
-set(RAYSCOPE_LIBRARY_ROOMS base math image settings scene bvh sampling shading trace render post probe)
+set(RAYSCOPE_LIBRARY_ROOMS base math image settings scene bvh sampling shading trace render post probe measure)
 set(RAYSCOPE_PROGRAM_ROOMS cli)
 if(RAYSCOPE_VIEWER)
   list(PREPEND RAYSCOPE_PROGRAM_ROOMS viewer)

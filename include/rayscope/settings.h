@@ -77,6 +77,14 @@ struct Settings {
 /// How much of the work a change of settings throws away, from nothing to everything.
 enum class Invalidates { Nothing, Display, Film, Accel };
 
+/// What a setting trades against time.
+enum class Trade {
+    Nothing,  ///< it says what is shown, not how well
+    Noise,    ///< more work makes less noise
+    Bias,     ///< less work makes another picture, however many samples there are
+    Speed     ///< the picture stays the same, bit for bit
+};
+
 /// The worst consequence among the fields in which a and b differ.
 Invalidates changed(const Settings& a, const Settings& b);
 
@@ -93,6 +101,7 @@ std::vector<std::string_view> settingKeys();
 /// What a user can know about one setting.
 struct SettingInfo {
     std::string_view key, group, label, help, unit;
+    Trade trade = Trade::Nothing;
     std::string kind;  ///< "boolean", "integer", "number" or "choice"
     std::string defaultValue;
     double lowest = 0.0, highest = 0.0;     ///< of numbers

@@ -20,6 +20,7 @@ void addRenderCommand(CLI::App& program, int& exitCode);
 void addProbeCommand(CLI::App& program, int& exitCode);
 void addInfoCommand(CLI::App& program, int& exitCode);
 void addCastCommand(CLI::App& program, int& exitCode);
+void addTradeCommand(CLI::App& program, int& exitCode);
 void addCompareCommand(CLI::App& program, int& exitCode);
 void addSettingsCommand(CLI::App& program, int& exitCode);
 

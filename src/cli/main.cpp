@@ -45,6 +45,7 @@ int runProgram(std::vector<std::string> arguments) {
     addProbeCommand(program, exitCode);
     addInfoCommand(program, exitCode);
     addCastCommand(program, exitCode);
+    addTradeCommand(program, exitCode);
     addCompareCommand(program, exitCode);
     addSettingsCommand(program, exitCode);
 

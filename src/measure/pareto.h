@@ -1,0 +1,15 @@
+#pragma once
+#include <rayscope/trade.h>
+
+namespace rayscope {
+
+/// Fills `onFront` and `dominatedBy` of each point, and returns the front from fast to accurate. A point is
+/// on the front if none is both faster and more accurate. It is dominated only beyond doubt: if another is
+/// faster and more accurate with intervals that do not overlap, or faster with the same picture.
+std::vector<std::size_t> markFront(std::vector<TradePoint>& points);
+
+/// For times in equal ratios between both ends of the front: the most accurate point that needs no more.
+std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
+                                    const std::vector<std::size_t>& front);
+
+}  // namespace rayscope
