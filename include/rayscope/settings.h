@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rayscope {
@@ -94,6 +95,18 @@ void assign(Settings& settings, std::string_view key, std::string_view value);
 
 /// The text that assign() would accept for the present value of `key`.
 std::string textOf(const Settings& settings, std::string_view key);
+
+/// A position on the dial from fast to accurate: values for the settings that trade, whatever the scene.
+struct Preset {
+    std::string_view name, meaning;
+    std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key, text
+};
+/// preview, balanced, final, reference.
+const std::vector<Preset>& presets();
+/// Throws InputError that names the nearest preset.
+const Preset& presetNamed(std::string_view name);
+/// Sets what the preset says and leaves the rest.
+void applyPreset(Settings& settings, const Preset& preset);
 
 /// Every key, in the order of the table.
 std::vector<std::string_view> settingKeys();

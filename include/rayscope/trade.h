@@ -24,6 +24,7 @@ enum class TradeRole {
     Knob,     ///< the base with one knob turned
     Joint,    ///< several knobs turned
     Feature,  ///< the base with an effect switched on or off
+    Preset,   ///< a position of the dial
     Extra     ///< what the caller added
 };
 
@@ -62,6 +63,14 @@ struct TradeReference {
     long long nonFinitePixels = 0;
 };
 
+/// How far a position of the dial is from the front of this scene.
+struct TradeDial {
+    std::string preset;
+    std::size_t point;
+    double excess =
+        0.0;  ///< time beyond that of the front at the same error: 0.1 is 10 % more; 0 on the front
+};
+
 /// What the scene needs of an effect.
 struct TradeNeed {
     std::string key, label;
@@ -95,6 +104,7 @@ struct TradeResult {
     std::vector<std::size_t> front;  ///< from fast to accurate
     std::vector<TradeAdvice> advice;
     std::vector<TradeNeed> needs;
+    std::vector<TradeDial> dial;
     std::vector<TradeBreakEven> breakEvens;
     std::vector<std::string> notMeasured;  ///< names of settings that did not fit into the budget
     std::vector<std::string> remarks;      ///< what the reader should know before trusting a figure

@@ -16,6 +16,7 @@ struct SceneOptions {
     std::string lookFrom, lookAt, up;
     std::optional<float> fov;
     std::optional<int> spp;
+    std::string preset;
     std::uint64_t seed = 0;
     int threads = 0;
     std::vector<std::string> assignments;  ///< KEY=VALUE

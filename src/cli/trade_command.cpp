@@ -71,6 +71,9 @@ void printSummary(const TradeResult& r, const std::string& scene) {
             p.nextSeconds.value, p.nextSeconds.lower, p.nextSeconds.upper, p.nextError.value,
             p.nextError.lower, p.nextError.upper, scene, renderArguments(r, p));
     }
+    for (const TradeDial& dial : r.dial)
+        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, {:.0f} % behind the front\n", dial.preset,
+                   r.points[dial.point].seconds.value, r.points[dial.point].error.value, 100.0 * dial.excess);
     for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
 }
 

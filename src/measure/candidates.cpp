@@ -98,6 +98,13 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
                                  candidate(TradeRole::Control, base, base, "base once more")};
     if (request.render.settings != base)
         list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
+    for (const Preset& preset : presets()) {
+        Settings settings = request.render.settings;
+        applyPreset(settings, preset);
+        TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
+        point.level = preset.name;
+        list.push_back(std::move(point));
+    }
     for (const auto& [name, settings] : request.extra)
         list.push_back(candidate(TradeRole::Extra, base, settings, name));
     const auto cheapFirst = [&](std::size_t from) {

@@ -46,6 +46,24 @@ std::vector<std::size_t> markFront(std::vector<TradePoint>& points) {
     return front;
 }
 
+double excessOverFront(const std::vector<TradePoint>& points, const std::vector<std::size_t>& front,
+                       const TradePoint& point) {
+    const double error = point.error.value;
+    for (std::size_t k = 0; k < front.size(); ++k) {
+        const TradePoint& next = points[front[k]];
+        if (next.error.value > error) continue;
+        double seconds = next.seconds.value;
+        if (k > 0) {
+            const TradePoint& last = points[front[k - 1]];
+            const double f =
+                std::log(error / last.error.value) / std::log(next.error.value / last.error.value);
+            seconds = last.seconds.value * std::pow(next.seconds.value / last.seconds.value, f);
+        }
+        return std::max(0.0, point.seconds.value / seconds - 1.0);
+    }
+    return 0.0;
+}
+
 std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
                                     const std::vector<std::size_t>& front) {
     std::vector<TradeAdvice> advice;

@@ -8,6 +8,11 @@ namespace rayscope {
 /// faster and more accurate with intervals that do not overlap, or faster with the same picture.
 std::vector<std::size_t> markFront(std::vector<TradePoint>& points);
 
+/// How much longer the point takes than the front needs for its error, which is interpolated between points
+/// of the front on logarithmic axes; 0 on the front, and where it has no part so accurate.
+double excessOverFront(const std::vector<TradePoint>& points, const std::vector<std::size_t>& front,
+                       const TradePoint& point);
+
 /// For times in equal ratios between both ends of the front: the most accurate point that needs no more.
 std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
                                     const std::vector<std::size_t>& front);

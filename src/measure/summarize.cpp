@@ -138,6 +138,10 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
         if (result.points[i].role == TradeRole::Knob && result.points[i].runs >= 2 &&
             changed(result.points[0].settings, result.points[i].settings) == Invalidates::Accel)
             result.breakEvens.push_back(breakEvenOf(i, runs[i], runs.front()));
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (result.points[i].role == TradeRole::Preset && result.points[i].runs >= 2)
+            result.dial.push_back(
+                {result.points[i].level, i, excessOverFront(result.points, result.front, result.points[i])});
     findNeeds(result, scene);
     remark(result);
 }

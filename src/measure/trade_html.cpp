@@ -31,7 +31,7 @@ svg{width:100%;height:auto;display:block}svg text{fill:var(--soft);font:11px sys
 svg .label{fill:var(--ink);font-size:11px}.grid{stroke:var(--line);stroke-width:1}.mark line{stroke:currentColor;opacity:.45}
 .mark circle{fill:currentColor}.mark.hollow circle{fill:var(--card);stroke:currentColor;stroke-width:1.5}
 .front{color:var(--front)}.yours{color:var(--yours)}.base{color:var(--base)}.knob{color:var(--knob)}.joint{color:var(--joint)}
-.feature{color:var(--feature)}.extra{color:var(--bad)}polyline{fill:none;stroke-width:2}polyline.front{stroke:var(--front)}
+.feature{color:var(--feature)}.preset{color:var(--yours)}.extra{color:var(--bad)}polyline{fill:none;stroke-width:2}polyline.front{stroke:var(--front)}
 polyline.knob{stroke:var(--knob)}polyline.truth{stroke:var(--joint);stroke-dasharray:5 4;stroke-width:1.5}
 .legend span{margin-right:16px;white-space:nowrap}.legend i{display:inline-block;width:10px;height:10px;border-radius:5px;
 background:currentColor;margin-right:5px}.good{color:var(--good)}.bad{color:var(--bad)}details summary{cursor:pointer}
@@ -45,7 +45,8 @@ std::string withInterval(const Interval& i, const char* unit = "") {
 
 const char* classOf(const TradePoint& p) {
     if (p.onFront) return "front";
-    constexpr const char* classes[] = {"base", "base", "yours", "knob", "joint", "feature", "extra"};
+    constexpr const char* classes[] = {"base",  "base",    "yours",  "knob",
+                                       "joint", "feature", "preset", "extra"};
     return classes[static_cast<int>(p.role)];
 }
 
@@ -135,6 +136,22 @@ std::string adviceTable(const TradeResult& r) {
             shortNumber(a.budgetSeconds), withInterval(p.nextSeconds), withInterval(p.nextError),
             withInterval(p.flip), escaped(r.scene), escaped(renderArguments(r, p)));
     }
+    return table + "</table></div>\n";
+}
+
+std::string dialTable(const TradeResult& r) {
+    if (r.dial.empty()) return "";
+    std::string table =
+        "<h2>The dial</h2>\n<p>The presets on this scene, and how much longer they take than the front needs "
+        "for the same "
+        "error.</p>\n<div class='card'><table><tr><th>preset</th><th class='n'>seconds</th><th "
+        "class='n'>RMSE</th><th "
+        "class='n'>behind the front</th></tr>\n";
+    for (const TradeDial& d : r.dial)
+        table += fmt::format(
+            "<tr><td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{:.0f} %</td></tr>\n",
+            escaped(d.preset), withInterval(r.points[d.point].seconds), withInterval(r.points[d.point].error),
+            100.0 * d.excess);
     return table + "</table></div>\n";
 }
 
@@ -296,8 +313,8 @@ std::string tradeHtml(const TradeResult& result) {
         escaped(result.scene), kStyle);
     page += header(result);
     if (result.complete)
-        page += frontChart(result) + adviceTable(result) + needsTable(result) + knobs(result) +
-                breakEvens(result) + allPoints(result) + method(result);
+        page += frontChart(result) + adviceTable(result) + dialTable(result) + needsTable(result) +
+                knobs(result) + breakEvens(result) + allPoints(result) + method(result);
     return page + "</main></html>\n";
 }
 

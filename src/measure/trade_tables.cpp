@@ -9,7 +9,7 @@ namespace rayscope {
 
 namespace {
 
-constexpr const char* kRoles[] = {"base", "control", "yours", "knob", "joint", "feature", "extra"};
+constexpr const char* kRoles[] = {"base", "control", "yours", "knob", "joint", "feature", "preset", "extra"};
 
 nlohmann::json number(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
@@ -77,7 +77,7 @@ std::string renderArguments(const TradeResult& result, const TradePoint& point) 
 
 std::string tradeJson(const TradeResult& result) {
     nlohmann::json points = nlohmann::json::array(), front = nlohmann::json::array(), advice = front,
-                   needs = front, evens = front;
+                   needs = front, evens = front, dial = front;
     for (const TradePoint& p : result.points)
         if (p.runs > 0) points.push_back(toJson(result, p));
     const auto nameOf = [&](std::size_t i) { return result.points[i].name; };
@@ -88,6 +88,8 @@ std::string tradeJson(const TradeResult& result) {
                           {"arguments", renderArguments(result, result.points[a.point])}});
     for (const TradeNeed& n : result.needs)
         needs.push_back({{"setting", n.key}, {"on", n.on}, {"proof", n.proof}, {"point", nameOf(n.point)}});
+    for (const TradeDial& d : result.dial)
+        dial.push_back({{"preset", d.preset}, {"point", nameOf(d.point)}, {"excess_time", d.excess}});
     for (const TradeBreakEven& b : result.breakEvens)
         evens.push_back({{"point", nameOf(b.point)}, {"rays", toJson(b.rays)}, {"words", b.words}});
     const nlohmann::json all = {{"scene", result.scene},
@@ -106,6 +108,7 @@ std::string tradeJson(const TradeResult& result) {
                                 {"front", front},
                                 {"advice", advice},
                                 {"needs", needs},
+                                {"dial", dial},
                                 {"break_evens", evens},
                                 {"not_measured", result.notMeasured},
                                 {"remarks", result.remarks}};

@@ -133,6 +133,21 @@ TEST(Render, AppliesSettingsInOrder) {
     EXPECT_EQ(result.out, "[settings]\nmax_depth = 3\nspp = 8\n");
 }
 
+TEST(Render, APresetStandsBetweenTheSceneAndTheCommandLine) {
+    const TemporaryFolder folder;
+    folder.write(
+        "s.toml",
+        "version = 1\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n[settings]\nspp = 4\nmax_depth = 9\n");
+    const ProgramResult result =
+        run(folder, "rayscope render s.toml --dump-settings -q --set max_depth=3 --preset preview");
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.out, HasSubstr("spp = 1\n"));
+    EXPECT_THAT(result.out, HasSubstr("max_depth = 3\n"));
+    const ProgramResult wrong = run(folder, "rayscope render s.toml --dump-settings --preset previw");
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("did you mean 'preview'"));
+}
+
 TEST(Render, PixelBoundsRenderAPart) {
     const TemporaryFolder folder;
     run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o whole.pfm");

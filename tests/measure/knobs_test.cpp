@@ -89,8 +89,9 @@ TEST(Candidates, AreDifferentAndBeginWithTheBaseAndItsControl) {
     EXPECT_EQ(list[0].role, TradeRole::Base);
     EXPECT_EQ(list[1].role, TradeRole::Control);
     EXPECT_EQ(list[2].role, TradeRole::Yours);
-    EXPECT_EQ(list[3].name, "planted");
-    for (std::size_t i = 4; i < list.size(); ++i)
+    EXPECT_EQ(list[3].name, "preset preview");
+    EXPECT_EQ(list[7].name, "planted");
+    for (std::size_t i = 8; i < list.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_FALSE(j != 1 && list[i].settings == list[j].settings && list[i].role == list[j].role)
                 << list[i].name;

@@ -47,6 +47,17 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
     EXPECT_EQ(points[2].dominatedBy, "");
 }
 
+TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
+    std::vector<TradePoint> points{point("base", 1.0, 0.16, 0.05, TradeRole::Base),
+                                   point("finer", 4.0, 0.04)};
+    const std::vector<std::size_t> front = markFront(points);
+    // Halfway between both in the logarithm of the error the front needs 2 s.
+    EXPECT_NEAR(excessOverFront(points, front, point("between", 3.0, 0.08)), 0.5, 1e-9);
+    EXPECT_EQ(excessOverFront(points, front, points[1]), 0.0);
+    EXPECT_EQ(excessOverFront(points, front, point("beyond", 9.0, 0.01)), 0.0);
+    EXPECT_NEAR(excessOverFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
+}
+
 TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("control", 0.5, 0.01, 0.05, TradeRole::Control),
