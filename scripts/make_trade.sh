@@ -18,14 +18,17 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$root/docs/trade"
+measured=()
 for scene in "${scenes[@]}"; do
     echo "== $scene"
     # shellcheck disable=SC2086
-    "$program" trade "builtin:$scene" --budget "$seconds" -o "$folder/$scene" ${TRADE_OPTIONS:-} || (($? == 3))
+    "$program" trade "builtin:$scene" --budget "$seconds" -o "$folder/$scene" ${TRADE_OPTIONS:-} || (($? == 3)) ||
+        { echo "left out: $scene"; continue; }
     cp "$folder/$scene/trade.html" "$root/docs/trade/$scene.html"
+    measured+=("$scene")
 done
 
-python3 - "$folder" "${scenes[@]}" >"$root/docs/trade/README.md" <<'END'
+python3 - "$folder" "${measured[@]}" >"$root/docs/trade/README.md" <<'END'
 import json, sys
 
 folder, scenes = sys.argv[1], sys.argv[2:]

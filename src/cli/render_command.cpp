@@ -12,9 +12,11 @@
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
+#include "cli/target_options.h"
 #include "post/develop.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
+#include "trace/world.h"
 
 namespace rayscope {
 
@@ -22,6 +24,7 @@ namespace {
 
 struct RenderOptions {
     SceneOptions scene;
+    TargetOptions target;
     std::vector<std::string> outputs;
     std::string pixelBounds, statsFile, progress;
     double timeLimit = 0.0;
@@ -89,6 +92,54 @@ bool reportNonFinite(const RgbImage& image, const RenderOptions& options) {
     return true;
 }
 
+/// What came out, whichever way it was rendered.
+struct Rendered {
+    RgbImage mean;
+    RenderStatus status;
+    std::shared_ptr<const World> world;
+    int exitCode = kDone;
+    std::string words;  ///< why it stopped, if that is worth a line
+};
+
+Rendered renderSamples(RenderRequest& request, const RenderOptions& options,
+                       const InterruptGuard& interrupt) {
+    // With a limit the image should be complete early; without one, larger passes cost less.
+    request.progressive = options.timeLimit > 0.0;
+    RenderSession session(options.scene.threads);
+    Progress progress(progressStyle(options.progress, options.quiet));
+    session.submit(request);
+    Rendered rendered;
+    rendered.exitCode = waitFor(session, options, interrupt, progress);
+    rendered.status = session.status();
+    rendered.world = session.world();
+    const std::shared_ptr<const Film> film = session.film();
+    rendered.mean = film ? film->mean() : RgbImage(request.width, request.height);
+    if (rendered.exitCode == kStoppedByLimit)
+        rendered.words = fmt::format("stopped by the time limit at {:.1f} % of {} samples per pixel",
+                                     100.0 * rendered.status.progress, rendered.status.targetSamples);
+    return rendered;
+}
+
+Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& options,
+                             const InterruptGuard& interrupt) {
+    ErrorTargetResult result =
+        renderToTarget(request, options.target, options.timeLimit, options.scene.spp.value_or(0),
+                       options.scene.threads, interrupt, progressStyle(options.progress, options.quiet));
+    Rendered rendered;
+    rendered.exitCode = result.reason == StopReason::Reached       ? kDone
+                        : result.reason == StopReason::Interrupted ? kInterrupted
+                                                                   : kStoppedByLimit;
+    rendered.status.samples = static_cast<int>(std::lround(result.samples));
+    rendered.status.elapsedSeconds = result.seconds;
+    rendered.status.rays = result.rays;
+    rendered.status.nonFiniteSamples = result.nonFiniteSamples;
+    rendered.status.buildSeconds = result.world->buildSeconds;
+    rendered.world = result.world;
+    rendered.mean = std::move(result.mean);
+    if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.words;
+    return rendered;
+}
+
 int runRender(const RenderOptions& options) {
     const InterruptGuard interrupt;
     const auto start = std::chrono::steady_clock::now();
@@ -100,32 +151,24 @@ int runRender(const RenderOptions& options) {
     }
     if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
     request.region = regionFor(options, request);
-    // With a limit the image should be complete early; without one, larger passes cost less.
-    request.progressive = options.timeLimit > 0.0;
-
-    RenderSession session(options.scene.threads);
-    Progress progress(progressStyle(options.progress, options.quiet));
-    session.submit(request);
-    int exitCode = waitFor(session, options, interrupt, progress);
-
-    const RenderStatus status = session.status();
-    const std::shared_ptr<const Film> film = session.film();
-    const RgbImage mean = film ? film->mean() : RgbImage(request.width, request.height);
+    const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
+                                                      : renderSamples(request, options, interrupt);
+    const RgbImage& mean = rendered.mean;
+    const RenderStatus& status = rendered.status;
+    int exitCode = rendered.exitCode;
     const ImageMetadata metadata =
         imageMetadata(*request.scene, request.settings, request.seed, status.samples);
     for (const std::string& output : options.outputs)
         writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
                    request.settings.tone);
-    if (!options.statsFile.empty() && session.world()) {
+    if (!options.statsFile.empty() && rendered.world) {
         const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const int threads = options.scene.threads > 0 ? options.scene.threads
                                                       : static_cast<int>(std::thread::hardware_concurrency());
         writeFileAtomically(options.statsFile,
-                            renderStatsJson(request, status, *session.world(), threads, total));
+                            renderStatsJson(request, status, *rendered.world, threads, total));
     }
-    if (exitCode == kStoppedByLimit)
-        fmt::print(stderr, "stopped by the time limit at {:.1f} % of {} samples per pixel\n",
-                   100.0 * status.progress, status.targetSamples);
+    if (!rendered.words.empty()) fmt::print(stderr, "{}\n", rendered.words);
     if (reportNonFinite(mean, options) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
     return exitCode;
 }
@@ -144,6 +187,7 @@ void addRenderCommand(CLI::App& program, int& exitCode) {
         ->add_option("--time-limit", options->timeLimit,
                      "Stop after this many seconds with the best image so far")
         ->check(CLI::PositiveNumber);
+    options->target.addTo(*command);
     command->add_option("--pixelbounds", options->pixelBounds,
                         "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
     command->add_option("--stats", options->statsFile, "Write everything that was counted and timed as JSON");
