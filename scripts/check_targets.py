@@ -37,20 +37,21 @@ def error_of(args, image, reference):
 
 
 def forecast_error(looks):
-    """Relative error of the total time forecast at half of the way, or None if there was no look before."""
-    total = looks[-1]["elapsed_s"]
-    early = [look for look in looks if look["error_upper"] > 0 and look["elapsed_s"] <= 0.6 * total]
+    """Relative error of the forecast of all work at half of the way, or None if there was no look before. In samples,
+    to which time is proportional where nothing else disturbs the machine."""
+    total = looks[-1]["samples"]
+    early = [look for look in looks if look["error_upper"] > 0 and look["samples"] <= 0.6 * total]
     if not early:
         return None
-    nearest = min(early, key=lambda look: abs(look["elapsed_s"] - 0.5 * total))
-    return (nearest["elapsed_s"] + nearest["remaining_s"]) / total - 1
+    nearest = min(early, key=lambda look: abs(look["samples"] - 0.5 * total))
+    return nearest["samples"] * (1 + nearest["remaining_s"] / nearest["elapsed_s"]) / total - 1
 
 
 def check(args, scene, folder):
     reference = os.path.join(folder, scene + ".pfm")
-    # A few samples tell how noisy the scene is; the target should take some ten times as many.
+    # A few samples tell how noisy the scene is; the target should take some five times as many.
     pilot = render(args, scene, 1e-9, 90001, reference, ("--spp", "16"))
-    target = (pilot[-1]["error"] or 1e-3) / 4
+    target = (pilot[-1]["error"] or 1e-3) / 3
     render(args, scene, target / 10, 90002, reference)
     failures, ratios, forecasts, samples = 0, [], [], []
     for seed in range(args.seeds):
@@ -73,7 +74,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=200)
     parser.add_argument("--scenes", default=SCENES)
-    parser.add_argument("--size", default="64x64")
+    parser.add_argument("--size", default="48x48")
     parser.add_argument("--confidence", type=float, default=0.95)
     parser.add_argument("--program", default=os.path.join(ROOT, "build/release/rayscope"))
     parser.add_argument("--options", default="")

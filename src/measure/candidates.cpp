@@ -49,6 +49,16 @@ void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, c
     }
 }
 
+void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& asked) {
+    for (const Preset& preset : presets()) {
+        Settings settings = asked;
+        applyPreset(settings, preset);
+        TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
+        point.level = preset.name;
+        list.push_back(std::move(point));
+    }
+}
+
 /// Every combination of samples per pixel with splits of a few sizes, and with shallow reflections.
 void addJoint(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, const Settings& base) {
     std::vector<Settings> variants{base};
@@ -96,15 +106,6 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
     const std::vector<Knob> knobs = knobsOf(scene, base);
     std::vector<TradePoint> list{candidate(TradeRole::Base, base, base),
                                  candidate(TradeRole::Control, base, base, "base once more")};
-    if (request.render.settings != base)
-        list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
-    for (const Preset& preset : presets()) {
-        Settings settings = request.render.settings;
-        applyPreset(settings, preset);
-        TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
-        point.level = preset.name;
-        list.push_back(std::move(point));
-    }
     for (const auto& [name, settings] : request.extra)
         list.push_back(candidate(TradeRole::Extra, base, settings, name));
     const auto cheapFirst = [&](std::size_t from) {
@@ -114,6 +115,9 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
                          });
     };
     const std::size_t first = list.size();
+    addPresets(list, base, request.render.settings);
+    if (request.render.settings != base)
+        list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
     addEffects(list, scene, base);
     addKnobs(list, knobs, base);
     cheapFirst(first);

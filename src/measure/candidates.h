@@ -5,8 +5,9 @@
 
 namespace rayscope {
 
-/// What will be measured: the base and its control first, then single knobs and effects from cheap to dear,
-/// then several knobs at once from cheap to dear. Cheap and dear go by samples alone.
+/// What will be measured: the base, its control and what the caller added; then presets, effects and single
+/// knobs from cheap to dear; then several knobs at once from cheap to dear. Cheap and dear go by samples
+/// alone.
 std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Settings& base,
                                       const TradeRequest& request);
 
