@@ -106,9 +106,10 @@ struct TradeResult {
     std::vector<TradeNeed> needs;
     std::vector<TradeDial> dial;
     std::vector<TradeBreakEven> breakEvens;
-    std::vector<std::string> notMeasured;  ///< names of settings that did not fit into the budget
-    std::vector<std::string> remarks;      ///< what the reader should know before trusting a figure
-    bool complete = false;                 ///< at least one point was measured twice
+    std::vector<std::string> withoutEffect;  ///< keys of settings that cannot matter in this scene
+    std::vector<std::string> notMeasured;    ///< names of settings that did not fit into the budget
+    std::vector<std::string> remarks;        ///< what the reader should know before trusting a figure
+    bool complete = false;                   ///< at least one point was measured twice
     bool interrupted = false;
 };
 

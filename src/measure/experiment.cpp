@@ -70,6 +70,8 @@ void Experiment::report(const std::string& phase) const {
 
 TradeResult Experiment::run() {
     const SceneRequirements needs = requirementsOf(*request_.render.scene);
+    for (const std::string_view key : settingKeys())
+        if (!withoutEffectOn(needs, key).empty()) result_.withoutEffect.emplace_back(key);
     if (pilot()) {
         buildReference();
         result_.points = candidatesFor(needs, base_, request_);

@@ -113,10 +113,9 @@ void remark(TradeResult& result) {
     const auto hidden = std::count_if(result.points.begin(), result.points.end(),
                                       [](const TradePoint& p) { return p.runs > 0 && !p.judged; });
     if (hidden > 0)
-        result.remarks.push_back(
-            fmt::format("{} measurements have an error below {:.3g}, ten times the reference's own; they are "
-                        "shown hollow",
-                        hidden, ten));
+        result.remarks.push_back(fmt::format(
+            "{} of the errors are below {:.3g}, ten times the reference's own; they are shown hollow", hidden,
+            ten));
     if (!result.complete)
         result.remarks.push_back(
             "nothing was measured twice, so no figure has an interval; give a larger budget");

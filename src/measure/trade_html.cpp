@@ -6,37 +6,15 @@
 #include <cmath>
 #include <map>
 
+#include "embedded_report.h"
 #include "measure/svg_chart.h"
 
 namespace rayscope {
 
 namespace {
 
-constexpr const char* kStyle = R"(<style>
-:root{--ink:#1c2128;--soft:#5b6672;--line:#d9dee4;--page:#fbfbf9;--card:#fff;--front:#c2410c;--yours:#7c3aed;--knob:#2563eb;
---joint:#94a3b8;--feature:#0d9488;--base:#111827;--good:#15803d;--bad:#b91c1c}
-@media(prefers-color-scheme:dark){:root{--ink:#e6e8eb;--soft:#9aa5b1;--line:#333b45;--page:#14181d;--card:#1b2027;--front:#fb923c;
---yours:#c4b5fd;--knob:#60a5fa;--joint:#64748b;--feature:#2dd4bf;--base:#f8fafc;--good:#4ade80;--bad:#f87171}}
-*{box-sizing:border-box}body{margin:0;background:var(--page);color:var(--ink);font:15px/1.5 system-ui,sans-serif}
-main{max-width:1080px;margin:0 auto;padding:32px 20px 80px}h1{font-size:26px;margin:0 0 4px}h2{font-size:19px;margin:40px 0 6px}
-h3{font-size:14px;margin:0 0 4px}p{margin:6px 0;max-width:78ch}.soft{color:var(--soft)}
-.facts{display:flex;flex-wrap:wrap;gap:10px;margin:18px 0}.fact{background:var(--card);border:1px solid var(--line);border-radius:8px;
-padding:8px 14px}.fact b{display:block;font-size:18px}.fact span{color:var(--soft);font-size:13px}
-.card{background:var(--card);border:1px solid var(--line);border-radius:10px;padding:14px;margin:12px 0;overflow-x:auto}
-.grid2{display:grid;grid-template-columns:repeat(auto-fill,minmax(320px,1fr));gap:12px}.grid2 .card{margin:0}
-table{border-collapse:collapse;width:100%;font-size:13.5px;font-variant-numeric:tabular-nums}th{text-align:left;color:var(--soft);
-font-weight:600}td,th{padding:5px 9px;border-bottom:1px solid var(--line);vertical-align:top}td.n,th.n{text-align:right;white-space:nowrap}
-code{font:12.5px ui-monospace,monospace;word-break:break-word}.warn{border-left:4px solid var(--front);padding-left:12px}
-svg{width:100%;height:auto;display:block}svg text{fill:var(--soft);font:11px system-ui,sans-serif}svg .axis{font-size:12px}
-svg .label{fill:var(--ink);font-size:11px}.grid{stroke:var(--line);stroke-width:1}.mark line{stroke:currentColor;opacity:.45}
-.mark circle{fill:currentColor}.mark.hollow circle{fill:var(--card);stroke:currentColor;stroke-width:1.5}
-.front{color:var(--front)}.yours{color:var(--yours)}.base{color:var(--base)}.knob{color:var(--knob)}.joint{color:var(--joint)}
-.feature{color:var(--feature)}.preset{color:var(--yours)}.extra{color:var(--bad)}polyline{fill:none;stroke-width:2}polyline.front{stroke:var(--front)}
-polyline.knob{stroke:var(--knob)}polyline.truth{stroke:var(--joint);stroke-dasharray:5 4;stroke-width:1.5}
-.legend span{margin-right:16px;white-space:nowrap}.legend i{display:inline-block;width:10px;height:10px;border-radius:5px;
-background:currentColor;margin-right:5px}.good{color:var(--good)}.bad{color:var(--bad)}details summary{cursor:pointer}
-</style>
-)";
+/// The style sheet beside this file.
+std::string_view styleSheet() { return report::files()[0].content; }
 
 std::string withInterval(const Interval& i, const char* unit = "") {
     return fmt::format("{}{} <span class='soft'>[{}, {}]</span>", shortNumber(i.value), unit,
@@ -116,7 +94,8 @@ std::string frontChart(const TradeResult& r) {
            chart.svg() +
            "<p class='legend soft'><span class='front'><i></i>front</span><span "
            "class='base'><i></i>base</span><span "
-           "class='yours'><i></i>your settings</span><span class='knob'><i></i>one knob turned</span><span "
+           "class='yours'><i></i>your settings, presets</span><span class='knob'><i></i>one knob "
+           "turned</span><span "
            "class='joint'><i></i>several</span><span class='feature'><i></i>effect "
            "switched</span></p></div>\n";
 }
@@ -309,8 +288,8 @@ std::string method(const TradeResult& r) {
 std::string tradeHtml(const TradeResult& result) {
     std::string page = fmt::format(
         "<!doctype html>\n<html lang='en'><meta charset='utf-8'><meta name='viewport' "
-        "content='width=device-width'><title>Trade: {}</title>\n{}<main>\n",
-        escaped(result.scene), kStyle);
+        "content='width=device-width'><title>Trade: {}</title>\n<style>{}</style>\n<main>\n",
+        escaped(result.scene), styleSheet());
     page += header(result);
     if (result.complete)
         page += frontChart(result) + adviceTable(result) + dialTable(result) + needsTable(result) +

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <rayscope/trade.h>
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,8 @@ std::string renderArguments(const TradeResult& result, const TradePoint& point) 
     const Settings defaults;
     for (const std::string_view key : settingKeys()) {
         const std::string value = textOf(point.settings, key);
+        const auto& idle = result.withoutEffect;
+        if (std::find(idle.begin(), idle.end(), key) != idle.end()) continue;
         if (value == textOf(defaults, key) && value == textOf(result.asked, key)) continue;
         arguments += fmt::format(" --set {}={}", key, value);
     }
