@@ -43,6 +43,9 @@ print("# The trade on the shipped scenes\n\nWritten by `scripts/make_trade.sh`: 
       "The pages are complete reports; open them in a browser. Slope: error ~ samples^slope. Behind the front: how much "
       "longer a preset takes than the front of this scene needs for the same error; – if the budget was too short to "
       "measure it. Noise: differences in time below this could not be told.\n")
+noises = sorted(report["smallest_time_difference"] or 0 for report in reports.values())
+if noises[len(noises) // 2] > 0.25:
+    print("The machine was busy: noise above 25 % says that errors, slopes and biases hold, and times only roughly.\n")
 print("| scene | settings measured | RMSE of the reference | slope | noise | preview | balanced | final |\n"
       "|---|---|---|---|---|---|---|---|")
 for scene, report in reports.items():
