@@ -19,13 +19,14 @@ bool samePicture(const TradePoint& a, const TradePoint& b) {
     return (a.samePicture || a.role == TradeRole::Base) && (b.samePicture || b.role == TradeRole::Base);
 }
 
-bool betterBeyondDoubt(const TradePoint& a, const TradePoint& b) {
-    return a.seconds.upper < b.seconds.lower && (a.error.upper < b.error.lower || samePicture(a, b));
+bool betterBeyondDoubt(const TradePoint& a, const TradePoint& b, double noise) {
+    return a.seconds.upper < b.seconds.lower && b.seconds.value > (1.0 + noise) * a.seconds.value &&
+           (a.error.upper < b.error.lower || samePicture(a, b));
 }
 
 }  // namespace
 
-std::vector<std::size_t> markFront(std::vector<TradePoint>& points) {
+std::vector<std::size_t> markFront(std::vector<TradePoint>& points, double noise) {
     std::vector<std::size_t> order, front;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (counts(points[i])) order.push_back(i);
@@ -38,7 +39,7 @@ std::vector<std::size_t> markFront(std::vector<TradePoint>& points) {
         if (point.onFront) front.push_back(i);
         const TradePoint* best = nullptr;
         for (const std::size_t j : order)
-            if (betterBeyondDoubt(points[j], point) &&
+            if (betterBeyondDoubt(points[j], point, noise) &&
                 (!best || points[j].efficiency.value > best->efficiency.value))
                 best = &points[j];
         point.dominatedBy = best ? best->name : "";

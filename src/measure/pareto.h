@@ -6,7 +6,9 @@ namespace rayscope {
 /// Fills `onFront` and `dominatedBy` of each point, and returns the front from fast to accurate. A point is
 /// on the front if none is both faster and more accurate. It is dominated only beyond doubt: if another is
 /// faster and more accurate with intervals that do not overlap, or faster with the same picture.
-std::vector<std::size_t> markFront(std::vector<TradePoint>& points);
+/// In both cases by more than `noise`, the least difference in time (0.1 is 10 %) that can be told from the
+/// machine's.
+std::vector<std::size_t> markFront(std::vector<TradePoint>& points, double noise = 0.0);
 
 /// How much longer the point takes than the front needs for its error, which is interpolated between points
 /// of the front on logarithmic axes; 0 on the front, and where it has no part so accurate.

