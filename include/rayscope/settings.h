@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rayscope {
@@ -81,6 +82,14 @@ struct Settings {
 /// How much of the work a change of settings throws away, from nothing to everything.
 enum class Invalidates { Nothing, Display, Film, Accel };
 
+/// What a setting trades against time.
+enum class Trade {
+    Nothing,  ///< it says what is shown, not how well
+    Noise,    ///< more work makes less noise
+    Bias,     ///< less work makes another picture, however many samples there are
+    Speed     ///< the picture stays the same, bit for bit
+};
+
 /// The worst consequence among the fields in which a and b differ.
 Invalidates changed(const Settings& a, const Settings& b);
 
@@ -91,12 +100,25 @@ void assign(Settings& settings, std::string_view key, std::string_view value);
 /// The text that assign() would accept for the present value of `key`.
 std::string textOf(const Settings& settings, std::string_view key);
 
+/// A position on the dial from fast to accurate: values for the settings that trade, whatever the scene.
+struct Preset {
+    std::string_view name, meaning;
+    std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key, text
+};
+/// preview, balanced, final, reference.
+const std::vector<Preset>& presets();
+/// Throws InputError that names the nearest preset.
+const Preset& presetNamed(std::string_view name);
+/// Sets what the preset says and leaves the rest.
+void applyPreset(Settings& settings, const Preset& preset);
+
 /// Every key, in the order of the table.
 std::vector<std::string_view> settingKeys();
 
 /// What a user can know about one setting.
 struct SettingInfo {
     std::string_view key, group, label, help, unit;
+    Trade trade = Trade::Nothing;
     std::string kind;  ///< "boolean", "integer", "number" or "choice"
     std::string defaultValue;
     double lowest = 0.0, highest = 0.0;     ///< of numbers

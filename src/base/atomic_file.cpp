@@ -82,35 +82,68 @@ bool writeAll(int descriptor, std::string_view bytes) {
     return true;
 }
 
-void writeInPlace(const std::string& path, std::string_view bytes) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) throwReason(path, errno);
-    const bool written = writeAll(descriptor, bytes);
-    const int error = errno;
-    ::close(descriptor);
-    if (!written) throwReason(path, error);
-}
+/// A pipe or device, which is written to as it is.
+class OpenDevice {
+  public:
+    explicit OpenDevice(const std::string& path) : descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {}
+    OpenDevice(const OpenDevice&) = delete;
+    OpenDevice& operator=(const OpenDevice&) = delete;
+    ~OpenDevice() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    int descriptor() const { return descriptor_; }
+
+  private:
+    int descriptor_;
+};
 
 /// The file that takes the place of `target` later. Throws InputError, about `path`, if there can be none.
-TemporaryFile createBeside(const fs::path& target, const std::string& path) {
+std::unique_ptr<TemporaryFile> createBeside(const fs::path& target, const std::string& path) {
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) throw InputError("is a folder; name a file in it", {path});
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
         throw InputError("cannot be written: there is no folder '" + folder.string() + "'; create it first",
                          {path});
-    return TemporaryFile(target);
+    return std::make_unique<TemporaryFile>(target);
 }
 
 }  // namespace
 
+struct AtomicFile::State {
+    explicit State(const std::string& p) : path(p) {
+        if (path.empty()) throw InputError("cannot write to a file without a name");
+        if (isPipeOrDevice(path)) {
+            device = std::make_unique<OpenDevice>(path);
+        } else {
+            target = destinationOf(path);
+            temporary = createBeside(target, path);
+        }
+        if (descriptor() < 0) throwReason(path, errno);
+    }
+    int descriptor() const { return device ? device->descriptor() : temporary->descriptor(); }
+
+    std::string path;
+    fs::path target;
+    std::unique_ptr<OpenDevice> device;
+    std::unique_ptr<TemporaryFile> temporary;
+};
+
+AtomicFile::AtomicFile(const std::string& path) : state_(std::make_unique<State>(path)) {}
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write(std::string_view bytes) {
+    if (!writeAll(state_->descriptor(), bytes)) throwReason(state_->path, errno);
+}
+
+void AtomicFile::commit() {
+    if (state_->temporary && !state_->temporary->moveTo(state_->target)) throwReason(state_->path, errno);
+}
+
 void writeFileAtomically(const std::string& path, std::string_view bytes) {
-    if (path.empty()) throw InputError("cannot write to a file without a name");
-    if (isPipeOrDevice(path)) return writeInPlace(path, bytes);
-    const fs::path target = destinationOf(path);
-    TemporaryFile temporary = createBeside(target, path);
-    if (temporary.descriptor() < 0 || !writeAll(temporary.descriptor(), bytes) || !temporary.moveTo(target))
-        throwReason(path, errno);
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 void checkFileDestination(const std::string& path) {
@@ -121,7 +154,7 @@ void checkFileDestination(const std::string& path) {
     }
     // Only an attempt tells: the rights of a folder say nothing about file systems that refuse for other
     // reasons.
-    if (createBeside(destinationOf(path), path).descriptor() < 0) throwReason(path, errno);
+    if (createBeside(destinationOf(path), path)->descriptor() < 0) throwReason(path, errno);
 }
 
 }  // namespace rayscope

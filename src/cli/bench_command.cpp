@@ -23,8 +23,8 @@ struct BenchCommandOptions {
     int threads = 0, size = 1024, rounds = 7;
 };
 
-nlohmann::json json(const MedianInterval& interval) {
-    return {{"median", interval.median}, {"low", interval.low}, {"high", interval.high}};
+nlohmann::json json(const Interval& interval) {
+    return {{"median", interval.value}, {"low", interval.lower}, {"high", interval.upper}};
 }
 
 nlohmann::json json(const RayTiming& timing) {
@@ -38,12 +38,21 @@ nlohmann::json json(const RayTiming& timing) {
                     {"embree_robust_mrays_per_s", timing.embreeRobust},
                     {"embree_packet16_mrays_per_s", timing.embreePacket16},
                     {"embree_stream_mrays_per_s", timing.embreeStream},
-                    {"ratio", timing.singleToSingle.median},
+                    {"ratio", timing.singleToSingle.value},
                     {"ratio_interval", json(timing.singleToSingle)},
                     {"ratio_to_robust", json(timing.singleToRobust)},
                     {"batched_to_embree_single", json(timing.batchedToSingle)},
                     {"batched_to_embree_best", json(timing.batchedToBest)}});
     return row;
+}
+
+/// The name of a choice as the settings have it.
+std::string settingText(const BenchRow& row, std::string_view key) {
+    Settings settings;
+    settings.bvhBuilder = row.build.builder;
+    settings.bvhLayout = row.build.layout;
+    settings.isa = row.isa;
+    return textOf(settings, key);
 }
 
 nlohmann::json json(const BenchRow& row) {
@@ -57,30 +66,33 @@ nlohmann::json json(const BenchRow& row) {
                              {"triangles", row.triangles},
                              {"spheres", row.spheres},
                              {"threads", row.threads},
-                             {"build_ms", row.buildSeconds.median * 1e3},
+                             {"builder", settingText(row, "bvh_builder")},
+                             {"layout", settingText(row, "bvh_layout")},
+                             {"isa", settingText(row, "isa")},
+                             {"build_ms", row.buildSeconds.value * 1e3},
                              {"build_seconds", json(row.buildSeconds)},
                              {"sah_cost", row.sahCost},
                              {"bytes_per_triangle", row.bytesPerPrimitive},
                              {"rays", rays},
                              {"mismatches", different}};
     if (EmbreeRace::isAvailable())
-        result.update({{"embree_build_ms", row.embreeBuildSeconds.median * 1e3},
+        result.update({{"embree_build_ms", row.embreeBuildSeconds.value * 1e3},
                        {"embree_bytes_per_triangle", row.embreeBytesPerPrimitive},
                        {"build_ratio", json(row.buildRatio)}});
     return result;
 }
 
-std::string ratio(const MedianInterval& interval) {
-    return fmt::format("{:5.2f} [{:.2f} {:.2f}]", interval.median, interval.low, interval.high);
+std::string ratio(const Interval& interval) {
+    return fmt::format("{:5.2f} [{:.2f} {:.2f}]", interval.value, interval.lower, interval.upper);
 }
 
 void print(const BenchRow& row) {
     fmt::print("{}: {} triangles, {} spheres, {} thread{}, SAH cost {:.2f}\n", row.scene, row.triangles,
                row.spheres, row.threads, row.threads == 1 ? "" : "s", row.sahCost);
-    fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.median * 1e3,
+    fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
                row.bytesPerPrimitive);
     if (EmbreeRace::isAvailable())
-        fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.median * 1e3,
+        fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.value * 1e3,
                    row.embreeBytesPerPrimitive, ratio(row.buildRatio));
     fmt::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
     if (EmbreeRace::isAvailable())

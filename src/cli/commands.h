@@ -9,6 +9,7 @@ enum ExitCode : int {
     kWrongUse = 1,
     kWrongInput = 2,
     kStoppedByLimit = 3,
+    kAboveLimit = 4,
     kNonFiniteImage = 5,
     kInterrupted = 130
 };
@@ -19,6 +20,9 @@ void addRenderCommand(CLI::App& program, int& exitCode);
 void addProbeCommand(CLI::App& program, int& exitCode);
 void addInfoCommand(CLI::App& program, int& exitCode);
 void addBenchCommand(CLI::App& program, int& exitCode);
+void addCastCommand(CLI::App& program, int& exitCode);
+void addTradeCommand(CLI::App& program, int& exitCode);
+void addCompareCommand(CLI::App& program, int& exitCode);
 void addSettingsCommand(CLI::App& program, int& exitCode);
 
 }  // namespace rayscope

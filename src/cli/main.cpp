@@ -45,6 +45,9 @@ int runProgram(std::vector<std::string> arguments) {
     addProbeCommand(program, exitCode);
     addInfoCommand(program, exitCode);
     addBenchCommand(program, exitCode);
+    addCastCommand(program, exitCode);
+    addTradeCommand(program, exitCode);
+    addCompareCommand(program, exitCode);
     addSettingsCommand(program, exitCode);
 
     arguments = withDefaultCommand(program, std::move(arguments));

@@ -15,10 +15,12 @@
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
+#include "cli/target_options.h"
 #include "post/develop.h"
 #include "probe/aov.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
+#include "trace/world.h"
 
 namespace rayscope {
 
@@ -26,6 +28,7 @@ namespace {
 
 struct RenderOptions {
     SceneOptions scene;
+    TargetOptions target;
     std::vector<std::string> outputs;
     std::string pixelBounds, statsFile, progress;
     std::vector<std::string> aovs;
@@ -72,6 +75,16 @@ int waitFor(RenderSession& session, const RenderOptions& options, const Interrup
     }
 }
 
+/// What came out, whichever way it was rendered.
+struct Rendered {
+    RgbImage mean;
+    RenderStatus status;
+    std::shared_ptr<const World> world;
+    std::shared_ptr<const Film> film;  ///< null if rendered to a target
+    int exitCode = kDone;
+    std::string words;  ///< why it stopped, if that is worth a line
+};
+
 /// Beside the first output: "image.nodes.exr". Numbers do not fit into a PNG.
 std::string aovPath(const std::string& output, std::string_view name) {
     std::filesystem::path path(output);
@@ -81,12 +94,11 @@ std::string aovPath(const std::string& output, std::string_view name) {
 }
 
 void writeAovs(const RenderOptions& options, const std::vector<Aov>& wanted, const RenderRequest& request,
-               const RenderSession& session, const ImageMetadata& metadata) {
-    const auto world = session.world();
-    const auto film = session.film();
-    if (wanted.empty() || !world || !film) return;
-    AovRequest job{*world,         film.get(),           request.seed, std::max(1, film->completeSamples()),
-                   request.region, options.scene.threads};
+               const Rendered& rendered, const ImageMetadata& metadata) {
+    if (wanted.empty() || !rendered.world || !rendered.film) return;
+    const int samples = std::max(1, rendered.film->completeSamples());
+    const AovRequest job{*rendered.world, rendered.film.get(), request.seed,
+                         samples,         request.region,      options.scene.threads};
     const std::vector<RgbImage> images = renderAovs(job, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i)
         writeImage(aovPath(options.outputs.front(), infoOf(wanted[i]).name), images[i], metadata);
@@ -95,18 +107,18 @@ void writeAovs(const RenderOptions& options, const std::vector<Aov>& wanted, con
 bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 /// The first sample of a pixel that is not finite; 0 if none is by itself.
-int firstBadSample(const RenderSession& session, const RenderRequest& request, glm::ivec2 pixel) {
-    int samples = 0;
-    session.film()->sums(pixel.x, pixel.y, samples);
+int firstBadSample(const Rendered& rendered, const RenderRequest& request, glm::ivec2 pixel) {
+    int samples = rendered.status.samples;
+    if (rendered.film) rendered.film->sums(pixel.x, pixel.y, samples);
     for (int index = 0; index < samples; ++index)
-        if (!isFinite(Rgb(probe(*session.world(), request.seed, {pixel.x, pixel.y, index}).radiance)))
+        if (!isFinite(Rgb(probe(*rendered.world, request.seed, {pixel.x, pixel.y, index}).radiance)))
             return index;
     return 0;
 }
 
 /// Names the pixels that are not numbers and says how to look into the first.
-bool reportNonFinite(const RgbImage& image, const RenderOptions& options, const RenderRequest& request,
-                     const RenderSession& session) {
+bool reportNonFinite(const RenderOptions& options, const RenderRequest& request, const Rendered& rendered) {
+    const RgbImage& image = rendered.mean;
     constexpr int kNamed = 8;
     int count = 0;
     std::string names;
@@ -121,8 +133,47 @@ bool reportNonFinite(const RgbImage& image, const RenderOptions& options, const 
     if (count == 0) return false;
     fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; look into it with: {}\n", count, names,
                count > kNamed ? " …" : "",
-               probeCommand(options.scene, first, firstBadSample(session, request, first)));
+               probeCommand(options.scene, first, firstBadSample(rendered, request, first)));
     return true;
+}
+
+Rendered renderSamples(RenderRequest& request, const RenderOptions& options,
+                       const InterruptGuard& interrupt) {
+    // With a limit the image should be complete early; without one, larger passes cost less.
+    request.progressive = options.timeLimit > 0.0;
+    RenderSession session(options.scene.threads);
+    Progress progress(progressStyle(options.progress, options.quiet));
+    session.submit(request);
+    Rendered rendered;
+    rendered.exitCode = waitFor(session, options, interrupt, progress);
+    rendered.status = session.status();
+    rendered.world = session.world();
+    rendered.film = session.film();
+    rendered.mean = rendered.film ? rendered.film->mean() : RgbImage(request.width, request.height);
+    if (rendered.exitCode == kStoppedByLimit)
+        rendered.words = fmt::format("stopped by the time limit at {:.1f} % of {} samples per pixel",
+                                     100.0 * rendered.status.progress, rendered.status.targetSamples);
+    return rendered;
+}
+
+Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& options,
+                             const InterruptGuard& interrupt) {
+    ErrorTargetResult result =
+        renderToTarget(request, options.target, options.timeLimit, options.scene.spp.value_or(0),
+                       options.scene.threads, interrupt, progressStyle(options.progress, options.quiet));
+    Rendered rendered;
+    rendered.exitCode = result.reason == StopReason::Reached       ? kDone
+                        : result.reason == StopReason::Interrupted ? kInterrupted
+                                                                   : kStoppedByLimit;
+    rendered.status.samples = static_cast<int>(std::lround(result.samples));
+    rendered.status.elapsedSeconds = result.seconds;
+    rendered.status.rays = result.rays;
+    rendered.status.nonFiniteSamples = result.nonFiniteSamples;
+    rendered.status.buildSeconds = result.world->buildSeconds;
+    rendered.world = result.world;
+    rendered.mean = std::move(result.mean);
+    if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.words;
+    return rendered;
 }
 
 int runRender(const RenderOptions& options) {
@@ -139,36 +190,30 @@ int runRender(const RenderOptions& options) {
     std::vector<Aov> aovs;
     for (const std::string& name : options.aovs) aovs.push_back(aovNamed(name));
     for (const Aov aov : aovs) checkImageDestination(aovPath(options.outputs.front(), infoOf(aov).name));
-    // With a limit the image should be complete early; without one, larger passes cost less.
-    request.keepBinaryTrees = false;
-    request.progressive = options.timeLimit > 0.0;
+    if (!aovs.empty() && options.target.wanted())
+        throw CLI::ValidationError("--aov", "needs a fixed number of samples: leave out --target-error");
+    request.keepBinaryTrees = !aovs.empty();
 
-    RenderSession session(options.scene.threads);
-    Progress progress(progressStyle(options.progress, options.quiet));
-    session.submit(request);
-    int exitCode = waitFor(session, options, interrupt, progress);
-
-    const RenderStatus status = session.status();
-    const std::shared_ptr<const Film> film = session.film();
-    const RgbImage mean = film ? film->mean() : RgbImage(request.width, request.height);
+    const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
+                                                      : renderSamples(request, options, interrupt);
+    const RgbImage& mean = rendered.mean;
+    const RenderStatus& status = rendered.status;
+    int exitCode = rendered.exitCode;
     const ImageMetadata metadata =
         imageMetadata(*request.scene, request.settings, request.seed, status.samples);
     for (const std::string& output : options.outputs)
         writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
                    request.settings.tone);
-    if (exitCode != kInterrupted) writeAovs(options, aovs, request, session, metadata);
-    if (!options.statsFile.empty() && session.world()) {
+    if (exitCode != kInterrupted) writeAovs(options, aovs, request, rendered, metadata);
+    if (!options.statsFile.empty() && rendered.world) {
         const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const int threads = options.scene.threads > 0 ? options.scene.threads
                                                       : static_cast<int>(std::thread::hardware_concurrency());
         writeFileAtomically(options.statsFile,
-                            renderStatsJson(request, status, *session.world(), threads, total));
+                            renderStatsJson(request, status, *rendered.world, threads, total));
     }
-    if (exitCode == kStoppedByLimit)
-        fmt::print(stderr, "stopped by the time limit at {:.1f} % of {} samples per pixel\n",
-                   100.0 * status.progress, status.targetSamples);
-    if (reportNonFinite(mean, options, request, session) && exitCode != kInterrupted)
-        exitCode = kNonFiniteImage;
+    if (!rendered.words.empty()) fmt::print(stderr, "{}\n", rendered.words);
+    if (reportNonFinite(options, request, rendered) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
     return exitCode;
 }
 
@@ -186,6 +231,7 @@ void addRenderCommand(CLI::App& program, int& exitCode) {
         ->add_option("--time-limit", options->timeLimit,
                      "Stop after this many seconds with the best image so far")
         ->check(CLI::PositiveNumber);
+    options->target.addTo(*command);
     command->add_option("--pixelbounds", options->pixelBounds,
                         "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
     std::vector<std::string_view> names;

@@ -10,8 +10,7 @@
 namespace rayscope {
 
 void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
-    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
-    if (sceneRequired) positional->required();
+    addSceneTo(command, sceneRequired);
     command.add_option("--size", size, "Width and height of the image in pixels, as WxH")
         ->capture_default_str();
     command.add_option("--camera", camera, "Name of one of the scene's cameras");
@@ -20,7 +19,16 @@ void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
     command.add_option("--up", up, "Direction that is up in the image, as X,Y,Z");
     command.add_option("--fov", fov, "Vertical angle of view in degrees")->check(CLI::Range(0.001, 179.0));
     command.add_option("--spp,--samples", spp, "Samples per pixel");
+    command.add_option(
+        "--preset", preset,
+        "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
+        "go before it");
     command.add_option("--seed", seed, "Seed of the random numbers")->capture_default_str();
+}
+
+void SceneOptions::addSceneTo(CLI::App& command, bool sceneRequired) {
+    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    if (sceneRequired) positional->required();
     command.add_option("-t,--threads,--nthreads", threads, "Tracing threads; 0 takes one per core")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
@@ -69,6 +77,9 @@ Settings settingsFor(const SceneDescription& scene, const SceneOptions& options)
 
 std::vector<SettingAssignment> parseAssignments(const SceneOptions& options) {
     std::vector<SettingAssignment> list;
+    if (!options.preset.empty())
+        for (const auto& [key, value] : presetNamed(options.preset).values)
+            list.push_back({std::string(key), std::string(value), {}});
     for (const std::string& text : options.assignments) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos)

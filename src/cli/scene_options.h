@@ -16,11 +16,14 @@ struct SceneOptions {
     std::string lookFrom, lookAt, up;
     std::optional<float> fov;
     std::optional<int> spp;
+    std::string preset;
     std::uint64_t seed = 0;
     int threads = 0;
     std::vector<std::string> assignments;  ///< KEY=VALUE
 
     void addTo(CLI::App& command, bool sceneRequired);
+    /// Only those that are not about the picture: the scene, threads and settings.
+    void addSceneTo(CLI::App& command, bool sceneRequired);
 };
 
 /// Opens the scene, prints its notes to stderr (unless quiet) and applies settings in the order: defaults,

@@ -39,11 +39,17 @@ void printMarkdown() {
 }
 
 void printJson() {
+    constexpr const char* trades[] = {"nothing", "noise", "bias", "speed"};
     nlohmann::json list = nlohmann::json::array();
     for (const SettingInfo& info : describeSettings()) {
-        nlohmann::json row = {
-            {"name", info.key},  {"group", info.group}, {"label", info.label},         {"meaning", info.help},
-            {"unit", info.unit}, {"type", info.kind},   {"default", info.defaultValue}};
+        nlohmann::json row = {{"name", info.key},
+                              {"group", info.group},
+                              {"label", info.label},
+                              {"meaning", info.help},
+                              {"unit", info.unit},
+                              {"type", info.kind},
+                              {"default", info.defaultValue},
+                              {"trades", trades[static_cast<int>(info.trade)]}};
         if (info.kind == "choice") row["choices"] = info.choices;
         if (info.kind == "integer" || info.kind == "number") row["range"] = {info.lowest, info.highest};
         list.push_back(row);

@@ -14,11 +14,16 @@
 #include "bvh/build.h"
 #include "bvh/statistics.h"
 #include "measure/embree_race.h"
+#include "measure/statistics.h"
 
 namespace rayscope {
 namespace {
 
 constexpr std::size_t kChunk = 16384;
+
+Interval intervalOf(const std::vector<double>& values) {
+    return values.empty() ? Interval{} : medianInterval(values);
+}
 
 double secondsOf(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -132,7 +137,7 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     }
     const auto speed = [&](const std::vector<double>& seconds) {
         return seconds.empty() ? 0.0
-                               : static_cast<double>(track.size()) * 1e-6 / medianInterval(seconds).median;
+                               : static_cast<double>(track.size()) * 1e-6 / medianInterval(seconds).value;
     };
     timing.single = speed(single);
     timing.batched = speed(batched);
@@ -140,32 +145,15 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     timing.embreeRobust = speed(robust);
     timing.embreePacket16 = speed(packet);
     timing.embreeStream = speed(stream);
-    timing.singleToSingle = medianInterval(toSingle);
-    timing.singleToRobust = medianInterval(toRobust);
-    timing.batchedToSingle = medianInterval(batchToSingle);
-    timing.batchedToBest = medianInterval(batchToBest);
-    timing.batchedToOwnSingle = medianInterval(batchToOwn);
+    timing.singleToSingle = intervalOf(toSingle);
+    timing.singleToRobust = intervalOf(toRobust);
+    timing.batchedToSingle = intervalOf(batchToSingle);
+    timing.batchedToBest = intervalOf(batchToBest);
+    timing.batchedToOwnSingle = intervalOf(batchToOwn);
     return timing;
 }
 
 }  // namespace
-
-MedianInterval medianInterval(std::vector<double> values) {
-    if (values.empty()) return {};
-    std::ranges::sort(values);
-    const std::size_t n = values.size();
-    const double median = n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-    // The k-th value from either end encloses the median unless at most k − 1 of n fair coins show heads.
-    double below = std::pow(0.5, static_cast<double>(n)), choose = below;
-    std::size_t k = 0;
-    while (k + 1 < n / 2 && 2.0 * below <= 0.05) {
-        ++k;
-        choose *= static_cast<double>(n - k + 1) / static_cast<double>(k);
-        below += choose;
-    }
-    const std::size_t rank = k > 0 ? k - 1 : 0;
-    return {median, values[rank], values[n - 1 - rank]};
-}
 
 BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
                   const glm::vec3& light, const BenchOptions& options,
@@ -190,12 +178,13 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
         ratio.push_back(embreeBuild.back() / build.back());
     }
     if (EmbreeRace::isAvailable()) robust.emplace(input, true, options.threads);
-    row.buildSeconds = medianInterval(build);
-    row.embreeBuildSeconds = medianInterval(embreeBuild);
-    row.buildRatio = medianInterval(ratio);
+    row.buildSeconds = intervalOf(build);
+    row.embreeBuildSeconds = intervalOf(embreeBuild);
+    row.buildRatio = intervalOf(ratio);
     const auto primitives = static_cast<double>(std::max<std::size_t>(1, row.triangles + row.spheres));
     row.bytesPerPrimitive = static_cast<double>(accel.bytes()) / primitives;
     if (fast) row.embreeBytesPerPrimitive = static_cast<double>(fast->bytes()) / primitives;
+    row.isa = accel.summary().isa;
     row.sahCost = statisticsOf(buildBinaryTree(input, options.build)).sahCost;
     for (const BenchRayKind kind : kBenchRayKinds) {
         note(std::string(benchNameOf(kind)));

@@ -2,6 +2,7 @@
 // How fast a scene's hierarchy is built and searched, beside Embree where it is installed.
 #include <rayscope/accel.h>
 #include <rayscope/scene.h>
+#include <rayscope/trade.h>
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,13 +10,6 @@
 #include "measure/bench_rays.h"
 
 namespace rayscope {
-
-/// The middle of a sample of measurements, and the order statistics that enclose the median with a
-/// probability of at least 95 % (for fewer than six values: the extremes).
-struct MedianInterval {
-    double median = 0.0, low = 0.0, high = 0.0;
-};
-MedianInterval medianInterval(std::vector<double> values);
 
 struct BenchOptions {
     BuildSettings build;
@@ -30,11 +24,11 @@ struct RayTiming {
     std::size_t rays = 0, hits = 0;
     double single = 0.0, batched = 0.0;  ///< million rays per second, medians
     double embreeSingle = 0.0, embreeRobust = 0.0, embreePacket16 = 0.0,
-           embreeStream = 0.0;                      ///< 0: not measured
-    MedianInterval singleToSingle, singleToRobust;  ///< own single rays against Embree's
-    MedianInterval batchedToSingle;                 ///< own batched queries against Embree's single rays
-    MedianInterval batchedToBest;  ///< the same against the fastest of Embree's queries in each round
-    MedianInterval batchedToOwnSingle;
+           embreeStream = 0.0;                ///< 0: not measured
+    Interval singleToSingle, singleToRobust;  ///< own single rays against Embree's
+    Interval batchedToSingle;                 ///< own batched queries against Embree's single rays
+    Interval batchedToBest;  ///< the same against the fastest of Embree's queries in each round
+    Interval batchedToOwnSingle;
     std::size_t mismatches = 0;  ///< rays whose hit or miss differs from Embree's robust mode
 };
 
@@ -43,7 +37,8 @@ struct BenchRow {
     std::size_t triangles = 0, spheres = 0;
     int threads = 1;
     BuildSettings build;
-    MedianInterval buildSeconds, embreeBuildSeconds, buildRatio;  ///< ratio: Embree's time over the own
+    Isa isa = Isa::Auto;                                    ///< of the kernels; Auto: none
+    Interval buildSeconds, embreeBuildSeconds, buildRatio;  ///< ratio: Embree's time over the own
     double sahCost = 0.0;
     double bytesPerPrimitive = 0.0, embreeBytesPerPrimitive = 0.0;
     std::vector<RayTiming> rays;

@@ -8,6 +8,12 @@ namespace rayscope {
 
 bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters) {
+    const std::vector<int> targets(static_cast<std::size_t>(film.tileCount()), targetSamples);
+    return renderPass(world, seed, film, targets, control, counters);
+}
+
+bool renderPass(const World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
+                const PassControl& control, RenderCounters& counters) {
     // Tiles are claimed in order from one counter: neighbours start together, and no thread is left with a
     // long tail. The counters also tell the thread sanitizer, which does not see into TBB, that a task starts
     // after the pass was set up and that the pass ends after its tasks.
@@ -21,7 +27,8 @@ bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSa
             for (int i = range.begin(); i != range.end(); ++i) {
                 const int tile = next.fetch_add(1);
                 if (!control.endsEarly())
-                    renderTile(world, seed, film, tile, targetSamples, control.stop, counters);
+                    renderTile(world, seed, film, tile, targetSamples[static_cast<std::size_t>(tile)],
+                               control.stop, counters);
                 finished.fetch_add(1);
             }
         },

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <stop_token>
 
 #include "render/film.h"
@@ -17,6 +18,10 @@ struct PassControl {
 /// Brings every tile of the film to `targetSamples` on the threads of the calling arena. Returns false if it
 /// was stopped; the film is valid either way and a later pass goes on from it.
 bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
+                const PassControl& control, RenderCounters& counters);
+
+/// The same with a number of samples for each tile.
+bool renderPass(const World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
                 const PassControl& control, RenderCounters& counters);
 
 }  // namespace rayscope

@@ -74,7 +74,7 @@ SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
         throw InputError(fmt::format("no built-in scene is named '{}'{}; expected {}", name,
                                      didYouMean(name, kBuiltinNames), joinChoices(kBuiltinNames)));
     const std::string file = path + ".toml";
-    SceneDescription scene = readTomlScene(file, readFile(file), notes);
+    SceneDescription scene = readTomlScene(file, readSource(file), notes);
     scene.path = path;
     return scene;
 }
@@ -83,7 +83,7 @@ SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
 
 SceneDescription loadScene(const std::string& path, Diagnostics& notes) {
     if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes);
-    if (hasSuffix(path, ".toml")) return readTomlScene(path, readFile(path), notes);
+    if (hasSuffix(path, ".toml")) return readTomlScene(path, readSource(path), notes);
     if (hasSuffix(path, ".obj")) return loadBareObj(path, notes);
     throw InputError("a scene is a .toml file, an .obj file or builtin:NAME", {path});
 }
@@ -92,7 +92,7 @@ std::vector<BuiltinScene> builtinScenes() {
     std::vector<BuiltinScene> list;
     for (const std::string_view name : kBuiltinNames) {
         const std::string file = fmt::format("{}{}.toml", kBuiltin, name);
-        list.push_back({std::string(name), titleOf(file, readFile(file))});
+        list.push_back({std::string(name), titleOf(file, readSource(file))});
     }
     return list;
 }

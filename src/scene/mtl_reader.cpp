@@ -24,7 +24,7 @@ class MtlReader {
         : path_(path), textures_(textures), notes_(notes) {}
 
     std::vector<Material> read() {
-        std::string content = readFile(path_);
+        std::string content = readSource(path_);
         if (content.starts_with("\xef\xbb\xbf")) content.erase(0, 3);
         scan(content);
         std::istringstream stream(content);

@@ -50,7 +50,7 @@ class ObjParser {
   public:
     explicit ObjParser(const std::string& path)
         : path_(path),
-          text_(readFile(path)),
+          text_(readSource(path)),
           lines_(text_, [this](std::string_view line) { readOther(line); }) {}
 
     ParsedObj parse() {

@@ -46,7 +46,7 @@ bool fileExists(const std::string& path) {
     return findEmbedded(path) || fs::is_regular_file(path, ignored);
 }
 
-std::string readFile(const std::string& path) {
+std::string readSource(const std::string& path) {
     if (const auto* embedded = findEmbedded(path)) return std::string(embedded->content);
     std::error_code error;
     if (fs::is_directory(path, error)) throw InputError("cannot be read: it is a folder", {path});

@@ -9,7 +9,7 @@
 namespace rayscope {
 
 /// The whole file. Throws InputError if it cannot be read.
-std::string readFile(const std::string& path);
+std::string readSource(const std::string& path);
 
 bool fileExists(const std::string& path);
 

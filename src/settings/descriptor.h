@@ -14,6 +14,7 @@ struct SettingText {
     std::string_view label;
     std::string_view help;  ///< one full sentence
     std::string_view unit = "";
+    Trade trade = Trade::Nothing;
 };
 
 /// Why a setting has no effect at present, or an empty text if it has one.

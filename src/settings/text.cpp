@@ -112,8 +112,13 @@ std::vector<SettingInfo> describeSettings() {
     std::vector<SettingInfo> list;
     const Settings defaults;
     forEachSetting([&](const auto& row) {
-        SettingInfo info{
-            row.text.key, row.text.group, row.text.label, row.text.help, row.text.unit, {}, {}, 0, 0, {}};
+        SettingInfo info;
+        info.key = row.text.key;
+        info.group = row.text.group;
+        info.label = row.text.label;
+        info.help = row.text.help;
+        info.unit = row.text.unit;
+        info.trade = row.text.trade;
         info.defaultValue = print(row, defaults);
         describeKind(row, info);
         list.push_back(std::move(info));

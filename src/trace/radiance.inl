@@ -191,7 +191,8 @@ void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, co
             if (compiled.dimensions == 2) u = points.get2D(first + k);
             LightTerm& term = terms[static_cast<std::size_t>(k)];
             term = connect(index, first + k, at, u);
-            if (term.needsShadow) shadows[asked++] = shadowRay(term.connection.from, term.connection.at.position);
+            if (term.needsShadow)
+                shadows[asked++] = shadowRay(term.connection.from, term.connection.at.position);
         }
         transmittances({shadows.data(), asked}, {visible.data(), asked});
         asked = 0;

@@ -74,9 +74,12 @@ void BvhInspector::update(const std::shared_ptr<const World>& world) {
         fresh.geometry = wanted.geometry;
         fresh.accel = wanted.accel;
         stopRival_ = std::stop_source{};
-        comingRival_ = std::async(
-            std::launch::async, buildRival, std::move(fresh),
-            BuildSettings{s.bvhBuilder, s.bvhBins, s.bvhMaxLevel, s.bvhLeafSize, stopRival_.get_token()});
+        comingRival_ = std::async(std::launch::async, buildRival, std::move(fresh),
+                                  BuildSettings{.builder = s.bvhBuilder,
+                                                .bins = s.bvhBins,
+                                                .maxLevel = s.bvhMaxLevel,
+                                                .leafSize = s.bvhLeafSize,
+                                                .stop = stopRival_.get_token()});
     }
 }
 

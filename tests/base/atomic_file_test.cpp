@@ -110,6 +110,23 @@ TEST(AtomicFile, AFolderThatTakesNoFilesIsRefusedAtOnce) {
     ::chmod(folder.path().c_str(), 0700);
 }
 
+TEST(AtomicFile, PiecesAppearTogetherOrNotAtAll) {
+    const TemporaryFolder folder;
+    folder.write("a", "old");
+    {
+        rayscope::AtomicFile file(folder.file("a"));
+        file.write("half");
+    }
+    EXPECT_EQ(readText(folder / "a"), "old");
+    rayscope::AtomicFile file(folder.file("a"));
+    file.write("new ");
+    file.write("text");
+    EXPECT_EQ(readText(folder / "a"), "old");
+    file.commit();
+    EXPECT_EQ(readText(folder / "a"), "new text");
+    EXPECT_EQ(folder.entries(), 1u);
+}
+
 TEST(AtomicFile, ACheckLeavesNothing) {
     const TemporaryFolder folder;
     checkFileDestination(folder.file("a.json"));

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 TEST(CommandLine, HelpAndVersion) {
     const TemporaryFolder folder;
     EXPECT_EQ(run(folder, "rayscope --help").exitCode, 0);
-    for (const char* command : {"render", "probe", "info", "settings"}) {
+    for (const char* command : {"render", "probe", "bench", "cast", "trade", "compare", "info", "settings"}) {
         EXPECT_THAT(run(folder, "rayscope --help").out, HasSubstr(command));
         EXPECT_EQ(run(folder, std::string("rayscope ") + command + " --help").exitCode, 0);
     }

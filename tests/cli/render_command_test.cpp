@@ -75,6 +75,28 @@ TEST(Render, StopsAtTheTimeLimitWithAnImage) {
     EXPECT_EQ(readImage(folder / "a.png").width, 200);
 }
 
+TEST(Render, ReachesATargetErrorOrSaysWhyNot) {
+    const TemporaryFolder folder;
+    const std::string scene = "rayscope render builtin:cornell-area --size 40x40 -o a.exr --stats s.json ";
+    const ProgramResult reached = run(folder, scene + "--target-error 0.01 --confidence 0.99 --adaptive");
+    EXPECT_EQ(reached.exitCode, 0) << reached.err;
+    EXPECT_THAT(reached.err, HasSubstr("the target is reached"));
+    EXPECT_EQ(readImage(folder / "a.exr").width, 40);
+    EXPECT_GE(nlohmann::json::parse(test::readText(folder / "s.json"))["samples"], 16);
+    const ProgramResult late = run(folder, scene + "--target-error 1e-9 --time-limit 0.3 --worst-tile");
+    EXPECT_EQ(late.exitCode, 3) << late.err;
+    EXPECT_THAT(late.err, HasSubstr("stopped by the time limit"));
+    const ProgramResult limited = run(folder, scene + "--target-error 1e-9 --spp 20 --metric relmse");
+    EXPECT_EQ(limited.exitCode, 3) << limited.err;
+    EXPECT_THAT(limited.err, HasSubstr("with 20 samples per pixel"));
+    const ProgramResult progress = run(folder, scene + "--target-error 0.001 --progress json");
+    EXPECT_THAT(progress.err, HasSubstr("\"remaining_s\""));
+    EXPECT_EQ(run(folder, scene + "--target-error 0.01 --metric flip").exitCode, 2);
+    EXPECT_EQ(run(folder, scene + "--target-error 0.01 --metric rmsee").exitCode, 2);
+    EXPECT_EQ(run(folder, scene + "--target-error 0").exitCode, 1);
+    EXPECT_EQ(run(folder, scene + "--target-error 0.1 --confidence 1").exitCode, 1);
+}
+
 TEST(Render, WritesTheImageWhenInterrupted) {
     const TemporaryFolder folder;
     // In the foreground, because otherwise the signal goes to the process group as well, and two stop at
@@ -158,6 +180,21 @@ TEST(Render, AppliesSettingsInOrder) {
     const ProgramResult result = run(folder, "rayscope render s.toml --dump-settings --set spp=8 -q");
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.out, "[settings]\nmax_depth = 3\nspp = 8\n");
+}
+
+TEST(Render, APresetStandsBetweenTheSceneAndTheCommandLine) {
+    const TemporaryFolder folder;
+    folder.write(
+        "s.toml",
+        "version = 1\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n[settings]\nspp = 4\nmax_depth = 9\n");
+    const ProgramResult result =
+        run(folder, "rayscope render s.toml --dump-settings -q --set max_depth=3 --preset preview");
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.out, HasSubstr("spp = 1\n"));
+    EXPECT_THAT(result.out, HasSubstr("max_depth = 3\n"));
+    const ProgramResult wrong = run(folder, "rayscope render s.toml --dump-settings --preset previw");
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("did you mean 'preview'"));
 }
 
 TEST(Render, PixelBoundsRenderAPart) {

@@ -197,5 +197,25 @@ TEST(Settings, ScriptsFindTheNamesTheyRelyOn) {
         EXPECT_THAT(keys, testing::Contains(key));
 }
 
+TEST(Presets, GoFromFastToAccurateAndLeaveTheRest) {
+    Settings settings;
+    settings.glossySigma = 7.0f;
+    int samples = 0;
+    ASSERT_EQ(presets().size(), 4u);
+    for (const Preset& preset : presets()) {
+        Settings turned = settings;
+        applyPreset(turned, preset);
+        EXPECT_GT(turned.spp, samples) << preset.name;
+        samples = turned.spp;
+        EXPECT_EQ(turned.glossySigma, 7.0f);
+        for (const SettingInfo& info : describeSettings())
+            EXPECT_TRUE(info.trade == Trade::Noise || info.trade == Trade::Bias ||
+                        textOf(turned, info.key) == textOf(settings, info.key))
+                << preset.name << " turns " << info.key << ", which does not trade accuracy";
+    }
+    EXPECT_EQ(presetNamed("final").name, "final");
+    EXPECT_THROW(presetNamed("finel"), InputError);
+}
+
 }  // namespace
 }  // namespace rayscope

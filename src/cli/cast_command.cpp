@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <rayscope/diagnostics.h>
+#include <bit>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "base/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/scene_options.h"
+#include "render/cast_rays.h"
+#include "trace/compile.h"
+
+namespace rayscope {
+
+namespace {
+
+// The records of the files are the structs as they lie in memory.
+static_assert(sizeof(Ray) == 32 && offsetof(Ray, direction) == 12 && offsetof(Ray, tMin) == 24);
+static_assert(sizeof(Hit) == 16 && offsetof(Hit, primitive) == 4 && offsetof(Hit, u) == 8);
+static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
+
+/// Rays per step: 32 MiB in, at most 16 MiB out.
+constexpr std::size_t kRaysPerStep = std::size_t{1} << 20;
+
+struct CastOptions {
+    SceneOptions scene;
+    std::string rays, output;
+    bool any = false, quiet = false;
+};
+
+/// A file of rays, read piece by piece.
+class RayFile {
+  public:
+    explicit RayFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb")) {
+        std::error_code ignored;
+        if (std::filesystem::is_directory(path, ignored))
+            throw InputError("is a folder; name a file of rays in it", {path});
+        if (!file_) throw InputError("cannot be read: " + std::generic_category().message(errno), {path});
+        const auto size = std::filesystem::file_size(path, ignored);
+        if (!ignored && size % sizeof(Ray) != 0) throwMalformed(size);
+    }
+    RayFile(const RayFile&) = delete;
+    RayFile& operator=(const RayFile&) = delete;
+    ~RayFile() {
+        if (file_) std::fclose(file_);
+    }
+
+    /// Fills `rays` with the next ones, fewer at the end of the file. Returns false if there are none.
+    bool next(std::vector<Ray>& rays) {
+        rays.resize(kRaysPerStep);
+        const std::size_t bytes = std::fread(rays.data(), 1, kRaysPerStep * sizeof(Ray), file_);
+        if (std::ferror(file_)) throw InputError("cannot be read to its end", {path_});
+        read_ += bytes;
+        if (bytes % sizeof(Ray) != 0) throwMalformed(read_);
+        rays.resize(bytes / sizeof(Ray));
+        return !rays.empty();
+    }
+
+  private:
+    [[noreturn]] void throwMalformed(std::uintmax_t size) const {
+        throw InputError(
+            fmt::format("is no file of rays: it has {} bytes, and a ray takes 32 (8 little-endian "
+                        "float32: origin xyz, direction xyz, tMin, tMax)",
+                        size),
+            {path_});
+    }
+    std::string path_;
+    std::FILE* file_;
+    std::uintmax_t read_ = 0;
+};
+
+struct CastCounts {
+    std::uint64_t rays = 0, hits = 0;
+    double seconds = 0.0;  ///< in queries alone
+};
+
+/// Answers one step of rays and appends the answers to the file.
+void answer(const World& world, std::span<const Ray> rays, bool any, AtomicFile& output, CastCounts& counts) {
+    std::vector<Hit> hits(any ? 0 : rays.size());
+    std::vector<std::uint8_t> occluded(any ? rays.size() : 0);
+    const auto start = std::chrono::steady_clock::now();
+    if (any)
+        castAny(world, rays, occluded);
+    else
+        castClosest(world, rays, hits);
+    counts.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    counts.rays += rays.size();
+    for (const Hit& hit : hits) counts.hits += hit.primitive != kNoPrimitive;
+    for (const std::uint8_t blocked : occluded) counts.hits += blocked;
+    const auto bytes = any ? std::as_bytes(std::span(occluded)) : std::as_bytes(std::span(hits));
+    output.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+int runCast(const CastOptions& options) {
+    const InterruptGuard interrupt;
+    RayFile file(options.rays);
+    AtomicFile output(options.output);
+    RenderRequest request = openScene(options.scene, options.quiet);
+    // Everything at the start of the shutter: one body, in which triangles count first, then spheres.
+    request.settings.motionBlur = false;
+    const int threads =
+        options.scene.threads > 0 ? options.scene.threads : oneapi::tbb::info::default_concurrency();
+    const oneapi::tbb::global_control parallelism(oneapi::tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<std::size_t>(std::max(threads, 2)));
+    oneapi::tbb::task_arena arena(threads);
+    CastCounts counts;
+    arena.execute([&] {
+        const auto world = compile({request.scene, request.settings, request.camera, 1, 1});
+        std::vector<Ray> rays;
+        while (!interrupt.interrupted() && file.next(rays)) answer(*world, rays, options.any, output, counts);
+    });
+    if (interrupt.interrupted()) return kInterrupted;
+    output.commit();
+    if (!options.quiet)
+        fmt::print(stderr, "{} rays, {} {}, {:.2f} Mray/s\n", counts.rays, counts.hits,
+                   options.any ? "blocked" : "hits",
+                   counts.seconds > 0.0 ? static_cast<double>(counts.rays) * 1e-6 / counts.seconds : 0.0);
+    return kDone;
+}
+
+}  // namespace
+
+void addCastCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<CastOptions>();
+    CLI::App* command = program.add_subcommand(
+        "cast",
+        "Answer a file of rays. A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, "
+        "tMax. "
+        "Its answer is 16 bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for "
+        "a "
+        "miss), float32 u, v; with --any it is one byte, 1 if anything lies in (tMin, tMax], else 0");
+    options->scene.addSceneTo(*command, true);
+    command->add_option("--rays", options->rays, "File of rays to read, of any length")->required();
+    command->add_option("-o,--output", options->output, "File of answers to write, in the order of the rays")
+        ->required();
+    command->add_flag("--any", options->any, "Ask whether anything is hit, not what is hit first");
+    command->add_flag("-q,--quiet", options->quiet, "Print errors only");
+    command->callback([options, &exitCode] { exitCode = runCast(*options); });
+}
+
+}  // namespace rayscope

@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <rayscope/compare.h>
+#include <rayscope/diagnostics.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/atomic_file.h"
+#include "cli/commands.h"
+#include "post/develop.h"
+
+namespace rayscope {
+
+namespace {
+
+struct CompareCommandOptions {
+    std::string image, reference, difference, map, metric = "rmse";
+    double failAbove = 0.0, range = 0.0;
+    int tile = 32;
+    CompareOptions measure;
+    bool json = false, limited = false;
+};
+
+/// Not-a-number has no place in JSON.
+nlohmann::json numberOrNull(double value) {
+    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json toJson(const ErrorMeasures& e) {
+    return {{"rmse", numberOrNull(e.rmse)},
+            {"relmse", numberOrNull(e.relMse)},
+            {"relmse_trimmed", numberOrNull(e.relMseTrimmed)},
+            {"smape", numberOrNull(e.smape)},
+            {"max", numberOrNull(e.maximum)},
+            {"max_at", {e.maximumX, e.maximumY}},
+            {"mean_difference", numberOrNull(e.meanDifference)},
+            {"ssim", numberOrNull(e.ssim)},
+            {"flip", numberOrNull(e.flip)},
+            {"pixels", e.pixels},
+            {"pixels_compared", e.pixelsCompared},
+            {"non_finite_a", e.nonFiniteImage},
+            {"non_finite_b", e.nonFiniteReference}};
+}
+
+void printText(const ErrorMeasures& e) {
+    fmt::print("rmse             {:.6g}\n", e.rmse);
+    fmt::print("relmse           {:.6g}  ({:.6g} without the worst 0.1 % of the pixels)\n", e.relMse,
+               e.relMseTrimmed);
+    fmt::print("smape            {:.6g}\n", e.smape);
+    fmt::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
+    fmt::print("mean difference  {:+.6g}\n", e.meanDifference);
+    fmt::print("ssim             {:.6g}\n", e.ssim);
+    fmt::print("flip             {:.6g}\n", e.flip);
+}
+
+std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
+    std::vector<MapRegion> tiles;
+    for (int y = 0; y < map.height; y += size)
+        for (int x = 0; x < map.width; x += size)
+            tiles.push_back({x, std::min(x + size, map.width), y, std::min(y + size, map.height)});
+    return tiles;
+}
+
+/// Colours in formats for looking, the values themselves in the others.
+void writeMap(const std::string& path, const Image<double>& map, double range) {
+    RgbImage picture = colorMapped(map, range);
+    if (!isDisplayFormat(path))
+        for (std::size_t i = 0; i < map.pixels.size(); ++i)
+            picture.pixels[i] = Rgb(static_cast<float>(map.pixels[i]));
+    writeImage(path, picture);
+}
+
+double rangeOf(const CompareCommandOptions& options, const Image<double>& map, ErrorMetric metric) {
+    if (options.range > 0.0) return options.range;
+    return metric == ErrorMetric::Flip ? 1.0 : scoreOf(map, ErrorMetric::Max);
+}
+
+void writeTiles(const CompareCommandOptions& options, const Image<double>& map, ErrorMetric metric) {
+    std::string table = fmt::format("x0,x1,y0,y1,{}\n", nameOf(metric));
+    Image<double> tiles(map.width, map.height);
+    for (const MapRegion& tile : tilesOf(map, options.tile)) {
+        const double score = scoreOf(map, metric, tile);
+        table += fmt::format("{},{},{},{},{:.9g}\n", tile.x0, tile.x1, tile.y0, tile.y1, score);
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) tiles.at(x, y) = score;
+    }
+    if (options.map.ends_with(".csv"))
+        writeFileAtomically(options.map, table);
+    else
+        writeMap(options.map, tiles, rangeOf(options, tiles, metric));
+}
+
+/// Says which pixels were left out. Returns whether there were any.
+bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& errors) {
+    const std::pair<const std::string*, long long> counts[] = {
+        {&options.image, errors.nonFiniteImage}, {&options.reference, errors.nonFiniteReference}};
+    for (const auto& [name, count] : counts)
+        if (count > 0)
+            fmt::print(stderr,
+                       "{}: error: {} of {} pixels are NaN or infinite; they are left out of the measures\n",
+                       *name, count, errors.pixels);
+    return errors.nonFiniteImage + errors.nonFiniteReference > 0;
+}
+
+int runCompare(const CompareCommandOptions& options) {
+    const ErrorMetric metric = errorMetricNamed(options.metric);
+    if (!options.difference.empty()) checkImageDestination(options.difference);
+    if (!options.map.empty()) checkFileDestination(options.map);
+    const RgbImage image = readImage(options.image), reference = readImage(options.reference);
+    const ErrorMeasures errors = measureErrors(image, reference, options.measure);
+    const Image<double> map = errorMap(image, reference, metric, options.measure);
+
+    if (options.json)
+        fmt::print("{}\n", toJson(errors).dump(2));
+    else
+        printText(errors);
+    if (!options.difference.empty()) {
+        const double range = rangeOf(options, map, metric);
+        writeMap(options.difference, map, range);
+        if (isDisplayFormat(options.difference) && !options.json)
+            fmt::print("{}: {} of each pixel, from black for 0 to white for {:.6g}\n", options.difference,
+                       options.metric, range);
+    }
+    if (!options.map.empty()) writeTiles(options, map, metric);
+
+    const bool nonFinite = reportNonFinite(options, errors);
+    const double score = errors.of(metric);
+    if (options.limited && !(score <= options.failAbove)) {
+        fmt::print(stderr, "error: {} is {:.6g}, above {:.6g}\n", options.metric, score, options.failAbove);
+        return kAboveLimit;
+    }
+    return nonFinite ? kNonFiniteImage : kDone;
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<CompareCommandOptions>();
+    CLI::App* command = program.add_subcommand("compare",
+                                               "Say how far image A is from reference B: rmse, relmse, "
+                                               "smape, max (of linear values), ssim, flip (of "
+                                               "what a display shows)");
+    command->add_option("A", options->image, "The image to judge: .png .exr .pfm .hdr .jpg")->required();
+    command->add_option("B", options->reference, "The reference, of the same size")->required();
+    command->add_option(
+        "-o,--output", options->difference,
+        "Difference image: the metric of each pixel, in colours (.png) or as values (.exr .pfm .hdr)");
+    command
+        ->add_option(
+            "--metric", options->metric,
+            "What -o, --map and --fail-above are about: rmse, relmse, smape, max, ssim (as 1 - SSIM), flip")
+        ->capture_default_str();
+    auto* limit = command->add_option("--fail-above", options->failAbove,
+                                      "Exit with 4 if the metric is larger than this, or not a number");
+    limit->check(CLI::NonNegativeNumber);
+    command->add_option(
+        "--map", options->map,
+        "The metric of each tile: a table (.csv) or an image in colours (.png) or values (.exr .pfm .hdr)");
+    command->add_option("--tile", options->tile, "Edge of the tiles of --map in pixels")
+        ->check(CLI::Range(1, 1 << 16))
+        ->capture_default_str();
+    command
+        ->add_option("--range", options->range,
+                     "Value that is white in colours; by default the largest, 1 for flip")
+        ->check(CLI::PositiveNumber);
+    command
+        ->add_option("--exposure", options->measure.exposure, "Stops of brightness before ssim and flip look")
+        ->check(CLI::Range(-20.0, 20.0));
+    command->add_option("--pixels-per-degree", options->measure.pixelsPerDegree, "Of the observer, for flip")
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, limit, &exitCode] {
+        options->limited = limit->count() > 0;
+        exitCode = runCompare(*options);
+    });
+}
+
+}  // namespace rayscope

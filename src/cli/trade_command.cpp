@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <rayscope/diagnostics.h>
+#include <rayscope/trade.h>
+#include <filesystem>
+#include <thread>
+
+#include "base/atomic_file.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/scene_options.h"
+
+namespace rayscope {
+
+namespace {
+
+struct TradeOptions {
+    SceneOptions scene;
+    std::string folder, progress;
+    double budget = 60.0;
+    bool noCache = false, quiet = false, json = false;
+};
+
+/// Asks for a stop as soon as the user does; a measurement looks at it between samples.
+class InterruptToStop {
+  public:
+    InterruptToStop()
+        : watcher_([this](const std::stop_token& ended) {
+              while (!ended.stop_requested()) {
+                  if (interrupt_.interrupted()) stop_.request_stop();
+                  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+              }
+          }) {}
+    std::stop_token token() const { return stop_.get_token(); }
+
+  private:
+    InterruptGuard interrupt_;
+    std::stop_source stop_;
+    std::jthread watcher_;
+};
+
+void showProgress(ProgressStyle style, const TradeProgress& progress) {
+    if (style == ProgressStyle::Json)
+        fmt::print(stderr, "{{\"phase\":\"{}\",\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n",
+                   progress.phase, progress.fraction, progress.remainingSeconds);
+    if (style != ProgressStyle::Bar) return;
+    constexpr int kWidth = 32;
+    const int full = static_cast<int>(progress.fraction * kWidth);
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {}  ETA {}", "", full, "", kWidth - full,
+               100.0 * progress.fraction, progress.phase, durationText(progress.remainingSeconds));
+    std::fflush(stderr);
+}
+
+void printSummary(const TradeResult& r, const std::string& scene) {
+    fmt::print("{} at {} x {}, {} threads: {} settings, {} blocks, {:.1f} s\n", scene, r.width, r.height,
+               r.threads,
+               std::count_if(r.points.begin(), r.points.end(), [](const auto& p) { return p.runs > 0; }),
+               r.blocks, r.spentSeconds);
+    fmt::print("reference: 2 x {} samples, its own RMSE {:.3g}{}\n", r.reference.samples, r.reference.error,
+               r.reference.fromCache ? " (continued from the cache)" : "");
+    if (r.complete) {
+        fmt::print("noise of the machine: differences in time below {:.1f} % cannot be told\n",
+                   100.0 * r.smallestRatio);
+        fmt::print("\nrecommended, with 95 % intervals for one more run:\n");
+    }
+    for (const TradeAdvice& advice : r.advice) {
+        const TradePoint& p = r.points[advice.point];
+        fmt::print(
+            "  {:.3g} s [{:.3g}, {:.3g}]  RMSE {:.3g} [{:.3g}, {:.3g}]\n    rayscope render {} {} -o OUT\n",
+            p.nextSeconds.value, p.nextSeconds.lower, p.nextSeconds.upper, p.nextError.value,
+            p.nextError.lower, p.nextError.upper, scene, renderArguments(r, p));
+    }
+    for (const TradeDial& dial : r.dial)
+        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, {:.0f} % behind the front\n", dial.preset,
+                   r.points[dial.point].seconds.value, r.points[dial.point].error.value, 100.0 * dial.excess);
+    for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
+}
+
+void writeReports(const TradeResult& result, const std::string& folder) {
+    const std::filesystem::path path(folder);
+    writeFileAtomically((path / "trade.json").string(), tradeJson(result));
+    writeFileAtomically((path / "trade.csv").string(), tradeCsv(result));
+    writeFileAtomically((path / "trade.html").string(), tradeHtml(result));
+}
+
+int runTrade(const TradeOptions& options) {
+    if (!options.folder.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(options.folder, error);
+        checkFileDestination((std::filesystem::path(options.folder) / "trade.json").string());
+    }
+    const InterruptToStop interrupt;
+    TradeRequest request;
+    request.render = openScene(options.scene, options.quiet);
+    request.budgetSeconds = options.budget;
+    request.threads = options.scene.threads;
+    request.stop = interrupt.token();
+    if (!options.noCache) request.cacheFolder = referenceCacheFolder();
+    const ProgressStyle style = progressStyle(options.progress, options.quiet);
+    request.progress = [style](const TradeProgress& progress) { showProgress(style, progress); };
+
+    TradeResult result;
+    try {
+        result = measureTrade(request);
+    } catch (const Stopped&) {
+        return kInterrupted;
+    }
+    if (style == ProgressStyle::Bar) fmt::print(stderr, "\r\033[K");
+    if (!options.folder.empty()) writeReports(result, options.folder);
+    if (options.json)
+        fmt::print("{}", tradeJson(result));
+    else
+        printSummary(result, options.scene.scene);
+    if (!options.folder.empty() && !options.quiet)
+        fmt::print(stderr, "wrote trade.html, trade.json and trade.csv into {}\n", options.folder);
+    if (result.interrupted) return kInterrupted;
+    return result.complete ? kDone : kStoppedByLimit;
+}
+
+}  // namespace
+
+void addTradeCommand(CLI::App& program, int& exitCode) {
+    auto options = std::make_shared<TradeOptions>();
+    options->scene.size = "200x200";
+    CLI::App* command = program.add_subcommand(
+        "trade",
+        "Measure speed against accuracy on this scene, knob by knob, and recommend settings per time");
+    options->scene.addTo(*command, true);
+    command->add_option("-o,--output", options->folder,
+                        "Folder for the report: trade.html, trade.json, trade.csv");
+    command->add_option("--budget", options->budget, "Seconds to spend; half of them go into the reference")
+        ->check(CLI::Range(0.1, 1e6))
+        ->capture_default_str();
+    command->add_flag("--no-cache", options->noCache,
+                      "Neither use nor keep a reference in the cache ($XDG_CACHE_HOME/rayscope/references)");
+    command->add_option("--progress", options->progress, "bar, json or none")
+        ->check(CLI::IsMember({"bar", "json", "none"}));
+    command->add_flag("--json", options->json, "Print the result as JSON");
+    command->add_flag("-q,--quiet", options->quiet, "Print no progress and no notes");
+    command->callback([options, &exitCode] { exitCode = runTrade(*options); });
+}
+
+}  // namespace rayscope

@@ -1,0 +1,155 @@
+// `rayscope cast` against the library's own single queries and against closed forms.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rayscope/accel.h>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "support/run_program.h"
+
+namespace rayscope {
+namespace {
+
+using test::ProgramResult;
+using test::run;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+template <class T>
+std::string bytesOf(const std::vector<T>& records) {
+    return {reinterpret_cast<const char*>(records.data()), records.size() * sizeof(T)};
+}
+
+template <class T>
+std::vector<T> recordsOf(const std::string& bytes) {
+    std::vector<T> records(bytes.size() / sizeof(T));
+    std::memcpy(records.data(), bytes.data(), records.size() * sizeof(T));
+    return records;
+}
+
+/// A triangle in the plane z = 0 with a right angle at the origin, and a unit sphere around (5, 0, 0).
+void writeScene(const TemporaryFolder& folder, const std::string& more = "") {
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write(
+        "s.toml",
+        "version = 1\n[[mesh]]\nfile = \"t.obj\"\n[[sphere]]\ncenter = [5, 0, 0]\nradius = 1\n" + more);
+}
+
+TEST(CastCommand, AnswersAreWhatGeometrySays) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    const std::vector<Ray> rays{
+        {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 0, kInfinity},     // the triangle at t 3, u 0.25, v 0.5
+        {{0.25f, 0.5f, 3.0f}, {0, 0, -2}, 0, kInfinity},     // t is in units of the direction
+        {{5.0f, 0.0f, 3.0f}, {0, 0, -1}, 0, kInfinity},      // the sphere, which counts after the triangle
+        {{9.0f, 9.0f, 3.0f}, {0, 0, -1}, 0, kInfinity},      // a miss
+        {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 0, 2.0f},          // ends before
+        {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 3.0f, kInfinity},  // starts at, exclusive
+        {{NAN, 0.5f, 3.0f}, {0, 0, -1}, 0, kInfinity},      {{0.25f, 0.5f, 3.0f}, {0, 0, 0}, 0, kInfinity}};
+    folder.write("rays", bytesOf(rays));
+    const ProgramResult result = run(folder, "rayscope cast s.toml --rays rays -o hits");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("8 rays, 3 hits"));
+    const std::string file = test::readText(folder / "hits");
+    ASSERT_EQ(file.size(), rays.size() * 16);
+    const std::vector<Hit> hits = recordsOf<Hit>(file);
+    EXPECT_EQ(hits[0].t, 3.0f);
+    EXPECT_EQ(hits[0].primitive, 0u);
+    EXPECT_EQ(hits[0].u, 0.25f);
+    EXPECT_EQ(hits[0].v, 0.5f);
+    EXPECT_EQ(hits[1].t, 1.5f);
+    EXPECT_EQ(hits[2].t, 2.0f);
+    EXPECT_EQ(hits[2].primitive, 1u);
+    for (std::size_t i = 3; i < rays.size(); ++i) {
+        EXPECT_EQ(hits[i].primitive, kNoPrimitive) << i;
+        EXPECT_EQ(hits[i].t, kInfinity) << i;
+    }
+    EXPECT_EQ(run(folder, "rayscope cast s.toml --rays rays -o any --any -q").exitCode, 0);
+    EXPECT_EQ(test::readText(folder / "any"), std::string("\1\1\1\0\0\0\0\0", 8));
+}
+
+TEST(CastCommand, NeitherThreadsNorTheHierarchyChangeABit) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> position(-2.0f, 7.0f), direction(-1.0f, 1.0f);
+    std::vector<Ray> rays(5000);
+    for (Ray& ray : rays)
+        ray = {{position(random), position(random), position(random)},
+               {direction(random), direction(random), direction(random)},
+               0.0f,
+               kInfinity};
+    folder.write("rays", bytesOf(rays));
+    run(folder, "rayscope cast s.toml --rays rays -o one -t 1");
+    const std::string expected = test::readText(folder / "one");
+    ASSERT_EQ(expected.size(), rays.size() * 16);
+    for (const char* options :
+         {"-t 4", "--set bvh=false", "--set bvh_builder=median", "--set bvh_leaf_size=64"}) {
+        run(folder, std::string("rayscope cast s.toml --rays rays -o other ") + options);
+        EXPECT_EQ(test::readText(folder / "other"), expected) << options;
+    }
+    run(folder, "rayscope cast s.toml --rays rays -o any --any");
+    const std::vector<Hit> hits = recordsOf<Hit>(expected);
+    const std::string any = test::readText(folder / "any");
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        ASSERT_EQ(any[i] != 0, hits[i].primitive != kNoPrimitive) << i;
+}
+
+TEST(CastCommand, AMovingSceneStandsAtTheStartOfTheShutter) {
+    const TemporaryFolder folder;
+    writeScene(folder, "motion = [0, 0, 1]\n");
+    folder.write("rays", bytesOf(std::vector<Ray>{{{5.0f, 0.0f, 3.0f}, {0, 0, -1}, 0, kInfinity}}));
+    ASSERT_EQ(run(folder, "rayscope cast s.toml --rays rays -o hits").exitCode, 0);
+    const Hit hit = recordsOf<Hit>(test::readText(folder / "hits")).at(0);
+    EXPECT_EQ(hit.t, 2.0f);
+    EXPECT_EQ(hit.primitive, 1u);
+}
+
+TEST(CastCommand, TakesLongFilesInSteps) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    constexpr std::size_t kMany = (std::size_t{1} << 20) + 12345;
+    std::vector<Ray> rays(kMany, Ray{{9, 9, 3}, {0, 0, -1}, 0, kInfinity});
+    rays.back() = {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 0, kInfinity};
+    folder.write("rays", bytesOf(rays));
+    const ProgramResult result = run(folder, "rayscope cast s.toml --rays rays -o any --any");
+    EXPECT_THAT(result.err, HasSubstr(std::to_string(kMany) + " rays, 1 blocked"));
+    const std::string any = test::readText(folder / "any");
+    ASSERT_EQ(any.size(), kMany);
+    EXPECT_EQ(any.back(), 1);
+    // A pipe has no length to look at in advance.
+    EXPECT_EQ(run(folder, std::string("head -c 320 rays | '") + RAYSCOPE_PROGRAM +
+                              "' cast s.toml --rays /dev/stdin -o ten")
+                  .exitCode,
+              0);
+    EXPECT_EQ(test::readText(folder / "ten").size(), 160u);
+    EXPECT_EQ(run(folder, std::string("head -c 321 rays | '") + RAYSCOPE_PROGRAM +
+                              "' cast s.toml --rays /dev/stdin -o eleven")
+                  .exitCode,
+              2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "eleven"));
+}
+
+TEST(CastCommand, RefusesWhatIsNoFileOfRays) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    folder.write("odd", std::string(33, 'x'));
+    folder.write("empty", "");
+    const ProgramResult odd = run(folder, "rayscope cast s.toml --rays odd -o hits");
+    EXPECT_EQ(odd.exitCode, 2);
+    EXPECT_THAT(odd.err, HasSubstr("odd: error: is no file of rays: it has 33 bytes"));
+    EXPECT_EQ(run(folder, "rayscope cast s.toml --rays missing -o hits").exitCode, 2);
+    EXPECT_EQ(run(folder, "rayscope cast s.toml --rays . -o hits").exitCode, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "hits"));
+    EXPECT_EQ(run(folder, "rayscope cast s.toml --rays empty -o hits").exitCode, 0);
+    EXPECT_EQ(test::readText(folder / "hits"), "");
+    EXPECT_EQ(run(folder, "rayscope cast s.toml --rays empty -o nowhere/hits").exitCode, 2);
+    EXPECT_EQ(run(folder, "rayscope cast s.toml -o hits").exitCode, 1);
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,64 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace rayscope {
+namespace {
+
+using test::ProgramResult;
+using test::run;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+/// Keeps references in the test's own folder.
+const std::string kProgram = std::string("XDG_CACHE_HOME=\"$PWD/cache\" '") + RAYSCOPE_PROGRAM + "' trade ";
+
+TEST(TradeCommand, WritesItsReportsAndAdvisesCommandsThatWork) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run(folder, kProgram + "builtin:cornell --size 24x24 --budget 2 -o report");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("reference: 2 x "));
+    for (const char* file : {"trade.json", "trade.csv", "trade.html"})
+        EXPECT_FALSE(test::readText(folder / "report" / file).empty()) << file;
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "cache" / "rayscope" / "references"));
+
+    const std::size_t at = result.out.find("rayscope render");
+    ASSERT_NE(at, std::string::npos);
+    std::string command = result.out.substr(at, result.out.find('\n', at) - at);
+    command.replace(command.find("OUT"), 3, "advised.exr");
+    EXPECT_EQ(run(folder, command).exitCode, 0) << command;
+    EXPECT_TRUE(std::filesystem::exists(folder / "advised.exr"));
+}
+
+TEST(TradeCommand, SaysWhenTheBudgetIsTooShort) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run(
+        folder, kProgram + "builtin:cornell-area --size 600x600 --budget 0.1 --no-cache -o report --json");
+    EXPECT_EQ(result.exitCode, 3) << result.err;
+    const nlohmann::json report = nlohmann::json::parse(result.out);
+    EXPECT_FALSE(report["complete"]);
+    EXPECT_THAT(report["remarks"][0].get<std::string>(), HasSubstr("too short"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "cache"));
+}
+
+TEST(TradeCommand, KeepsWhatThereIsWhenInterrupted) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run(folder, std::string("timeout --foreground --preserve-status -s INT 3 '") + RAYSCOPE_PROGRAM +
+                        "' trade builtin:cornell --size 24x24 --budget 1000 --no-cache -o report -q");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "report" / "trade.json"))["interrupted"]);
+}
+
+TEST(TradeCommand, RefusesWhatCannotBe) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run(folder, kProgram + "builtin:cornell --budget 0").exitCode, 1);
+    EXPECT_EQ(run(folder, kProgram + "builtin:cornel").exitCode, 2);
+    EXPECT_EQ(run(folder, kProgram + "builtin:cornell -o /proc/report --budget 1").exitCode, 2);
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,226 @@
+// What is promised of an error is kept: on pictures whose noise is known, and on scenes with a reference.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rayscope/error_target.h>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "measure/tile_shares.h"
+#include "support/expect_input_error.h"
+
+namespace rayscope {
+namespace {
+
+using test::inputErrorOf;
+using testing::HasSubstr;
+
+RgbImage noisy(int size, double sigma, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(0.5, sigma);
+    RgbImage image(size, size);
+    for (Rgb& pixel : image.pixels) pixel = Rgb(noise(random), noise(random), noise(random));
+    return image;
+}
+
+double distance(const RgbImage& a, const RgbImage& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::dvec3 d = glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
+        squares += glm::dot(d, d) / 3.0;
+    }
+    return std::sqrt(squares / static_cast<double>(a.pixels.size()));
+}
+
+ErrorTargetRequest requestFor(const std::string& name, int size, double error) {
+    Diagnostics notes;
+    ErrorTargetRequest request;
+    request.render.scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
+    request.render.camera = request.render.scene->cameras.front();
+    request.render.width = request.render.height = size;
+    request.target.error = error;
+    return request;
+}
+
+TEST(ErrorEstimate, KnowsTheNoiseOfTwoHalves) {
+    const PixelBounds whole{0, 100, 0, 100};
+    const ErrorEstimate estimate = estimateError(noisy(100, 0.1, 1), noisy(100, 0.1, 2), whole, {});
+    // The mean of two halves with standard deviation 0.1 has 0.1 / √2; 30000 values estimate it to 0.4 %.
+    EXPECT_NEAR(estimate.error, 0.1 / std::sqrt(2.0), 0.0012);
+    EXPECT_GT(estimate.upper, estimate.error);
+    EXPECT_LT(estimate.upper, 1.05 * estimate.error);
+    EXPECT_TRUE(estimate.trusted);
+    EXPECT_EQ(estimateError(noisy(100, 0.1, 1), noisy(100, 0.1, 1), whole, {}).error, 0.0);
+}
+
+TEST(ErrorEstimate, ItsBoundHoldsAsOftenAsItPromises) {
+    ErrorTarget target;
+    target.confidence = 0.9;
+    const RgbImage truth(24, 24, Rgb(0.5f));
+    int held = 0;
+    constexpr int kTimes = 1000;
+    for (int time = 0; time < kTimes; ++time) {
+        const auto seed = static_cast<std::uint64_t>(2 * time);
+        const RgbImage a = noisy(24, 0.1, seed), b = noisy(24, 0.1, seed + 1);
+        RgbImage mean = a;
+        for (std::size_t i = 0; i < mean.pixels.size(); ++i)
+            mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
+        held += distance(mean, truth) <= estimateError(a, b, {0, 24, 0, 24}, target).upper;
+    }
+    EXPECT_NEAR(static_cast<double>(held) / kTimes, 0.9, 0.04);  // four standard errors
+}
+
+TEST(ErrorEstimate, DistrustsWhatFewPixelsHold) {
+    RgbImage a(32, 32, Rgb(0.5f));
+    const RgbImage b = a;
+    for (int i = 0; i < 32; ++i) a.at(i, 0) += Rgb(0.01f);
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted);
+    a.at(7, 7) = Rgb(100.0f);
+    EXPECT_FALSE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted);
+    a.at(7, 7) = Rgb(NAN);
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted) << "left out, and counted elsewhere";
+    EXPECT_EQ(estimateError(a, b, {0, 32, 8, 32}, {}).error, 0.0) << "outside the region";
+}
+
+TEST(ErrorEstimate, TheWorstTileIsNoBetterThanTheWhole) {
+    RgbImage a(64, 64, Rgb(0.5f)), b = a;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 32; x < 64; ++x) a.at(x, y) += Rgb(x % 2 ? 0.1f : -0.1f);
+    ErrorTarget worst;
+    worst.worstTile = true;
+    EXPECT_NEAR(estimateError(a, b, {0, 64, 0, 64}, worst).error, 0.05, 1e-6);
+    EXPECT_NEAR(estimateError(a, b, {0, 64, 0, 64}, {}).error, 0.025, 1e-6);
+    ErrorTarget relative;
+    relative.metric = ErrorMetric::RelMse;
+    EXPECT_NEAR(estimateError(a, b, {32, 64, 0, 32}, relative).error, 0.0025 / 0.265, 0.001);
+}
+
+TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
+    Film film(160, 32, {0, 160, 0, 32});
+    Film::TileCopy copy;
+    for (int tile = 0; tile < 5; ++tile) {
+        film.read(tile, copy);
+        for (PixelSums& pixel : copy.pixels) {
+            // Four samples of which one is bright in the first tile and all are alike elsewhere.
+            pixel.radiance = RgbSum(1.0);
+            pixel.squaredLuminance = tile == 0 ? 1.0 : 0.25;
+        }
+        copy.samples = 4;
+        film.commit(tile, copy);
+    }
+    const std::vector<double> shares = tileShares(film, false, false);
+    EXPECT_GT(shares[0], shares[1]);
+    EXPECT_NEAR(shares[1], 0.5 * shares[0], 1e-12) << "the neighbour of the noisy tile";
+    EXPECT_NEAR(shares[2], shares[4], 1e-12);
+    EXPECT_GT(shares[4], 0.0);
+    EXPECT_NEAR(shares[0] + shares[1] + shares[2] + shares[3] + shares[4], 5.0, 1e-12);
+}
+
+TEST(ErrorTarget, KeepsItsPromiseOnScenes) {
+    for (const bool adaptive : {false, true}) {
+        for (const auto& [scene, error] :
+             {std::pair{"builtin:cornell", 0.01}, std::pair{"builtin:cornell-area", 0.004}}) {
+            ErrorTargetRequest request = requestFor(scene, 32, error / 8.0);
+            request.render.seed = 1000;
+            const RgbImage truth = renderToTarget(request).mean;
+            request.target.error = error;
+            request.adaptive = adaptive;
+            int kept = 0;
+            constexpr int kSeeds = 16;
+            for (int seed = 0; seed < kSeeds; ++seed) {
+                request.render.seed = static_cast<std::uint64_t>(seed);
+                const ErrorTargetResult result = renderToTarget(request);
+                EXPECT_EQ(result.reason, StopReason::Reached);
+                EXPECT_LE(result.estimate.upper, error);
+                kept += distance(result.mean, truth) <= error;
+            }
+            // With 95 % each, fewer than 13 of 16 come once in 140 times.
+            EXPECT_GE(kept, 13) << scene;
+        }
+    }
+}
+
+TEST(ErrorTarget, AdaptiveSamplingHasNoBias) {
+    ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.0008);
+    request.render.seed = 5000;
+    const RgbImage truth = renderToTarget(request).mean;
+    request.adaptive = true;
+    request.target.error = 0.006;
+    const auto brightness = [](const RgbImage& image) {
+        double sum = 0.0;
+        for (const Rgb& c : image.pixels)
+            sum += static_cast<double>(c.x) + static_cast<double>(c.y) + static_cast<double>(c.z);
+        return sum / (3.0 * static_cast<double>(image.pixels.size()));
+    };
+    double sum = 0.0, squares = 0.0;
+    constexpr int kSeeds = 24;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        request.render.seed = static_cast<std::uint64_t>(seed);
+        const double value = brightness(renderToTarget(request).mean);
+        sum += value;
+        squares += value * value;
+    }
+    const double mean = sum / kSeeds, deviation = std::sqrt((squares - sum * mean) / (kSeeds - 1.0));
+    EXPECT_NEAR(mean, brightness(truth), 3.5 * deviation / std::sqrt(kSeeds));
+    EXPECT_LT(deviation, 1e-3) << "too noisy to find a bias";
+}
+
+TEST(ErrorTarget, IsAFunctionOfTheRequestAlone) {
+    ErrorTargetRequest request = requestFor("builtin:cornell-area", 40, 0.004);
+    request.threads = 1;
+    const ErrorTargetResult one = renderToTarget(request);
+    request.threads = 3;
+    const ErrorTargetResult three = renderToTarget(request);
+    EXPECT_EQ(one.mean.pixels, three.mean.pixels);
+    EXPECT_EQ(one.samples, three.samples);
+    request.render.seed = 1;
+    EXPECT_NE(renderToTarget(request).mean.pixels, one.mean.pixels);
+}
+
+TEST(ErrorTarget, SaysWhyItStopped) {
+    ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.01);
+    EXPECT_THAT(renderToTarget(request).words, HasSubstr("the target is reached at rmse"));
+    request.target.error = 1e-9;
+    request.mostSamples = 24;
+    const ErrorTargetResult few = renderToTarget(request);
+    EXPECT_EQ(few.reason, StopReason::SampleLimit);
+    EXPECT_EQ(few.samples, 24);
+    request.mostSamples = 1 << 20;
+    request.timeLimit = 0.3;
+    const ErrorTargetResult late = renderToTarget(request);
+    EXPECT_EQ(late.reason, StopReason::TimeLimit);
+    EXPECT_THAT(late.words, HasSubstr("time limit"));
+    EXPECT_GT(late.samples, 0.0);
+    std::stop_source stop;
+    request.timeLimit = 0.0;
+    request.stop = stop.get_token();
+    request.progress = [&](const ErrorForecast& f) {
+        if (f.samples >= 32) stop.request_stop();
+    };
+    EXPECT_EQ(renderToTarget(request).reason, StopReason::Interrupted);
+}
+
+TEST(ErrorTarget, ForecastsTheRest) {
+    ErrorTargetRequest request = requestFor("builtin:cornell-area", 48, 0.0008);
+    request.timeLimit = 1000.0;
+    const ErrorTargetResult result = renderToTarget(request);
+    ASSERT_GE(result.history.size(), 4u);
+    EXPECT_EQ(result.history.back().remainingSeconds, 0.0);
+    EXPECT_GT(result.history[1].remainingSeconds, 0.0);
+    EXPECT_LT(result.history[1].errorAtLimit, result.history[1].estimate.error);
+}
+
+TEST(ErrorTarget, RefusesWhatCannotBePromised) {
+    ErrorTargetRequest request = requestFor("builtin:cornell", 8, 0.01);
+    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("64 pixels"));
+    request = requestFor("builtin:cornell", 32, 0.01);
+    request.target.metric = ErrorMetric::Flip;
+    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("expected rmse or relmse"));
+    request.target.metric = ErrorMetric::Rmse;
+    request.render.settings.sampler = SamplePattern::Jittered;
+    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("sampler=sobol"));
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,121 @@
+#include "measure/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/temporary_folder.h"
+
+namespace rayscope {
+namespace {
+
+CompileRequest requestFor(const std::string& name, int size) {
+    Diagnostics notes;
+    auto scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
+    return {scene, referenceSettings(Settings{}), scene->cameras.front(), size, size};
+}
+
+RgbImage noisy(const RgbImage& truth, double sigma, double bias, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> noise(bias, sigma);
+    RgbImage image = truth;
+    for (Rgb& pixel : image.pixels) pixel += Rgb(noise(random), noise(random), noise(random));
+    return image;
+}
+
+TEST(Reference, ProductsWithBothHalvesAreFreeOfTheirNoise) {
+    const RgbImage truth(200, 200, Rgb(0.5f));
+    // Halves that are twice as noisy as what they judge: the plain squared difference would be off fivefold.
+    const RgbImage a = noisy(truth, 0.2, 0.0, 1), b = noisy(truth, 0.2, 0.0, 2);
+    const RgbImage one = noisy(truth, 0.1, 0.05, 3), other = noisy(truth, 0.1, 0.05, 4);
+    // Standard error over 120000 values: at most 4 products of 0.2 · 0.2 / √120000.
+    EXPECT_NEAR(meanSquaredError(one, a, b), 0.01 + 0.0025, 4e-4);
+    EXPECT_NEAR(commonSquaredError(one, other, a, b), 0.0025, 4e-4);
+}
+
+TEST(Reference, WhatIsNotFiniteIsLeftOut) {
+    const RgbImage truth(10, 10, Rgb(0.5f)), image(10, 10, Rgb(0.75f));
+    RgbImage broken = image;
+    broken.at(3, 3) = Rgb(NAN);
+    broken.at(4, 3) = Rgb(INFINITY);
+    EXPECT_DOUBLE_EQ(meanSquaredError(broken, truth, truth), 0.0625);
+    EXPECT_TRUE(std::isnan(meanSquaredError(RgbImage(2, 2, Rgb(NAN)), RgbImage(2, 2), RgbImage(2, 2))));
+}
+
+double distance(const RgbImage& a, const RgbImage& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const glm::dvec3 d = glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
+        squares += glm::dot(d, d) / 3.0;
+    }
+    return std::sqrt(squares / static_cast<double>(a.pixels.size()));
+}
+
+// The few hundred pixels on edges make most of the error, so its estimate has a standard error of about 5 %.
+TEST(Reference, KnowsItsOwnError) {
+    Workers workers(2);
+    Reference reference(requestFor("builtin:cornell-area", 80), workers);
+    ASSERT_TRUE(reference.extend(8, {}));
+    const RgbImage early = reference.mean();
+    const double claimed = reference.error();
+    ASSERT_TRUE(reference.extend(256, {}));
+    EXPECT_LT(reference.error(), 0.2 * claimed);
+    EXPECT_NEAR(distance(early, reference.mean()) / claimed, 1.0, 0.15);
+}
+
+TEST(Reference, GoesOnFromAFileBitForBit) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("sub/r.films");
+    Workers workers(2);
+    Reference whole(requestFor("builtin:cornell", 40), workers),
+        part(requestFor("builtin:cornell", 40), workers);
+    whole.extend(8, {});
+    part.extend(4, {});
+    part.save(file);
+    Reference resumed(requestFor("builtin:cornell", 40), workers);
+    ASSERT_TRUE(resumed.load(file));
+    EXPECT_EQ(resumed.samples(), 4);
+    resumed.extend(8, {});
+    EXPECT_EQ(resumed.mean().pixels, whole.mean().pixels);
+}
+
+TEST(Reference, TakesNoFileThatIsDamagedOrOfSomethingElse) {
+    const test::TemporaryFolder folder;
+    Workers workers(2);
+    Reference reference(requestFor("builtin:cornell", 40), workers);
+    reference.extend(2, {});
+    reference.save(folder.file("r.films"));
+    const std::string good = test::readText(folder / "r.films");
+
+    const auto loads = [&](const std::string& scene, int size, const std::string& content) {
+        folder.write("t.films", content);
+        Reference fresh(requestFor(scene, size), workers);
+        const bool loaded = fresh.load(folder.file("t.films"));
+        EXPECT_EQ(fresh.samples(), loaded ? 2 : 0);
+        return loaded;
+    };
+    EXPECT_TRUE(loads("builtin:cornell", 40, good));
+    std::string flipped = good;
+    flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 1);
+    EXPECT_FALSE(loads("builtin:cornell", 40, flipped));
+    EXPECT_FALSE(loads("builtin:cornell", 40, good.substr(0, good.size() - 1)));
+    EXPECT_FALSE(loads("builtin:cornell", 40, ""));
+    EXPECT_FALSE(loads("builtin:cornell", 41, good));
+    EXPECT_FALSE(loads("builtin:cornell-area", 40, good));
+    Reference fresh(requestFor("builtin:cornell", 40), workers);
+    EXPECT_FALSE(fresh.load(folder.file("missing.films")));
+}
+
+TEST(Reference, AStopKeepsWhatWasTraced) {
+    Workers workers(2);
+    Reference reference(requestFor("builtin:cornell", 40), workers);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(reference.extend(64, stop.get_token()));
+    EXPECT_EQ(reference.samples(), 0);
+    EXPECT_TRUE(reference.extend(1, {}));
+}
+
+}  // namespace
+}  // namespace rayscope

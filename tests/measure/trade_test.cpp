@@ -1,0 +1,142 @@
+// The whole measurement on small scenes: what was planted has to be found, whatever the machine does
+// meanwhile.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <rayscope/trade.h>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/temporary_folder.h"
+
+namespace rayscope {
+namespace {
+
+using testing::HasSubstr;
+
+TradeRequest requestFor(const std::string& name, int size, double seconds) {
+    Diagnostics notes;
+    TradeRequest request;
+    request.render.scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
+    request.render.camera = request.render.scene->cameras.front();
+    request.render.width = request.render.height = size;
+    request.render.settings.spp = 4;
+    request.budgetSeconds = seconds;
+    return request;
+}
+
+const TradePoint& named(const TradeResult&& result, const std::string& name) = delete;
+const TradePoint& named(const TradeResult& result, const std::string& name) {
+    const auto found = std::find_if(result.points.begin(), result.points.end(),
+                                    [&](const TradePoint& p) { return p.name == name; });
+    if (found == result.points.end()) throw std::runtime_error("no point " + name);
+    return *found;
+}
+
+TEST(Trade, FindsAPlantedBiasAndAPlantedDominatedSetting) {
+    TradeRequest request = requestFor("builtin:cornell", 32, 4.0);
+    Settings shallow = request.render.settings, wasteful = request.render.settings;
+    shallow.maxDepth = 0;   // the mirror shows nothing
+    wasteful.maxDepth = 0;  // wrong as well, with many samples, and each tests every primitive
+    wasteful.bvh = false;
+    wasteful.spp = 64;
+    request.extra = {{"planted bias", shallow}, {"planted waste", wasteful}};
+    const TradeResult result = measureTrade(request);
+    ASSERT_TRUE(result.complete);
+
+    EXPECT_TRUE(named(result, "planted bias").biased);
+    EXPECT_GT(named(result, "planted bias").bias.lower, 10.0 * result.reference.error);
+    EXPECT_FALSE(named(result, "base").biased);
+    EXPECT_NE(named(result, "planted waste").dominatedBy, "");
+    EXPECT_FALSE(named(result, "planted waste").onFront);
+}
+
+TEST(Trade, TheRecommendationIsReproducedByARenderOfItsSettings) {
+    const TradeResult result = measureTrade(requestFor("builtin:cornell-area", 24, 4.0));
+    ASSERT_FALSE(result.advice.empty());
+    const TradePoint& advised = result.points[result.advice.front().point];
+
+    // The same settings once more, with other seeds: a fresh measurement, in which they are the base.
+    TradeRequest again = requestFor("builtin:cornell-area", 24, 2.0);
+    again.extra = {{"advised", advised.settings}};
+    const TradeResult second = measureTrade(again);
+    const TradePoint& repeated = named(second, "advised");
+    // Both intervals hold the true error with 95 %; a factor of two would be a fault.
+    EXPECT_LT(repeated.error.lower, 2.0 * advised.nextError.upper);
+    EXPECT_GT(repeated.error.upper, 0.5 * advised.nextError.lower);
+    EXPECT_THAT(renderArguments(result, advised), HasSubstr("--size 24x24"));
+    EXPECT_THAT(renderArguments(result, advised), testing::Not(HasSubstr("segment_samples")))
+        << "there is none";
+}
+
+TEST(Trade, EffectsWithoutMatterGiveTheSamePicture) {
+    const TradeResult result = measureTrade(requestFor("builtin:cornell", 24, 3.0));
+    ASSERT_TRUE(result.complete);
+    int proved = 0;
+    for (const TradeNeed& need : result.needs) {
+        const TradePoint& point = result.points[need.point];
+        if (need.proof.empty() || point.runs == 0) continue;
+        EXPECT_TRUE(point.samePicture) << need.key << ": " << need.proof;
+        ++proved;
+    }
+    EXPECT_GE(proved, 4);
+}
+
+TEST(Trade, ABudgetThatIsTooShortSaysWhatWouldDo) {
+    const TradeResult result = measureTrade(requestFor("builtin:cornell-area", 400, 0.1));
+    EXPECT_FALSE(result.complete);
+    ASSERT_FALSE(result.remarks.empty());
+    EXPECT_THAT(result.remarks.front(), HasSubstr("too short"));
+    EXPECT_THAT(tradeHtml(result), HasSubstr("too short"));
+    EXPECT_NO_THROW(nlohmann::json::parse(tradeJson(result)));
+}
+
+TEST(Trade, AStopKeepsWhatWasMeasured) {
+    TradeRequest request = requestFor("builtin:cornell", 24, 1000.0);
+    std::stop_source stop;
+    request.stop = stop.get_token();
+    int reports = 0;
+    request.progress = [&](const TradeProgress& progress) {
+        EXPECT_GE(progress.fraction, 0.0);
+        EXPECT_LE(progress.fraction, 1.0);
+        if (++reports == 4) stop.request_stop();
+    };
+    const TradeResult result = measureTrade(request);
+    EXPECT_TRUE(result.interrupted);
+    EXPECT_NO_THROW(nlohmann::json::parse(tradeJson(result)));
+}
+
+TEST(Trade, ReferencesAreKeptAndGoneOnFrom) {
+    const test::TemporaryFolder folder;
+    TradeRequest request = requestFor("builtin:cornell", 24, 1.0);
+    request.cacheFolder = folder.file("cache");
+    const TradeResult first = measureTrade(request), second = measureTrade(request);
+    EXPECT_FALSE(first.reference.fromCache);
+    EXPECT_TRUE(second.reference.fromCache);
+    EXPECT_GE(second.reference.samples, first.reference.samples);
+    request.render.settings.spp = 2;
+    EXPECT_TRUE(measureTrade(request).reference.fromCache)
+        << "the truth does not depend on the samples asked for";
+    request.cacheFolder = "/proc/nowhere";
+    EXPECT_THAT(measureTrade(request).remarks, testing::Contains(HasSubstr("could not be kept")));
+}
+
+TEST(Trade, ReportsAreComplete) {
+    const TradeResult result = measureTrade(requestFor("builtin:cornell", 24, 2.0));
+    const nlohmann::json json = nlohmann::json::parse(tradeJson(result));
+    EXPECT_EQ(json["points"][0]["role"], "base");
+    for (const char* key : {"seconds", "rmse", "noise", "bias", "time_ratio", "efficiency_ratio"})
+        EXPECT_TRUE(json["points"][0][key].contains("upper")) << key;
+    EXPECT_EQ(json["points"][0]["settings"].size(), settingKeys().size());
+    EXPECT_GT(json["reference"]["samples_per_half"], 0);
+    const std::string csv = tradeCsv(result), html = tradeHtml(result);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), json["points"].size() + 1);
+    for (const char* part :
+         {"<svg", "What to use", "What this scene needs", "Knob by knob", "rayscope render "})
+        EXPECT_THAT(html, HasSubstr(part));
+    for (const char* outside : {"src=", "href=", "@import", "url("})
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+}
+
+}  // namespace
+}  // namespace rayscope
