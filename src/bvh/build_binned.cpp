@@ -147,7 +147,7 @@ struct BinnedBuilder {
 
         const BinMapping mapping(bounds.centroids, binCountFor(tree.size()));
         const Split split = TreeSkeleton::mustBeHalved(tree) ? Split{} : bestSplitOf(range, mapping);
-        if (split.axis >= 0 && isLeafCheaper(tree, bounds, split)) return makeLeaf(tree, bounds.box);
+        if (isLeafCheaper(tree, bounds, split)) return makeLeaf(tree, bounds.box);
         RangeBounds sides[2];
         const std::size_t lefts =
             split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);

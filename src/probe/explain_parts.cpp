@@ -71,14 +71,16 @@ std::array<glm::vec3, 3> cornersOf(const AccelInput& input, std::uint32_t primit
 std::uint32_t duplicateOnTheWay(const World& world, const Ray& ray, float time) {
     for (const TraversalLog& log : recordClosestHit(world, ray, time)) {
         const Body& body = world.bodies[log.body];
+        std::vector<std::uint32_t> met;  // duplicates need not share a leaf
         for (const TraversalBox& box : log.boxes) {
             if (!box.leaf) continue;
             const auto held = primitivesOfLeaf(*body.accel->binaryTree(), box.node);
-            for (std::size_t i = 0; i < held.size(); ++i)
-                for (std::size_t j = 0; j < i; ++j)
-                    if (cornersOf(body.geometry->input, held[i]) == cornersOf(body.geometry->input, held[j]))
-                        return held[i] + body.firstPrimitive;
+            met.insert(met.end(), held.begin(), held.end());
         }
+        for (std::size_t i = 0; i < met.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (cornersOf(body.geometry->input, met[i]) == cornersOf(body.geometry->input, met[j]))
+                    return met[i] + body.firstPrimitive;
     }
     return kNoPrimitive;
 }
