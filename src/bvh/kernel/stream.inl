@@ -23,6 +23,7 @@ struct StreamList {
 struct StreamRay {
     FastRay fast;
     FastShear shear;
+    bool isSheared;  ///< only rays that come to a leaf need to be
 };
 
 /// A subtree will be visited soon, but not next.
@@ -68,8 +69,12 @@ struct Stream {
     RAYSCOPE_INLINE void visitLeaf(ChildRef leaf, const uint32_t* list, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = list[i];
-            const StreamRay& r = prepared[ray];
+            StreamRay& r = prepared[ray];
             if (leaf < kSphereTag) {
+                if (!r.isSheared) {
+                    r.shear.prepare(words(ray), r.fast.scale);
+                    r.isSheared = true;
+                }
                 if (candidates(tree.blocks[leaf & kBlockIndexMask], leaf, r.shear, r.fast.tMin,
                                r.fast.bound) == 0)
                     continue;
@@ -89,9 +94,9 @@ struct Stream {
             Search search = searchOf(ray);
             const FastBoxLanes lanes(search.ray, r.fast);
             if constexpr (kAny) {
-                if (walkToAnyHit(tree, ref, lanes, r.shear, true, search)) keep(ray, search);
+                if (walkToAnyHit(tree, ref, lanes, r.shear, r.isSheared, search)) keep(ray, search);
             } else {
-                walkToClosestHit(tree, ref, lanes, r.shear, true, search);
+                walkToClosestHit(tree, ref, lanes, r.shear, r.isSheared, search);
                 keep(ray, search);
             }
         }
@@ -188,7 +193,7 @@ RAYSCOPE_INLINE uint32_t prepare(Stream<kAny>& stream, uint32_t count) {
             }
             continue;
         }
-        r.shear.prepare(ray, r.fast.scale);
+        r.isSheared = false;
         if constexpr (!kAny) stream.best[i].t = ray[7];
         stream.lists[length++] = i;
     }

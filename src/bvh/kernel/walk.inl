@@ -70,7 +70,7 @@ RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes
 
 template <class BoxLanes>
 RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                      FastShear& shear, bool isSheared, Search& search) {
+                                      FastShear& shear, bool& isSheared, Search& search) {
     Waiting stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
@@ -98,7 +98,7 @@ RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, c
 
 template <class BoxLanes>
 RAYSCOPE_INLINE bool walkToAnyHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                  FastShear& shear, bool isSheared, Search& search) {
+                                  FastShear& shear, bool& isSheared, Search& search) {
     ChildRef stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
@@ -140,7 +140,8 @@ bool closestHit(const WideTreeView& tree, RayWords ray, HitWords& hit) {
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {
         FastShear shear{};
-        walkToClosestHit(tree, tree.root, lanes, shear, false, search);
+        bool isSheared = false;
+        walkToClosestHit(tree, tree.root, lanes, shear, isSheared, search);
         found = search.best.primitive != kNoPrimitive;
         if (found) hit = search.best;
     });
@@ -152,7 +153,8 @@ bool anyHit(const WideTreeView& tree, RayWords ray) {
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {
         FastShear shear{};
-        found = walkToAnyHit(tree, tree.root, lanes, shear, false, search);
+        bool isSheared = false;
+        found = walkToAnyHit(tree, tree.root, lanes, shear, isSheared, search);
     });
     return found;
 }
