@@ -55,7 +55,8 @@ class Tracer {
     template <int kGroup>
     void shadeByLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                       const glm::dvec3& throughput);
-    LightTerm connect(std::size_t light, int sample, const Interaction& at, const glm::vec2& u) const;
+    LightTerm connect(std::size_t light, int sample, const Interaction& at, const glm::vec3& from,
+                      const glm::vec2& u) const;
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& ray);
     bool inSharpZone(const glm::dvec2& pixel);
@@ -179,6 +180,7 @@ void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, co
                              const glm::dvec3& throughput) {
     const CompiledLight& compiled = world_.lights[index];
     const SamplePoints points = stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
+    const glm::vec3 from = at.originOutside();
     std::array<LightTerm, kGroup> terms;
     std::array<Ray, kGroup> shadows;
     std::array<double, kGroup> visible;
@@ -190,7 +192,7 @@ void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, co
             if (compiled.dimensions == 1) u.x = points.get1D(first + k);
             if (compiled.dimensions == 2) u = points.get2D(first + k);
             LightTerm& term = terms[static_cast<std::size_t>(k)];
-            term = connect(index, first + k, at, u);
+            term = connect(index, first + k, at, from, u);
             if (term.needsShadow)
                 shadows[asked++] = shadowRay(term.connection.from, term.connection.at.position);
         }
@@ -210,11 +212,12 @@ void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, co
     }
 }
 
-/// Connects a surface with a position on a light; what it would reflect if nothing were in the way.
+/// Connects a point `from` just outside a surface with a position on a light; what it would reflect if
+/// nothing were in the way.
 template <PathObserver O>
-LightTerm Tracer<O>::connect(std::size_t index, int sample, const Interaction& at, const glm::vec2& u) const {
+LightTerm Tracer<O>::connect(std::size_t index, int sample, const Interaction& at, const glm::vec3& from,
+                             const glm::vec2& u) const {
     const CompiledLight& compiled = world_.lights[index];
-    const glm::vec3 from = at.originOutside();
     LightTerm term;
     term.connection = {static_cast<int>(index), sample, from, sampleLight(compiled.light, u)};
     if (settings_.shading) {
