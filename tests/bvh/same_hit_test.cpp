@@ -70,7 +70,7 @@ struct CountingObserver {
 
 TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
     for (const Geometry& scene : awkwardScenes()) {
-        const std::vector<Ray> rays = awkwardRays(scene, 3000, 99);
+        const std::vector<Ray> rays = awkwardRays(scene, 1500, 99);
         std::vector<Hit> expected(rays.size());
         std::vector<std::uint8_t> occluded(rays.size());
         std::size_t hits = 0;
@@ -170,7 +170,7 @@ TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
     for (const WalkCase& walk : walkCases()) {
         const Accel accel = build(scene, {}, walk);
         for (const std::size_t size : {0, 1, 2, 3, 7, 8, 9, 15, 16, 17, 33, 100, 511, 512, 513, 1025})
-            for (std::size_t begin = 0; begin < rays.size() - size; begin += 400) {
+            for (std::size_t begin = 0; begin < rays.size() - size; begin += 700) {
                 const std::span<const Ray> some(rays.data() + begin, size);
                 std::vector<Hit> hits(size);
                 std::vector<std::uint8_t> occluded(size, 7);
