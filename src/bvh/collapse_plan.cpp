@@ -15,6 +15,7 @@ namespace {
 constexpr float kNodeCost = 1.0f;
 constexpr float kBlockCost = 1.0f;
 constexpr int kParallelLevels = 7;
+constexpr std::size_t kParallelNodes = 4096;
 
 float halfArea(const BinaryNode& node) {
     const glm::vec3 size = node.upper - node.lower;
@@ -53,7 +54,8 @@ struct CollapsePlan::Options {
 };
 
 CollapsePlan::CollapsePlan(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop)
-    : tree_(tree), input_(input), stop_(stop), plans_(tree.nodes.size()) {
+    : tree_(tree), input_(input), stop_(stop), plans_(tree.nodes.size()),
+      parallelLevels_(tree.nodes.size() > kParallelNodes ? kParallelLevels : 0) {
     plan(0, 0);
 }
 
@@ -73,7 +75,7 @@ CollapsePlan::Options CollapsePlan::plan(std::uint32_t number, int level) {
     const BinaryNode& node = tree_.nodes[number];
     if (node.isLeaf()) return planLeaf(number);
     Options left, right;
-    if (level < kParallelLevels) {
+    if (level < parallelLevels_) {
         throwIfStopped(stop_);
         tbb::parallel_invoke([&] { left = plan(node.first, level + 1); },
                              [&] { right = plan(node.first + 1, level + 1); });

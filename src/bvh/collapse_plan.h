@@ -52,6 +52,7 @@ class CollapsePlan {
     const AccelInput& input_;
     const std::stop_token& stop_;
     std::vector<Plan> plans_;
+    int parallelLevels_;  ///< nodes above this level hand their children to different threads
 };
 
 /// How many of a leaf's primitives are triangles.
