@@ -22,7 +22,7 @@ constexpr LabMethodInfo kMethods[kLabMethods] = {{"rayscope", "as Rayscope trace
                                                  {"double", "Möller–Trumbore, double"}};
 constexpr const char* kFaults[] = {"leak", "double hit", "false hit", "lost surface", "inaccurate"};
 
-constexpr std::size_t kFailuresKept = 32;  ///< per cell, method and fault
+constexpr std::size_t kFailuresKept = 12;  ///< per cell, method and fault
 constexpr std::size_t kBlock = 256;        ///< rays per task
 
 std::vector<LabPlace> placesOf(bool quick) {

@@ -21,7 +21,7 @@ const char* classOf(LabMethod method) { return kClasses[static_cast<int>(method)
 using Share = double (*)(const LabCounts&);
 
 double share(std::uint64_t part, std::uint64_t whole) {
-    return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+    return static_cast<double>(part) / static_cast<double>(whole);  // NaN: no ray could be tried
 }
 double leakShare(const LabCounts& c) { return share(c.leaks, c.aimed); }
 double doubleShare(const LabCounts& c) { return share(c.doubleHits, c.aimed); }
@@ -125,7 +125,8 @@ std::string header(const LabResult& r) {
         "have to hit.</p>\n<div class='facts'>\n",
         escaped(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.cells.size(),
         r.raysPerCell + r.raysPerCell / 2);
-    page += fact(fmt::format("2^{} … 2^{}", safe.lowestScale, safe.highestScale), "scales without a fault");
+    page += fact(fmt::format("2<sup>{}</sup> … 2<sup>{}</sup>", safe.lowestScale, safe.highestScale),
+                 "scales without a fault");
     page += fact(fmt::format("{:g} sizes", safe.largestOffset), "largest offset without a fault");
     page +=
         fact(fmt::format("{:g} sizes", r.meshOffset), "largest offset at which the mesh keeps all triangles");
@@ -156,7 +157,8 @@ std::string labHtml(const LabResult& r) {
         errorChart(r);
     page += maps(r, leakShare, "Leaks",
                  "Rays at shared edges and vertices that hit none of the triangles around "
-                 "them. Columns are offsets in sizes of the mesh.");
+                 "them. Columns are offsets in sizes of the mesh; – where no ray could be aimed because the "
+                 "mesh has collapsed.");
     page += maps(r, doubleShare, "Double hits",
                  "The same rays, if they cross an even number of those triangles.");
     page +=

@@ -1,7 +1,10 @@
 // A million of everything that gives a builder nothing to hold on to: it ends, and the answers are right.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bvh/binary_tree.h"
+#include "bvh/isa.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {
@@ -101,6 +104,28 @@ TEST_P(Degenerate, TrianglesInOnePoint) {
     ASSERT_TRUE(accel.closestHit({{0.25f, 0.25f, 3}, {0, 0, -1}}, hit));
     EXPECT_EQ(hit.t, 3.0f);
     EXPECT_EQ(hit.primitive, static_cast<std::uint32_t>(count()));
+}
+
+/// Half of a floor that reaches behind the origin of the ray, which meets its rim: depths times edge
+/// functions overflow in float long before edge functions do.
+TEST(Huge, DISABLED_TrianglesThatReachBehindTheOriginAreHit) {
+    for (int exponent = -60; exponent <= 60; ++exponent) {
+        const float s = std::ldexp(1.0f, exponent);
+        Geometry floor;
+        floor.addTriangle(s * glm::vec3(-20.0f, -0x1.99999ap-2f, 20.0f),
+                          s * glm::vec3(20.0f, -0x1.99999ap-2f, -20.0f),
+                          s * glm::vec3(-20.0f, -0x1.99999ap-2f, -20.0f));
+        const Ray ray{s * glm::vec3(-0x1.59289p-1f, 0x1.c71e84p+2f, -0x1.2ed3f6p-1f),
+                      {-0x1.425be8p-1f, -0x1.6df9cp-2f, 0x1.6130fcp-1f}};
+        for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
+            if (!isAvailable(isa)) continue;
+            BuildSettings settings;
+            settings.isa = isa;
+            Hit hit;
+            EXPECT_TRUE(Accel::build(floor.input(), settings).closestHit(ray, hit))
+                << "size 2^" << exponent << ", isa " << static_cast<int>(isa);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Builders, Degenerate,
