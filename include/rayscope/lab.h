@@ -90,6 +90,7 @@ struct LabResult {
     std::size_t triangles = 0, sharedEdges = 0, closedVertices = 0, spheres = 0;
     double size = 0.0;    ///< diagonal of the bounds, in scene units
     double offset = 0.0;  ///< of the scene as it is: distance of its centre from the origin, in sizes
+    glm::dvec3 center{0.0};
     int raysPerCell = 0;
     std::vector<LabCell> cells;        ///< by scale, then by offset
     std::vector<LabFailure> failures;  ///< some of each cell, method and fault
@@ -122,6 +123,9 @@ SceneDescription labShapes();
 
 /// The triangles of a scene as they stand in a cell, for looking at its failures and casting them again.
 MeshData meshAt(const SceneDescription& scene, const LabPlace& place);
+
+/// A failing ray in the coordinates of the scene as it is, for looking at; rounded.
+Ray rayInScene(const LabResult& result, const LabFailure& failure);
 
 std::string labJson(const LabResult& result);
 std::string labCsv(const LabResult& result);

@@ -17,9 +17,9 @@ namespace rayscope {
 namespace {
 
 constexpr LabMethodInfo kMethods[kLabMethods] = {{"rayscope", "as Rayscope traces"},
-                                                 {"float", "Möller–Trumbore, float"},
-                                                 {"epsilon", "Möller–Trumbore, float, 1e-6"},
-                                                 {"double", "Möller–Trumbore, double"}};
+                                                 {"float", "Möller-Trumbore, float"},
+                                                 {"epsilon", "Möller-Trumbore, float, 1e-6"},
+                                                 {"double", "Möller-Trumbore, double"}};
 constexpr const char* kFaults[] = {"leak", "double hit", "false hit", "lost surface", "inaccurate"};
 
 constexpr std::size_t kFailuresKept = 12;  ///< per cell, method and fault
@@ -149,6 +149,7 @@ LabResult runLab(const LabRequest& request) {
     result.closedVertices = mesh.closedVertices().size();
     result.spheres = request.scene->spheres.size();
     result.size = mesh.size();
+    result.center = mesh.center();
     result.offset = glm::length(mesh.center()) / mesh.size();
     result.raysPerCell = request.raysPerCell;
 

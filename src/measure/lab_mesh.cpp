@@ -18,6 +18,9 @@ bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     return glm::cross(ab, ac) != glm::dvec3(0.0);
 }
 
+/// No axis and no ratio of two is special.
+glm::dvec3 offsetDirection() { return glm::normalize(glm::dvec3(1.0, -0.83, 0.57)); }
+
 }  // namespace
 
 LabMesh::LabMesh(const SceneDescription& scene) {
@@ -103,12 +106,10 @@ std::span<const std::uint32_t> LabMesh::trianglesAround(std::uint32_t vertex) co
 }
 
 std::vector<glm::vec3> LabMesh::verticesAt(const LabPlace& place) const {
-    // No axis and no ratio of two is special.
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, -0.83, 0.57));
     std::vector<glm::vec3> moved;
     moved.reserve(vertices_.size());
     for (const glm::vec3& v : vertices_) {
-        const glm::dvec3 unscaled = glm::dvec3(v) - center_ + place.offset * size_ * direction;
+        const glm::dvec3 unscaled = glm::dvec3(v) - center_ + place.offset * size_ * offsetDirection();
         moved.emplace_back(std::ldexp(1.0, place.scale) * unscaled);
     }
     return moved;
@@ -120,6 +121,14 @@ std::uint64_t LabMesh::collapsed(const std::vector<glm::vec3>& moved) const {
         count += hasArea(vertices_[t.x], vertices_[t.y], vertices_[t.z]) &&
                  !hasArea(moved[t.x], moved[t.y], moved[t.z]);
     return count;
+}
+
+Ray rayInScene(const LabResult& result, const LabFailure& failure) {
+    const LabPlace& place = result.cells[failure.cell].place;
+    Ray ray = failure.ray;
+    ray.origin = glm::vec3(std::ldexp(1.0, -place.scale) * glm::dvec3(ray.origin) -
+                           place.offset * result.size * offsetDirection() + result.center);
+    return ray;
 }
 
 MeshData meshAt(const SceneDescription& scene, const LabPlace& place) {
