@@ -23,6 +23,7 @@ RECORDED, LEGEND_CAMERA = (1100, 90), (1030, 291)  # the latter with the former 
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 HARD_SHADOWS = (1112, 138)
+LAB_HEADER, LAB_START, LAB_OVERLAY = (1050, 485), (1106, 509), (964, 557)  # of the monkey, which has two lights
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
 
@@ -435,6 +436,25 @@ def test_heat_map(viewer):
     viewer.click(*TAB_SCENE)
 
 
+def is_failure_purple(red, green, blue):
+    return red > 150 and green < 130 and blue > 170
+
+
+def test_lab(viewer):
+    """The laboratory runs beside the window; what fails in the usual triangle test is drawn over the scene."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the monkey", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_SCENE)
+    viewer.click(*LAB_HEADER)
+    viewer.click(*LAB_START)
+    viewer.point(100, 600)
+    wait_for("rays that went wrong", lambda: viewer.picture().count(is_failure_purple) > 500)
+    viewer.click(*LAB_OVERLAY)
+    viewer.point(100, 600)
+    wait_for("the scene without them", lambda: viewer.picture().count(is_failure_purple) < 50)
+    viewer.click(*LAB_HEADER)
+
+
 def test_typing_is_not_a_shortcut(viewer):
     """Letters in a text field open no panel, switch no view and shoot no ray."""
     viewer.open_by_name("builtin:spheres")
@@ -491,7 +511,7 @@ def run_all(program, folder):
     viewer = Viewer(program, folder, "--set", "spp=4")
     try:
         for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces,
-                     test_bvh_boxes, test_heat_map,
+                     test_bvh_boxes, test_heat_map, test_lab,
                      test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
             if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
                 continue

@@ -23,6 +23,7 @@ void drawSettingsPanel(Workspace& workspace);
 void drawRaysPanel(Workspace& workspace);
 void drawBvhPanel(Workspace& workspace);
 void drawHeatPanel(Workspace& workspace);
+void drawLabPanel(Workspace& workspace);
 
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {
