@@ -8,6 +8,7 @@
 
 #include "viewer/bvh_inspector.h"
 #include "viewer/commands.h"
+#include "viewer/comparison.h"
 #include "viewer/debug_rays.h"
 #include "viewer/edit_state.h"
 #include "viewer/export.h"
@@ -58,6 +59,8 @@ struct Workspace {
     DebugRays rays;
     BvhInspector bvh;
     HeatMap heat;
+    Comparison comparison;
+    RenderGoal goal;
     bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};
