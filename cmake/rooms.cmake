@@ -23,6 +23,7 @@ function(rayscope_room name)
   target_include_directories(rayscope_${name} PUBLIC
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated)
   target_link_libraries(rayscope_${name} PUBLIC rayscope_options glm::glm fmt::fmt ${ROOM_LINK})
+  rayscope_precompile(rayscope_${name} rayscope_common_headers)
   set_property(GLOBAL PROPERTY RAYSCOPE_USES_${name} ${ROOM_USES})
   set_property(GLOBAL PROPERTY RAYSCOPE_PUBLIC_HEADERS_${name} ${ROOM_PUBLIC_HEADERS})
   if(name IN_LIST RAYSCOPE_LIBRARY_ROOMS)

@@ -54,7 +54,10 @@ struct CollapsePlan::Options {
 };
 
 CollapsePlan::CollapsePlan(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop)
-    : tree_(tree), input_(input), stop_(stop), plans_(tree.nodes.size()),
+    : tree_(tree),
+      input_(input),
+      stop_(stop),
+      plans_(tree.nodes.size()),
       parallelLevels_(tree.nodes.size() > kParallelNodes ? kParallelLevels : 0) {
     plan(0, 0);
 }

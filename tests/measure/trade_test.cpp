@@ -70,7 +70,7 @@ TEST(Trade, TheRecommendationIsReproducedByARenderOfItsSettings) {
 }
 
 TEST(Trade, EffectsWithoutMatterGiveTheSamePicture) {
-    const TradeResult result = measureTrade(requestFor("builtin:cornell", 24, 3.0));
+    const TradeResult result = measureTrade(requestFor("builtin:cornell", 8, 6.0));
     ASSERT_TRUE(result.complete);
     int proved = 0;
     for (const TradeNeed& need : result.needs) {
