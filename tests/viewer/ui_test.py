@@ -20,6 +20,7 @@ WIDTH, HEIGHT = 1280, 720
 PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
 PROGRESS_PIXEL = (8, 697)
+RASTERISED_BUTTON = (960, 37)  # blue while the rasterised view is shown
 TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH, TAB_MAP = (977, 66), (1042, 66), (1103, 66), (1147, 66), (1186, 66)
 TAB_COMPARE = (1226, 66)
 HISTOGRAM_END = (1120, 220), (1000, 220)
@@ -158,14 +159,15 @@ class Viewer:
         return subprocess.run(["xdotool", "getwindowname", self.window], stdout=subprocess.PIPE, text=True).stdout
 
     def settled_picture(self):
-        """The picture once nothing is being traced and it has stopped changing."""
+        """The picture once it has stopped changing, and nothing is being traced if it is the traced one."""
         def settled():
             before = self.capture()
-            time.sleep(0.7)
+            time.sleep(0.5)
             after = self.capture()
             # The bar over the status line is there as long as something is traced.
             quiet = after.at(*PROGRESS_PIXEL) == after.at(PROGRESS_PIXEL[0], PROGRESS_PIXEL[1] + 6)
-            return quiet and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
+            red, _, blue = after.at(*RASTERISED_BUTTON)
+            return (quiet or blue > red + 60) and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
         return wait_for("a picture that stands still", settled)
 
     def save(self, keys):

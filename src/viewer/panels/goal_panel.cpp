@@ -66,7 +66,7 @@ void drawGoalPanel(Workspace& workspace) {
                 "Of the picture as it is, from how much it still changes: the root mean squared error, and "
                 "what it lies below with the confidence in brackets. With Sobol points it is rather less.");
     if (!workspace.view.traced || !forecast)
-        dimText("known once it is traced");
+        dimText("not known yet");
     else
         text(fmt::format("{:.2g} (< {:.2g})", forecast->estimate.error, forecast->estimate.upper));
     ImGui::Spacing();
