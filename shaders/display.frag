@@ -3,6 +3,8 @@
 in vec2 place;
 
 uniform sampler2D image;
+uniform sampler2D other;
+uniform bool difference;    // show what `image` and `other` differ by
 uniform bool onePixelEach;  // image and screen have the same size
 uniform float exposureFactor;
 uniform bool courseCurve;
@@ -20,6 +22,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 radiance = onePixelEach ? texelFetch(image, ivec2(pixel.x, size.y - 1 - pixel.y), 0).rgb
                                  : texture(image, vec2(place.x, 1.0 - place.y)).rgb;
+    if (difference) radiance = abs(radiance - texture(other, vec2(place.x, 1.0 - place.y)).rgb);
     radiance *= exposureFactor;
     // What is not a number shows as magenta, never as black.
     if (any(isnan(radiance)) || any(isinf(radiance))) radiance = vec3(1.0, 0.0, 1.0);

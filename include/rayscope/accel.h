@@ -29,6 +29,7 @@ struct BuildSettings {
 };
 
 struct BinaryTree;
+struct WideTree;
 
 /// The size of a hierarchy in numbers.
 struct AccelSummary {
@@ -71,6 +72,8 @@ class Accel {
 
     /// The binary tree; null when empty or not kept.
     const BinaryTree* binaryTree() const;
+    /// The tree that production rays walk; null when empty or when they walk the binary one.
+    const WideTree* wideTree() const;
     const AccelSummary& summary() const;
     const AccelInput& input() const;
     std::size_t bytes() const;

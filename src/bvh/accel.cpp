@@ -95,6 +95,8 @@ const BinaryTree* Accel::binaryTree() const {
     return state_ && !state_->tree.nodes.empty() ? &state_->tree : nullptr;
 }
 
+const WideTree* Accel::wideTree() const { return state_ && state_->kernels ? &state_->wide : nullptr; }
+
 const AccelInput& Accel::input() const {
     static const AccelInput kNothing;
     return state_ ? state_->input : kNothing;

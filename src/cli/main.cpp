@@ -10,6 +10,7 @@
 
 #include "cli/commands.h"
 #include "cli/usage.h"
+#include "render/crash_report.h"
 
 namespace rayscope {
 
@@ -74,6 +75,7 @@ int runProgram(std::vector<std::string> arguments) {
 int main(int argc, char** argv) {
     // A limit on the size of files should fail a write, as a full disk does, not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
+    rayscope::installCrashReport();
     try {
         return rayscope::runProgram(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const rayscope::InputError& error) {

@@ -20,6 +20,7 @@ struct ProbeOptions {
     SceneOptions scene;
     std::string pixel, jsonFile;
     std::string traversal;  ///< "3" or "s3"
+    std::string layout = "binary";
     int sample = 0;
     bool explain = false;
 };
@@ -32,7 +33,8 @@ struct ProbeOptions {
 }
 
 /// The searches of the ray that the option names by its number in the tree, "s" before those of shadow rays.
-std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, const std::string& name) {
+std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, const std::string& name,
+                                     BvhLayout layout) {
     const bool isShadow = name.starts_with("s");
     const std::string digits = name.substr(isShadow ? 1 : 0);
     std::size_t number = 0;
@@ -40,8 +42,8 @@ std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, co
     const std::size_t count = isShadow ? tree.shadowRays.size() : tree.nodes.size();
     if (error != std::errc{} || end != digits.data() + digits.size() || number >= count)
         noSuchRay(name, tree);
-    return isShadow ? recordAnyHit(world, tree.shadowRays[number].ray, tree.time)
-                    : recordClosestHit(world, tree.nodes[number].ray, tree.time);
+    return isShadow ? recordAnyHit(world, tree.shadowRays[number].ray, tree.time, layout)
+                    : recordClosestHit(world, tree.nodes[number].ray, tree.time, layout);
 }
 
 /// What the options ask for, as one JSON object.
@@ -72,7 +74,9 @@ int runProbe(const ProbeOptions& options) {
         compile({request.scene, request.settings, request.camera, request.width, request.height});
     const RayTree tree = probe(*world, request.seed, {pixel.x, pixel.y, options.sample});
     std::vector<TraversalLog> searches;
-    if (!options.traversal.empty()) searches = searchesOf(*world, tree, options.traversal);
+    if (!options.traversal.empty())
+        searches = searchesOf(*world, tree, options.traversal,
+                              options.layout == "wide" ? BvhLayout::Wide : BvhLayout::Binary);
     fmt::print("{}", toText(tree, *world));
     for (const TraversalLog& log : searches) fmt::print("{}", toText(log));
     if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
@@ -106,6 +110,11 @@ void addProbeCommand(CLI::App& program, int& exitCode) {
             "for a shadow ray; the camera ray if none is given")
         ->expected(0, 1)
         ->default_str("0");
+    command
+        ->add_option("--layout", options->layout,
+                     "Which tree --traversal searches: binary, or the wide one that production rays walk")
+        ->check(CLI::IsMember({"binary", "wide"}))
+        ->capture_default_str();
     command->add_flag("--explain", options->explain,
                       "Say why the pixel is black, bright, noisy, slow or not a number");
     command->add_option("--json", options->jsonFile, "Write the tree to this file as JSON, too");

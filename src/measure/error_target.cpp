@@ -9,6 +9,7 @@
 #include "measure/statistics.h"
 #include "measure/tile_shares.h"
 #include "measure/workers.h"
+#include "render/crash_report.h"
 #include "render/pass_plan.h"
 #include "render/render_pass.h"
 #include "sampling/hash.h"
@@ -74,6 +75,7 @@ TargetRender::TargetRender(const ErrorTargetRequest& request) : request_(request
         throw InputError(
             fmt::format("an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels,
                         kFewestPixels));
+    describeForCrashReport(render);
     limit_ = std::make_unique<Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
     CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
     // A jittered pattern must know how many samples follow, which nobody does here.

@@ -23,7 +23,7 @@ std::string_view nameOf(Visibility visibility) {
 }
 
 std::string_view nameOf(TraversalEvent event) {
-    constexpr std::string_view names[] = {"enters", "keeps", "skips", "misses", "hits", "tests"};
+    constexpr std::string_view names[] = {"enters", "keeps", "skips", "misses", "hits", "tests", "rules out"};
     return names[static_cast<int>(event)];
 }
 

@@ -4,6 +4,7 @@
 
 #include "probe/binary_traversal_recorder.h"
 #include "probe/counting_observer.h"
+#include "probe/wide_traversal.h"
 #include "trace/world.h"
 
 namespace rayscope {
@@ -23,8 +24,38 @@ TraversalLog startLog(const World& world, std::size_t number, const Ray& ray, fl
     return log;
 }
 
-const BinaryTree* treeOf(const World& world, const Body& body) {
-    return world.settings.bvh && body.accel ? body.accel->binaryTree() : nullptr;
+/// Records the search through one body; false if it has no tree of this layout.
+bool searchBody(const Body& body, const World& world, TraversalLog& log) {
+    if (!world.settings.bvh || !body.accel || !RayQuery::isTraceable(log.ray)) return false;
+    if (log.layout == BvhLayout::Wide) {
+        const WideTree* wide = body.accel->wideTree();
+        if (wide != nullptr) recordWideSearch(*wide, log);
+        return wide != nullptr;
+    }
+    const BinaryTree* tree = body.accel->binaryTree();
+    if (tree == nullptr) return false;
+    const AccelInput& input = body.geometry->input;
+    BinaryTraversalRecorder recorder(log, *tree, input);
+    Hit hit;
+    const bool found = log.anyHit ? anyHitWatched(*tree, input, log.ray, recorder, hit)
+                                  : closestHit(*tree, input, log.ray, hit, recorder);
+    if (found) log.hit = hit;
+    return true;
+}
+
+std::vector<TraversalLog> record(const World& world, const Ray& ray, float time, BvhLayout layout,
+                                 bool anyHit) {
+    std::vector<TraversalLog> logs;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        TraversalLog log = startLog(world, i, ray, time);
+        log.layout = layout;
+        log.anyHit = anyHit;
+        if (!searchBody(world.bodies[i], world, log)) continue;
+        const bool found = log.hit.primitive != kNoPrimitive;
+        logs.push_back(std::move(log));
+        if (anyHit && found) break;
+    }
+    return logs;
 }
 
 }  // namespace
@@ -56,6 +87,7 @@ void advance(TraversalState& state, const TraversalStep& step) {
             state.closest = step.number;
             break;
         case TraversalEvent::NoHit:
+        case TraversalEvent::Filtered:
             break;
     }
 }
@@ -67,36 +99,12 @@ TraversalState stateAfter(const TraversalLog& log, std::size_t steps) {
     return state;
 }
 
-std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time) {
-    std::vector<TraversalLog> logs;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        const BinaryTree* tree = treeOf(world, world.bodies[i]);
-        if (tree == nullptr) continue;
-        TraversalLog log = startLog(world, i, ray, time);
-        if (!RayQuery::isTraceable(log.ray)) continue;
-        BinaryTraversalRecorder recorder(log, *tree, world.bodies[i].geometry->input);
-        closestHit(*tree, world.bodies[i].geometry->input, log.ray, log.hit, recorder);
-        logs.push_back(std::move(log));
-    }
-    return logs;
+std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time, BvhLayout layout) {
+    return record(world, ray, time, layout, false);
 }
 
-std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time) {
-    std::vector<TraversalLog> logs;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        const BinaryTree* tree = treeOf(world, world.bodies[i]);
-        if (tree == nullptr) continue;
-        TraversalLog log = startLog(world, i, ray, time);
-        if (!RayQuery::isTraceable(log.ray)) continue;
-        log.anyHit = true;
-        BinaryTraversalRecorder recorder(log, *tree, world.bodies[i].geometry->input);
-        Hit hit;
-        const bool found = anyHitWatched(*tree, world.bodies[i].geometry->input, log.ray, recorder, hit);
-        if (found) log.hit = hit;
-        logs.push_back(std::move(log));
-        if (found) break;
-    }
-    return logs;
+std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time, BvhLayout layout) {
+    return record(world, ray, time, layout, true);
 }
 
 }  // namespace rayscope

@@ -2,6 +2,7 @@
 // The search of one ray through one hierarchy, step by step. The log speaks of boxes and primitives only, so
 // that it can tell of trees of any width; a recorder per layout writes it.
 #include <rayscope/ray.h>
+#include <rayscope/settings.h>
 #include <rayscope/vector.h>
 #include <cstdint>
 #include <string>
@@ -17,7 +18,8 @@ enum class TraversalEvent {
     Behind,   ///< the box was hit, but begins behind the closest hit found since
     Missed,   ///< the ray does not meet the box
     Hit,      ///< a primitive was tested and becomes the closest hit
-    NoHit     ///< a primitive was tested in vain
+    NoHit,    ///< a primitive was tested in vain
+    Filtered  ///< the quick test of all triangles of a leaf at once ruled the primitive out
 };
 
 /// One step. Distances are in units of the ray's direction.
@@ -31,23 +33,24 @@ struct TraversalStep {
 
 /// A box as far as it was looked at.
 struct TraversalBox {
-    std::uint32_t node = 0;  ///< its number in the hierarchy
+    std::uint32_t node = 0;  ///< its number in the hierarchy; leaves of the wide layout count by themselves
     int parent = -1;         ///< index into TraversalLog::boxes
     bool leaf = false;
     glm::vec3 lower{0.0f}, upper{0.0f};
 };
 
 struct TraversalLog {
-    std::size_t body = 0;   ///< of the world
-    Ray ray;                ///< in the frame in which the body rests …
-    glm::vec3 shift{0.0f};  ///< … which is this far from where the body is at the ray's time
-    bool anyHit = false;    ///< the search may end at the first hit, as for shadow rays
+    std::size_t body = 0;                  ///< of the world
+    Ray ray;                               ///< in the frame in which the body rests …
+    glm::vec3 shift{0.0f};                 ///< … which is this far from where the body is at the ray's time
+    bool anyHit = false;                   ///< the search may end at the first hit, as for shadow rays
+    BvhLayout layout = BvhLayout::Binary;  ///< of the tree that was searched
     std::vector<TraversalBox> boxes;
     std::vector<TraversalStep> steps;
     Hit hit;  ///< what the search found; `primitive` counts within the body
 
     std::size_t count(TraversalEvent event) const;
-    /// Primitives tested.
+    /// Primitives tested exactly.
     std::size_t tests() const { return count(TraversalEvent::Hit) + count(TraversalEvent::NoHit); }
 };
 
@@ -65,11 +68,17 @@ struct TraversalState {
 void advance(TraversalState& state, const TraversalStep& step);
 TraversalState stateAfter(const TraversalLog& log, std::size_t steps);
 
-/// The search for the closest hit in every body of the world, at the given time of the shutter; the same
-/// binary trees and tests as World::closestHit with the binary layout. Nothing if the BVH is off.
-std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time);
+/// The search for the closest hit in every body of the world, at the given time of the shutter: the walk that
+/// World::closestHit takes through a tree of this layout, watched. Nothing if the BVH is off, or if there is
+/// no tree of this layout.
+///
+/// The wide tree is walked by the portable kernel. Kernels of other instruction sets round distances to boxes
+/// otherwise, and may enter a box more or less where a ray passes along its side; their hits are the same.
+std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time,
+                                           BvhLayout layout = BvhLayout::Binary);
 /// The search for any hit, as shadow rays do it; bodies after the first hit are not searched.
-std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time);
+std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time,
+                                       BvhLayout layout = BvhLayout::Binary);
 
 /// "enters node 12".
 std::string describe(const TraversalLog& log, const TraversalStep& step);

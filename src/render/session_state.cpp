@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/crash_report.h"
 #include "render/pass_plan.h"
 #include "trace/compile.h"
 
@@ -60,6 +61,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
     RenderState outcome = RenderState::Idle;
     std::string message;
     try {
+        describeForCrashReport(request);
         const SessionClock::time_point start = SessionClock::now();
         std::shared_ptr<const World> compiled;
         arena.execute([&] {

@@ -51,7 +51,8 @@ double Application::patience() const {
     if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
     const bool job = workspace_.job && workspace_.job->running();
     const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
-                         job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy();
+                         job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy() ||
+                         workspace_.comparison.busy();
     return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -156,6 +157,7 @@ void Application::drawSidePanel(const Layout& parts) {
             tab("Rays", [&] { drawRaysPanel(workspace_); });
             tab("BVH", [&] { drawBvhPanel(workspace_); });
             tab("Map", [&] { drawHeatPanel(workspace_); });
+            tab("A/B", [&] { drawComparisonPanel(workspace_); });
             ImGui::EndTabBar();
         }
     }
@@ -170,10 +172,20 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     input_.update(workspace_, window_, glm::dvec2(parts.pictureOrigin), unit, seconds);
 
     const glm::ivec2 image = workspace_.imageSize();
-    workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced});
+    workspace_.render.update(
+        {workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced, workspace_.goal});
     updateInspectors();
     picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
+    updateComparison();
+    drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
     updateCursorRadiance();
+}
+
+void Application::updateComparison() {
+    const RenderControl& render = workspace_.render;
+    const bool complete = !render.busy() && !input_.moving() && !picture_.computing();
+    workspace_.comparison.update(picture_.shownImage(), picture_.shownRevision(), complete,
+                                 workspace_.edit.settings.exposure);
 }
 
 /// What is looked at in detail is prepared beside the window, and only if something of it is seen.

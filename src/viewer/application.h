@@ -35,6 +35,7 @@ class Application {
     void settleHistory();
     void updateInspectors();
     void updateCursorRadiance();
+    void updateComparison();
 
     void carryOut(Command command);
     void carryOutDebugging(Command command);
@@ -43,6 +44,7 @@ class Application {
     void copyRays();
     void exportRays();
     void saveImage();
+    void keepPicture();
     void copyPixel();
     void setScale(float scale);
     void saveScreenshotNow();

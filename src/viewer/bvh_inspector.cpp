@@ -16,12 +16,32 @@ Inspected inspect(Inspected inspected) {
     return inspected;
 }
 
-/// The heuristic's rival is the median split, and the other way round.
 Inspected buildRival(Inspected rival, BuildSettings settings) {
-    rival.builder = settings.builder =
-        settings.builder == BvhBuilder::Median ? BvhBuilder::SahBinned : BvhBuilder::Median;
+    rival.builder = settings.builder;
     rival.ownTree = std::make_shared<const BinaryTree>(buildBinaryTree(rival.geometry->input, settings));
     return inspect(std::move(rival));
+}
+
+/// A tree without what is known about it, kept alive.
+struct BareTree {
+    std::shared_ptr<const Geometry> geometry;
+    std::shared_ptr<const Accel> accel;
+    std::shared_ptr<const BinaryTree> ownTree;
+
+    explicit BareTree(const Inspected& whole)
+        : geometry(whole.geometry), accel(whole.accel), ownTree(whole.ownTree) {}
+    const BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
+    const AccelInput& input() const { return geometry->input; }
+};
+
+/// Over the rays of some hundred pixels of the view.
+BvhInspector::Costs countCosts(std::shared_ptr<const World> world, std::size_t body, BareTree own,
+                               BareTree rival) {
+    constexpr int kColumns = 32, kRows = 24;
+    constexpr std::uint64_t kSeed = 0;  // the window renders with this one
+    const ViewRays rays = raysOfView(*world, kSeed, body, kColumns, kRows);
+    return {rays.count(), searchCosts(own.tree(), own.input(), rays),
+            searchCosts(rival.tree(), rival.input(), rays)};
 }
 
 template <class T>
@@ -38,14 +58,6 @@ void BvhInspector::update(const std::shared_ptr<const World>& world) {
         inspected_ = coming_.get();
         ++version_;
         keepInRange();
-    }
-    if (isReady(comingRival_)) {
-        try {
-            rival_ = comingRival_.get();
-            ++version_;
-        } catch (const Stopped&) {
-            // Another one is wanted by now.
-        }
     }
     if (!world) return;
     body = std::min(body, world->bodies.empty() ? 0 : world->bodies.size() - 1);
@@ -68,19 +80,80 @@ void BvhInspector::update(const std::shared_ptr<const World>& world) {
         stopRival_.request_stop();
         coming_ = std::async(std::launch::async, inspect, std::move(fresh));
     }
-    if (shown.savings && isKnown && rival() == nullptr && !comingRival_.valid()) {
-        const Settings& s = world->settings;
-        Inspected fresh;
-        fresh.geometry = wanted.geometry;
-        fresh.accel = wanted.accel;
-        stopRival_ = std::stop_source{};
-        comingRival_ = std::async(std::launch::async, buildRival, std::move(fresh),
-                                  BuildSettings{.builder = s.bvhBuilder,
-                                                .bins = s.bvhBins,
-                                                .maxLevel = s.bvhMaxLevel,
-                                                .leafSize = s.bvhLeafSize,
-                                                .stop = stopRival_.get_token()});
+    if (isKnown) updateRival(world);
+    if (isKnown) updateCosts(world);
+}
+
+BvhInspector::Recipe BvhInspector::recipeOf(const Settings& settings) {
+    return {settings.bvhBuilder, settings.bvhBins, settings.bvhLeafSize, settings.bvhMaxLevel};
+}
+
+/// The heuristic's rival is the median split, and the other way round.
+BvhInspector::Recipe BvhInspector::rivalRecipe(const Settings& settings) const {
+    if (wantedRival) return *wantedRival;
+    Recipe recipe = recipeOf(settings);
+    recipe.builder = recipe.builder == BvhBuilder::Median ? BvhBuilder::SahBinned : BvhBuilder::Median;
+    return recipe;
+}
+
+void BvhInspector::updateRival(const std::shared_ptr<const World>& world) {
+    const Recipe recipe = rivalRecipe(world->settings);
+    const bool isWanted = recipe == rivalRecipe_;
+    if (isReady(comingRival_)) {
+        try {
+            rival_ = comingRival_.get();
+            ++version_;
+        } catch (const Stopped&) {
+            // Another one is wanted by now.
+        }
     }
+    if (!shown.savings || (rival() != nullptr && isWanted)) return;
+    if (comingRival_.valid()) {
+        if (!isWanted) stopRival_.request_stop();
+        return;
+    }
+    rival_.reset();
+    rivalRecipe_ = recipe;
+    Inspected fresh;
+    fresh.geometry = inspected_->geometry;
+    fresh.accel = inspected_->accel;
+    stopRival_ = std::stop_source{};
+    comingRival_ = std::async(std::launch::async, buildRival, std::move(fresh),
+                              BuildSettings{.builder = recipe.builder,
+                                            .bins = recipe.bins,
+                                            .maxLevel = recipe.maxLevel,
+                                            .leafSize = recipe.leafSize,
+                                            .stop = stopRival_.get_token()});
+}
+
+void BvhInspector::updateCosts(const std::shared_ptr<const World>& world) {
+    const bool isKnown = countedWorld_.lock() == world && countedVersion_ == version_;
+    if (isReady(comingCosts_)) {
+        const Costs counted = comingCosts_.get();
+        if (countedVersion_ == version_) costs_ = counted;
+    }
+    if (!shown.savings || rival() == nullptr || isKnown || comingCosts_.valid()) return;
+    if (countedVersion_ != version_) costs_.reset();
+    countedWorld_ = world;
+    countedVersion_ = version_;
+    comingCosts_ =
+        std::async(std::launch::async, countCosts, world, body, BareTree(*inspected_), BareTree(*rival_));
+}
+
+const SplitCurve* BvhInspector::curve(int bins) {
+    if (isReady(comingCurve_)) {
+        curve_ = comingCurve_.get();
+        curveOf_ = comingCurveOf_;
+    }
+    const std::uint32_t node = shown.node == kNoNode ? 0 : shown.node;
+    const std::tuple wanted{inspected_->accel.get(), node, bins};
+    if (wanted != curveOf_ && !comingCurve_.valid()) {
+        comingCurveOf_ = wanted;
+        comingCurve_ = std::async(std::launch::async, [tree = BareTree(*inspected_), node, bins] {
+            return splitCurve(tree.tree(), tree.input(), node, bins);
+        });
+    }
+    return wanted == curveOf_ ? &curve_ : nullptr;
 }
 
 const BvhInspector::Inspected* BvhInspector::rival() const {

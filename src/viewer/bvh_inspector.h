@@ -2,8 +2,11 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 #include "bvh/statistics.h"
+#include "probe/search_costs.h"
+#include "probe/split_curve.h"
 #include "trace/world.h"
 #include "viewer/overlay/bvh_overlay.h"
 
@@ -28,6 +31,17 @@ class BvhInspector {
         IndexedTree indexed() const { return {tree(), index}; }
     };
 
+    /// How another tree over the same primitives is built, to compare with.
+    struct Recipe {
+        BvhBuilder builder = BvhBuilder::SahBinned;
+        int bins = 32, leafSize = 4, maxLevel = kMaxTreeLevel;
+        bool operator==(const Recipe&) const = default;
+    };
+    static Recipe recipeOf(const Settings& settings);
+    /// The rival that is wanted; without one, it differs from the tree by the other kind of builder.
+    std::optional<Recipe> wantedRival;
+    Recipe rivalRecipe(const Settings& settings) const;
+
     BvhChoice shown;
     std::size_t body = 0;  ///< of the world
 
@@ -35,9 +49,19 @@ class BvhInspector {
     void update(const std::shared_ptr<const World>& world);
     /// The tree of the chosen body; null where there is none, or until it is indexed.
     const Inspected* inspected() const { return inspected_ ? &*inspected_ : nullptr; }
-    /// The same primitives sorted by the other kind of builder; null until it is built, or if not wanted.
+    /// The same primitives sorted otherwise; null until it is built, or if not wanted.
     const Inspected* rival() const;
-    bool busy() const { return coming_.valid() || comingRival_.valid(); }
+    /// What the rays of the present view cost with the tree and with its rival; null until counted.
+    struct Costs {
+        std::size_t rays = 0;
+        SearchCosts own, rival;
+    };
+    const Costs* costs() const { return rival() != nullptr && costs_ ? &*costs_ : nullptr; }
+    /// What splits of the selected node, or of the root, would cost; null until known.
+    const SplitCurve* curve(int bins);
+    bool busy() const {
+        return coming_.valid() || comingRival_.valid() || comingCosts_.valid() || comingCurve_.valid();
+    }
     /// Grows when inspected() or rival() become others.
     int version() const { return version_; }
 
@@ -56,8 +80,18 @@ class BvhInspector {
 
   private:
     void keepInRange();
+    void updateRival(const std::shared_ptr<const World>& world);
+    void updateCosts(const std::shared_ptr<const World>& world);
 
     std::optional<Inspected> inspected_, rival_;
+    Recipe rivalRecipe_;  ///< of the rival, or of the one that is being built
+    std::optional<Costs> costs_;
+    std::future<Costs> comingCosts_;
+    std::weak_ptr<const World> countedWorld_;  ///< whose view costs_ is of, or will be
+    int countedVersion_ = -1;
+    SplitCurve curve_;
+    std::future<SplitCurve> comingCurve_;
+    std::tuple<const Accel*, std::uint32_t, int> curveOf_{nullptr, kNoNode, 0}, comingCurveOf_;
     std::future<Inspected> coming_, comingRival_;
     std::stop_source stopRival_;
     int version_ = 0;

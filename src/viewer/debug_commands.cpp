@@ -52,6 +52,17 @@ void Application::carryOutDebugging(Command command) {
             workspace_.heat.shown = !workspace_.heat.shown;
             workspace_.view.traced |= workspace_.heat.shown;
             break;
+        case Command::KeepPicture:
+            keepPicture();
+            break;
+        case Command::ComparePictures:
+            workspace_.comparison.view.shown = !workspace_.comparison.view.shown;
+            workspace_.view.traced |= workspace_.comparison.visible();
+            break;
+        case Command::FlipPictures:
+            workspace_.comparison.view.mode = CompareMode::Flip;
+            workspace_.comparison.view.flipped = !workspace_.comparison.view.flipped;
+            break;
         case Command::PinPixel:
             rays.pin();
             break;
@@ -70,6 +81,20 @@ void Application::carryOutDebugging(Command command) {
         default:
             break;
     }
+}
+
+/// A coarse picture is of no use for a comparison.
+void Application::keepPicture() {
+    const RgbImage& image = picture_.shownImage();
+    const bool whole = glm::ivec2(image.width, image.height) == workspace_.imageSize();
+    if (!workspace_.view.traced || !whole || !workspace_.render.settledWorld()) {
+        workspace_.tell("There is no traced picture to keep yet", Severity::Warning);
+        return;
+    }
+    const int samples = workspace_.render.status().samples;
+    workspace_.comparison.keep(workspace_.edit, image, samples);
+    workspace_.comparison.view.shown = true;
+    workspace_.tell(fmt::format("Kept as A: {} samples per pixel", samples));
 }
 
 void Application::copyRays() {

@@ -132,15 +132,17 @@ void DebugRays::hideSelected() {
 }
 
 void DebugRays::updateSearch() {
-    if (!shot_ || !search.shown || searched_ == filter.selected) return;
+    const bool isKnown = searched_ == filter.selected && searchedLayout_ == search.layout;
+    if (!shot_ || !search.shown || isKnown) return;
     const RayTree& tree = shot_->tree();
     searched_ = filter.selected;
+    searchedLayout_ = search.layout;
     if (filter.selected.shadow >= 0) {
         const ShadowRay& shadow = tree.shadowRays[static_cast<std::size_t>(filter.selected.shadow)];
-        searches_ = recordAnyHit(*shot_->world, shadow.ray, tree.time);
+        searches_ = recordAnyHit(*shot_->world, shadow.ray, tree.time, search.layout);
     } else {
         const auto node = static_cast<std::size_t>(std::max(filter.selected.node, 0));
-        searches_ = recordClosestHit(*shot_->world, tree.nodes[node].ray, tree.time);
+        searches_ = recordClosestHit(*shot_->world, tree.nodes[node].ray, tree.time, search.layout);
     }
     ++version_;
 }

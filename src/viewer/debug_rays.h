@@ -84,7 +84,8 @@ class DebugRays {
 
     std::optional<Shot> shot_;
     std::vector<TraversalLog> searches_;
-    std::optional<RaySelection> searched_;  ///< whose search is recorded
+    std::optional<RaySelection> searched_;          ///< whose search is recorded …
+    BvhLayout searchedLayout_ = BvhLayout::Binary;  ///< … through which tree
     int sample_ = 0;
     int version_ = 0;
 };

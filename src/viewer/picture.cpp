@@ -26,6 +26,7 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip
             workspace.heat.version(),
             workspace.heat.image() != nullptr,
             false,
+            workspace.comparison.view,
             view.selectedLight,
             view.selectedHandle,
             hovered,
@@ -47,7 +48,8 @@ void Picture::update(Workspace& workspace, std::optional<Grip> hovered, bool mov
 
     // While the picture refines, only the part is drawn again that new tiles lie in.
     const RgbImage& image = traced_.image();
-    const bool part = !everything && glm::ivec2(image.width, image.height) == inputs.size;
+    const bool part = !everything && !workspace.comparison.visible() &&
+                      glm::ivec2(image.width, image.height) == inputs.size;
     if (part) {
         glEnable(GL_SCISSOR_TEST);
         glScissor(changed->x0, inputs.size.y - changed->y1, changed->x1 - changed->x0,
@@ -63,6 +65,8 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
     target_.bind();
     if (inputs.traced && inputs.heatShown)
         traced_.drawInstead(*workspace.heat.image(), inputs.heatVersion, inputs.size);
+    else if (inputs.traced && workspace.comparison.visible())
+        traced_.drawComparison(workspace.comparison, inputs.state.settings, inputs.size);
     else if (inputs.traced)
         traced_.draw(inputs.state.settings, inputs.size);
     else

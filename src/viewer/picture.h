@@ -23,6 +23,9 @@ class Picture {
     /// What is shown, without overlays, as a linear image of the view's size.
     RgbImage rasterImage(const Workspace& workspace);
     const RgbImage& tracedImage() const { return traced_.image(); }
+    /// The traced picture as it is shown, with bloom; its revision grows when it changes.
+    const RgbImage& shownImage() const { return traced_.shownImage(); }
+    int shownRevision() const { return traced_.revision(); }
     const SceneBounds& sceneBounds() const { return raster_.bounds(); }
     bool computing() const { return traced_.computingBloom(); }
 
@@ -36,6 +39,7 @@ class Picture {
         SceneOverlays::Inputs overlays;
         int heatVersion = 0;
         bool heatShown = false, moving = false;
+        Comparison::View comparison;
         int selectedLight = -1, selectedHandle = 0;
         std::optional<Grip> hovered;
         float scale = 1.0f;

@@ -29,6 +29,9 @@ bool sameImage(const RenderRequest& a, const RenderRequest& b) {
     return sameView(a, b) && a.width == b.width && a.height == b.height && a.settings.spp == b.settings.spp;
 }
 
+/// As many samples as any target could need.
+constexpr int kMostSamples = 1 << 16;
+
 RenderRequest requestFor(const RenderControl::Wish& wish, int divisor) {
     RenderRequest request;
     request.scene = wish.state.scene;
@@ -36,6 +39,9 @@ RenderRequest requestFor(const RenderControl::Wish& wish, int divisor) {
     request.camera = wish.state.camera;
     request.width = std::max(1, wish.width / divisor);
     request.height = std::max(1, wish.height / divisor);
+    // A jittered pattern must know how many samples follow.
+    if (wish.goal.byError && request.settings.sampler != SamplePattern::Jittered)
+        request.settings.spp = kMostSamples;
     if (divisor > 1 || wish.moving || !wish.traced) request.settings.spp = 1;
     return request;
 }
@@ -63,6 +69,7 @@ bool RenderControl::mayInterrupt() const {
 void RenderControl::submit(RenderRequest request, bool coarse) {
     if (submitted_ && sameImage(*submitted_, request)) return;
     submitted_ = request;
+    stopped_.reset();
     coarse_ = coarse;
     submittedAt_ = Clock::now();
     session_.submit(std::move(request));
@@ -77,17 +84,66 @@ void RenderControl::update(const Wish& wish) {
         const double traced = samples * submitted_->width * submitted_->height;
         pixelsPerSecond_ = std::max(1e3, traced / status_.elapsedSeconds);
     }
+    watchError(wish);
     if (!wish.traced) {
         if (!wish.moving) submit(requestFor(wish, 1), false);
         return;
     }
     RenderRequest full = requestFor(wish, 1);
+    // What a former goal ended goes on.
+    if (stopped_ && goal_ != wish.goal && submitted_ && sameImage(*submitted_, full)) {
+        stopped_.reset();
+        session_.submit(full);
+    }
+    goal_ = wish.goal;
+    stopAtGoal(wish);
     const bool sameAsBefore = submitted_ && sameView(*submitted_, full);
     const int divisor = previewDivisor(wish);
     // What was not seen yet is shown coarsely first, if the whole picture would take too long.
     const bool preview = wish.moving || (!sameAsBefore && divisor > 1);
     if (coarse_ && !mayInterrupt()) return;
     submit(preview ? requestFor(wish, divisor) : std::move(full), preview);
+}
+
+/// Keeps an eye on the film of the full picture, beside the window.
+void RenderControl::watchError(const Wish& wish) {
+    const auto film = session_.film();
+    const bool isOtherTarget = goal_.error != wish.goal.error || goal_.confidence != wish.goal.confidence;
+    if (film != watchedFilm_ || isOtherTarget || !watch_) {
+        watchedFilm_ = film;
+        watch_ = std::make_shared<const ErrorWatch>(
+            ErrorTarget{.error = static_cast<double>(wish.goal.error),
+                        .confidence = static_cast<double>(wish.goal.confidence)});
+    }
+    if (looking_.valid()) {
+        if (looking_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        auto looked = looking_.get();
+        if (lookedFrom_ == watch_) watch_ = std::move(looked);
+    }
+    if (!film || coarse_ || !wish.traced || !watch_->wantsLook(film->completeSamples())) return;
+    lookedFrom_ = watch_;
+    looking_ = std::async(std::launch::async, [before = watch_, film]() -> std::shared_ptr<const ErrorWatch> {
+        auto next = std::make_shared<ErrorWatch>(*before);
+        next->look(ErrorWatch::take(*film));
+        return next;
+    });
+}
+
+void RenderControl::stopAtGoal(const Wish& wish) {
+    if (status_.state != RenderState::Rendering || coarse_ || stopped_) return;
+    if (wish.goal.byError && watch_->reached())
+        stopped_ = StopReason::Reached;
+    else if (wish.goal.byTime && status_.elapsedSeconds >= static_cast<double>(wish.goal.seconds))
+        stopped_ = StopReason::TimeLimit;
+    if (stopped_) session_.finishTiles();
+}
+
+std::optional<ErrorForecast> RenderControl::forecast() const {
+    if (!watch_ || !watch_->any() || coarse_ || !watchedFilm_) return std::nullopt;
+    const double samples =
+        std::max<double>(watchedFilm_->completeSamples(), status_.progress * status_.targetSamples);
+    return watch_->forecast(samples, status_.elapsedSeconds,
+                            goal_.byTime ? static_cast<double>(goal_.seconds) : 0.0);
 }
 
 void RenderControl::togglePause() {
@@ -103,7 +159,8 @@ double RenderControl::raysPerSecond() const {
 
 std::shared_ptr<const World> RenderControl::settledWorld() const {
     const RenderState state = session_.status().state;
-    const bool compiled = state == RenderState::Rendering || state == RenderState::Done;
+    const bool compiled = state == RenderState::Rendering || state == RenderState::Done ||
+                          (state == RenderState::Idle && stopped_);
     return compiled && !coarse_ ? session_.world() : nullptr;
 }
 

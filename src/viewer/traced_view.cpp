@@ -50,15 +50,16 @@ std::optional<PixelBounds> TracedView::update(RenderSession& session, const Sett
     session.collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
     if (changed_) bloomOutdated_ = true;
     if (updateBloom(settings)) markChanged(before);
+    if (changed_) ++revision_;
     return changed_;
 }
 
 bool TracedView::updateBloom(const Settings& settings) {
     bool arrived = false;
     if (bloom_.valid() && bloom_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const RgbImage result = bloom_.get();
-        bloomTexture_ = GlTexture::floatImage(result.width, result.height);
-        bloomTexture_.upload(0, 0, result.width, result.height, result.pixels.data());
+        bloomImage_ = bloom_.get();
+        bloomTexture_ = GlTexture::floatImage(bloomImage_.width, bloomImage_.height);
+        bloomTexture_.upload(0, 0, bloomImage_.width, bloomImage_.height, bloomImage_.pixels.data());
         bloomShown_ = settings.bloom;
         arrived = true;
     }
@@ -89,6 +90,31 @@ void TracedView::draw(const Settings& settings, glm::ivec2 size) {
          settings.tone == ToneCurve::Course);
 }
 
+void TracedView::drawComparison(const Comparison& comparison, const Settings& settings, glm::ivec2 size) {
+    const Comparison::View& view = comparison.view;
+    const Comparison::Kept& a = *comparison.a();
+    if (keptVersion_ != view.version) {
+        keptVersion_ = view.version;
+        keptTexture_ = GlTexture::floatImage(a.image.width, a.image.height);
+        keptTexture_.upload(0, 0, a.image.width, a.image.height, a.image.pixels.data());
+    }
+    if (view.mode == CompareMode::Difference) {
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        fill(bloomShown_ ? bloomTexture_ : texture_, size, view.brightness, false, &keptTexture_);
+        return;
+    }
+    draw(settings, size);
+    const int columns = view.mode == CompareMode::Wipe
+                            ? static_cast<int>(std::lround(view.divider * static_cast<float>(size.x)))
+                            : (view.flipped ? size.x : 0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, columns, size.y);
+    fill(keptTexture_, size, std::exp2(a.state.settings.exposure),
+         a.state.settings.tone == ToneCurve::Course);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void TracedView::drawInstead(const RgbImage& image, int version, glm::ivec2 size) {
     if (otherVersion_ != version) {
         otherVersion_ = version;
@@ -100,9 +126,13 @@ void TracedView::drawInstead(const RgbImage& image, int version, glm::ivec2 size
     fill(otherTexture_, size, 1.0f, false);
 }
 
-void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve) {
+void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve,
+                      const GlTexture* other) {
     shader_.use();
     shader_.set("image", 0);
+    shader_.set("other", 1);
+    shader_.set("difference", other != nullptr ? 1 : 0);
+    if (other != nullptr) other->bind(1);
     shader_.set("onePixelEach", texture.width() == size.x && texture.height() == size.y ? 1 : 0);
     shader_.set("exposureFactor", exposureFactor);
     shader_.set("courseCurve", courseCurve ? 1 : 0);

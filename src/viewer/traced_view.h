@@ -4,6 +4,7 @@
 #include <future>
 #include <optional>
 
+#include "viewer/comparison.h"
 #include "viewer/gl/shader.h"
 #include "viewer/gl/texture.h"
 
@@ -23,19 +24,27 @@ class TracedView {
     /// Fills the bound target, which has this size.
     void draw(const Settings& settings, glm::ivec2 size);
 
+    /// Fills the bound target with the kept picture and this one, as they are to be compared.
+    void drawComparison(const Comparison& comparison, const Settings& settings, glm::ivec2 size);
+
     /// Fills the bound target with another image, as it is. The version tells whether it is another one than
     /// at the last call.
     void drawInstead(const RgbImage& image, int version, glm::ivec2 size);
 
     /// Linear means as far as they have been taken; samples of a pixel's tile are not told apart.
     const RgbImage& image() const { return image_; }
+    /// The same with bloom, if it is shown; the revision grows when this becomes another picture.
+    const RgbImage& shownImage() const { return bloomShown_ ? bloomImage_ : image_; }
+    int revision() const { return revision_; }
     bool computingBloom() const { return bloom_.valid(); }
 
   private:
     void take(const TileView& tile);
     void resize(int width, int height);
     bool updateBloom(const Settings& settings);
-    void fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve);
+    /// With `other`, what the two differ by.
+    void fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve,
+              const GlTexture* other = nullptr);
     void markChanged(const PixelBounds& bounds);
 
     Shader shader_{"display"};
@@ -44,12 +53,14 @@ class TracedView {
     GlTexture texture_;
     std::optional<PixelBounds> changed_;  ///< since the last update()
 
-    GlTexture otherTexture_;
-    int otherVersion_ = -1;
+    GlTexture otherTexture_, keptTexture_;
+    int otherVersion_ = -1, keptVersion_ = -1;
+    int revision_ = 0;
 
     /// Bloom of a copy of the image; done again when image or settings changed.
     std::future<RgbImage> bloom_;
     GlTexture bloomTexture_;
+    RgbImage bloomImage_;
     Settings bloomSettings_;
     bool bloomOutdated_ = true, bloomShown_ = false;
 };

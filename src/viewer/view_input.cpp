@@ -45,13 +45,26 @@ bool ViewInput::moving() const {
     const auto recent = [&](Clock::time_point then) {
         return std::chrono::duration<double>(now - then).count() < kSettleSeconds;
     };
-    return (dragging() && !clicked_) || recent(lastWheel_) || recent(lastFlight_);
+    return (dragging() && drag_ != Drag::Divider && !clicked_) || recent(lastWheel_) || recent(lastFlight_);
+}
+
+/// Whether the cursor is on the line between two pictures that are compared.
+bool ViewInput::onDivider(const Workspace& workspace, const ViewFrame& frame) const {
+    constexpr double kReach = 6.0;
+    const Comparison& comparison = workspace.comparison;
+    if (!comparison.visible() || comparison.view.mode != CompareMode::Wipe || !workspace.view.traced ||
+        workspace.heat.shown)
+        return false;
+    const double x = static_cast<double>(comparison.view.divider) * frame.width;
+    return std::abs(cursor_.x - x) < kReach * static_cast<double>(workspace.view.scale);
 }
 
 void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
     clicked_ = true;
     pressed_ = last_ = cursor_;
-    if (workspace.view.flying) {
+    if (left && onDivider(workspace, frame)) {
+        drag_ = Drag::Divider;
+    } else if (workspace.view.flying) {
         drag_ = Drag::Look;
     } else if (!left) {
         drag_ = Drag::Pan;
@@ -77,6 +90,9 @@ void ViewInput::dragTo(Workspace& workspace, const ViewFrame& frame) {
     if (drag_ == Drag::Orbit) orbit(camera, moved);
     if (drag_ == Drag::Look) look(camera, moved);
     if (drag_ == Drag::Pan) pan(camera, cursor_ - last_, frame.height);
+    if (drag_ == Drag::Divider)
+        workspace.comparison.view.divider =
+            std::clamp(static_cast<float>(cursor_.x / frame.width), 0.0f, 1.0f);
     if (drag_ == Drag::Handle && workspace.view.selectedLight >= 0) {
         std::vector<Light> lights = workspace.edit.scene->lights;
         Light& light = lights[static_cast<std::size_t>(workspace.view.selectedLight)];
@@ -186,6 +202,8 @@ void ViewInput::update(Workspace& workspace, const Window& window, glm::dvec2 or
             grip_ = pickGrip(frame, center, cursor_, handleSize(workspace.view.scale));
         }
     }
+    if (drag_ == Drag::Divider || (free && drag_ == Drag::None && onDivider(workspace, frame)))
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (drag_ == Drag::None && free) {
         if (ImGui::IsMouseClicked(ImGuiMouseButton_Left))
             press(workspace, frame, true);

@@ -21,9 +21,10 @@ class ViewInput {
     std::optional<Grip> hoveredGrip() const { return grip_; }
 
   private:
-    enum class Drag { None, Orbit, Pan, Look, Handle };
+    enum class Drag { None, Orbit, Pan, Look, Handle, Divider };
     using Clock = std::chrono::steady_clock;
 
+    bool onDivider(const Workspace& workspace, const ViewFrame& frame) const;
     void press(Workspace& workspace, const ViewFrame& frame, bool left);
     void dragTo(Workspace& workspace, const ViewFrame& frame);
     void release(Workspace& workspace, const ViewFrame& frame);

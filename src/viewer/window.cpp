@@ -33,6 +33,19 @@ int letterOf(int key, int scancode) {
     return letter >= 'A' && letter <= 'Z' ? letter : key;
 }
 
+/// A monitor of so many pixels per inch is not read at scale 1, even if nobody has told the desktop so. What
+/// is not plausible (projectors, televisions and virtual displays make up their size) does not count.
+float scaleOfPixels(GLFWmonitor* monitor) {
+    constexpr float kFewest = 144.0f, kMost = 400.0f, kSmallest = 150.0f;
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    int width = 0, height = 0;
+    if (mode == nullptr) return 1.0f;
+    glfwGetMonitorPhysicalSize(monitor, &width, &height);
+    if (static_cast<float>(width) < kSmallest) return 1.0f;
+    const float perInch = 25.4f * static_cast<float>(mode->width) / static_cast<float>(width);
+    return perInch >= kFewest && perInch <= kMost ? 2.0f : 1.0f;
+}
+
 Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
 }  // namespace
@@ -171,7 +184,7 @@ glm::ivec2 Window::framebufferSize() const {
 float Window::contentScale() const {
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window_, &x, &y);
-    return std::max(x, 1.0f);
+    return std::max({x, 1.0f, scaleOfPixels(glfwGetPrimaryMonitor())});
 }
 
 void Window::beginFrame() {

@@ -8,6 +8,7 @@
 
 #include "viewer/bvh_inspector.h"
 #include "viewer/commands.h"
+#include "viewer/comparison.h"
 #include "viewer/debug_rays.h"
 #include "viewer/edit_state.h"
 #include "viewer/export.h"
@@ -60,6 +61,8 @@ struct Workspace {
     BvhInspector bvh;
     HeatMap heat;
     LabRun lab;
+    Comparison comparison;
+    RenderGoal goal;
     bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};

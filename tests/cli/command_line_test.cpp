@@ -92,6 +92,11 @@ TEST(CommandLine, ProbePrintsTheSearchOfARay) {
     const nlohmann::json j = nlohmann::json::parse(test::readText(folder / "tree.json"));
     EXPECT_EQ(j["traversal"][0]["hit"]["primitive"], j["nodes"][0]["hit"]["primitive"]);
     EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("search for any hit"));
+    const ProgramResult wide = run(folder, probe + "--traversal --layout wide --json wide.json");
+    EXPECT_THAT(wide.out, HasSubstr("in the wide tree of body 0"));
+    const nlohmann::json w = nlohmann::json::parse(std::ifstream(folder.path() / "wide.json"));
+    EXPECT_EQ(w["traversal"][0]["layout"], "wide");
+    EXPECT_EQ(w["traversal"][0]["hit"], j["traversal"][0]["hit"]);
     EXPECT_THAT(run(folder, probe + "--traversal --set bvh=false").out, HasSubstr("no hierarchy"));
     for (const char* wrong : {"99", "s99", "x", "-1", "1x", "s"})
         EXPECT_EQ(run(folder, probe + "--traversal " + wrong).exitCode, 1) << wrong;

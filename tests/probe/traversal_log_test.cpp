@@ -2,10 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "bvh/ray_words.h"
+#include "bvh/wide_tree.h"
 #include "support/test_scenes.h"
+// clang-format off: the lanes come first
+#include "bvh/kernel/compress_portable.inl"
+#include "bvh/kernel/lanes_portable.inl"
+// clang-format on
+#include "bvh/kernel/walk.inl"
 
 namespace rayscope {
 namespace {
@@ -102,11 +110,128 @@ TEST(TraversalLog, EveryStepIsPlausible) {
                     break;
                 case TraversalEvent::NoHit:
                     break;
+                case TraversalEvent::Filtered:
+                    ADD_FAILURE() << "the binary tree has no quick test";
             }
         }
     }
     EXPECT_GT(waited, 100u);
     EXPECT_GT(skipped, 10u);
+}
+
+/// A second watcher of the production walk, which only counts.
+struct WideCounts {
+    std::size_t entered = 0, tests = 0, filtered = 0;
+};
+struct WideCounter {
+    WideCounts* to;
+    void entered(kernel::ChildRef, const kernel::Search&) const { ++to->entered; }
+    static void children(const kernel::WideNode&, unsigned, const kernel::Lanes&, const kernel::Search&) {}
+    static void waits(kernel::ChildRef) {}
+    static void skipped(kernel::ChildRef, const kernel::Search&) {}
+    void filtered(const kernel::TriangleBlock&, kernel::ChildRef leaf, unsigned mask,
+                  const kernel::Search&) const {
+        to->filtered +=
+            (leaf >> kernel::kBlockSizeShift & 7u) + 1u - static_cast<unsigned>(__builtin_popcount(mask));
+    }
+    void tested(std::uint32_t, bool, const kernel::HitWords&, const kernel::Search&) const { ++to->tests; }
+};
+
+WideCounts countWideWalk(const WideTree& tree, const Ray& ray, bool any) {
+    WideCounts counts;
+    const WideCounter counter{&counts};
+    const kernel::WideTreeView view = tree.view();
+    kernel::prepared(view, words(ray), [&](const auto& lanes, kernel::Search& search) {
+        kernel::FastShear shear{};
+        bool isSheared = false;
+        if (any)
+            kernel::walkToAnyHit(view, view.root, lanes, shear, isSheared, search, counter);
+        else
+            kernel::walkToClosestHit(view, view.root, lanes, shear, isSheared, search, counter);
+    });
+    return counts;
+}
+
+TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
+    for (const std::string name : {"monkey", "cornell", "spheres", "triangle"}) {
+        const auto world = builtin(name);
+        const WideTree* tree = world->bodies[0].accel->wideTree();
+        ASSERT_NE(tree, nullptr);
+        std::mt19937 random(23);
+        int hits = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const Ray ray = randomRay(random);
+            const TraversalLog log = recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+            Hit hit;
+            hits += world->bodies[0].accel->closestHit(ray, hit);
+            ASSERT_EQ(std::memcmp(&hit, &log.hit, sizeof hit), 0) << name << " ray " << i;
+            const WideCounts counts = countWideWalk(*tree, ray, false);
+            ASSERT_EQ(log.count(TraversalEvent::Entered), counts.entered);
+            ASSERT_EQ(log.tests(), counts.tests);
+            ASSERT_EQ(log.count(TraversalEvent::Filtered), counts.filtered);
+            const TraversalState end = stateAfter(log, log.steps.size());
+            ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
+            ASSERT_EQ(end.closest, hit.primitive);
+
+            const TraversalLog any = recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+            ASSERT_EQ(any.hit.primitive != kNoPrimitive, world->anyHit(ray, 0.0f));
+            ASSERT_EQ(any.count(TraversalEvent::Entered), countWideWalk(*tree, ray, true).entered);
+        }
+        EXPECT_GT(hits, 20) << name;
+    }
+}
+
+TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
+    const auto world = builtin("monkey");
+    std::mt19937 random(29);
+    std::size_t skipped = 0, waited = 0, filtered = 0;
+    for (int i = 0; i < 300; ++i) {
+        const TraversalLog log = recordClosestHit(*world, randomRay(random), 0.0f, BvhLayout::Wide).at(0);
+        std::size_t step = 0;
+        for (const TraversalStep& s : log.steps) {
+            const TraversalState before = stateAfter(log, step++);
+            ASSERT_EQ(s.bound, before.bound);
+            const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
+                                           [&](const auto& waiting) { return waiting.box == s.number; });
+            if (s.event == TraversalEvent::Entered && step > 1) {
+                ASSERT_TRUE(waits ? before.stack.back().box == s.number
+                                  : log.boxes[s.number].parent == before.current);
+                ASSERT_LE(s.t, before.bound);
+                // What waits of the same node is not nearer.
+                for (const auto& waiting : before.stack)
+                    if (!waits && log.boxes[waiting.box].parent == before.current) {
+                        ASSERT_LE(s.t, waiting.t);
+                    }
+            }
+            if (s.event == TraversalEvent::Behind) {
+                ASSERT_GE(s.t, before.bound * (1.0f - 1e-6f));
+            }
+            waited += s.event == TraversalEvent::Waits;
+            skipped += s.event == TraversalEvent::Behind;
+            filtered += s.event == TraversalEvent::Filtered;
+        }
+        for (const TraversalBox& box : log.boxes) {
+            if (box.parent < 0) continue;
+            const TraversalBox& parent = log.boxes[static_cast<std::size_t>(box.parent)];
+            ASSERT_TRUE(glm::all(glm::lessThanEqual(parent.lower, box.lower)));
+            ASSERT_TRUE(glm::all(glm::greaterThanEqual(parent.upper, box.upper)));
+        }
+    }
+    EXPECT_GT(waited, 100u);
+    EXPECT_GT(skipped, 10u);
+    EXPECT_GT(filtered, 100u);
+}
+
+TEST(WideTraversalLog, SaysWhichTreeItIsOf) {
+    const auto world = builtin("cornell");
+    const Ray ray{{0.0f, 0.0f, 3.0f}, {0.1f, -0.1f, -1.0f}};
+    const TraversalLog log = recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+    EXPECT_EQ(nlohmann::json::parse(toJson(log))["layout"], "wide");
+    EXPECT_NE(toText(log).find("wide tree"), std::string::npos);
+    EXPECT_NE(toText(log).find("rules out primitive"), std::string::npos);
+    Settings settings;
+    settings.bvhLayout = BvhLayout::Binary;
+    EXPECT_TRUE(recordClosestHit(*builtin("cornell", settings), ray, 0.0f, BvhLayout::Wide).empty());
 }
 
 TEST(TraversalLog, PrintsAsTextAndJson) {

@@ -3,26 +3,39 @@
 usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or ImageMagick is missing
 """
 import json
+import operator
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from pathlib import Path
+
+import x11
 
 WIDTH, HEIGHT = 1280, 720
 # Where things are at scale 1, in pixels of the window.
 PICTURE = (0, 19, 944, 678)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
-PROGRESS_PIXEL = (4, 697)
+PROGRESS_PIXEL = (8, 697)
+RASTERISED_BUTTON = (960, 37)  # blue while the rasterised view is shown
 TAB_SCENE, TAB_SETTINGS, TAB_RAYS, TAB_BVH, TAB_MAP = (977, 66), (1042, 66), (1103, 66), (1147, 66), (1186, 66)
+TAB_COMPARE = (1226, 66)
 HISTOGRAM_END = (1120, 220), (1000, 220)
 FIRST_RAY = (980, 357)  # once the camera has moved away from recorded rays
 RECORDED, LEGEND_CAMERA = (1100, 90), (1030, 291)  # the latter with the former folded
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
-HARD_SHADOWS = (1112, 138)
+RIVAL_LEAF_SIZE, RIVAL_TABLE = (1180, 468), (954, 500, 300, 160)  # while a leaf and savings are shown
+HARD_SHADOWS = (1112, 263)
+DIAL_FASTEST, BY_ERROR, ERROR, BY_TIME, SECONDS = (1112, 114), (1112, 138), (1190, 138), (1112, 186), (1190, 186)
+MISSED_BOXES, WHY, TREE_BINARY, TREE_WIDE = (1106, 162), (1100, 114), (1140, 186), (1221, 186)  # the latter with RECORDED and WHY folded
+MODE_DIFFERENCE, FIGURES = (1219, 138), (954, 175, 300, 80)
+BACK_TO_A = (1031, 341)
+BLOOM_DEBUG, BLOOM_STAGE = (1112, 579), (1180, 603)  # the settings scrolled to their end
+ALL_SAMPLES, BUDGET = (964, 299), (1180, 323)  # of stale rays
 LAB_HEADER, LAB_START, LAB_OVERLAY = (1050, 485), (1106, 509), (964, 557)  # of the monkey, which has two lights
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
@@ -64,11 +77,13 @@ class Pixels:
 
     def differing(self, other):
         """Number of pixels that differ."""
-        a, b = self.data, other.data
-        return sum(a[i:i + 3] != b[i:i + 3] for i in range(0, len(a), 3))
+        return 0 if self.data == other.data else sum(map(operator.ne, self.pixels(), other.pixels()))
+
+    def pixels(self):
+        return zip(self.data[::3], self.data[1::3], self.data[2::3])
 
     def count(self, wanted):
-        return sum(wanted(*self.data[i:i + 3]) for i in range(0, len(self.data), 3))
+        return sum(count for color, count in Counter(self.pixels()).items() if wanted(*color))
 
 
 def convert_to_ppm(*arguments):
@@ -97,10 +112,12 @@ class Viewer:
         self.folder = folder
         environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"), LIBGL_ALWAYS_SOFTWARE="1")
         self.log = open(folder / "viewer.log", "w+")
-        self.process = subprocess.Popen([program, "view", "--size", f"{WIDTH}x{HEIGHT}", *arguments], cwd=folder,
+        size = [] if "--size" in arguments else ["--size", f"{WIDTH}x{HEIGHT}"]
+        self.process = subprocess.Popen([program, "view", *size, *arguments], cwd=folder,
                                         env=environment, stderr=self.log)
+        self.screen = x11.Client()
         self.window = wait_for("the window", self._find_window).split()[0]
-        wait_for("the first frame", lambda: self.capture().at(*PANEL_PIXEL) != (0, 0, 0))
+        wait_for("the first frame", lambda: self.capture().brightness() > 5)
 
     def _find_window(self):
         expect(self.process.poll() is None,
@@ -134,7 +151,7 @@ class Viewer:
         self.do("mouseup", 1)
 
     def capture(self):
-        return Pixels(convert_to_ppm("import", "-window", "root"))
+        return Pixels(self.screen.capture())
 
     def picture(self):
         return self.capture().crop(*PICTURE)
@@ -143,14 +160,15 @@ class Viewer:
         return subprocess.run(["xdotool", "getwindowname", self.window], stdout=subprocess.PIPE, text=True).stdout
 
     def settled_picture(self):
-        """The picture once nothing is being traced and it has stopped changing."""
+        """The picture once it has stopped changing, and nothing is being traced if it is the traced one."""
         def settled():
             before = self.capture()
-            time.sleep(0.7)
+            time.sleep(0.5)
             after = self.capture()
             # The bar over the status line is there as long as something is traced.
             quiet = after.at(*PROGRESS_PIXEL) == after.at(PROGRESS_PIXEL[0], PROGRESS_PIXEL[1] + 6)
-            return quiet and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
+            red, _, blue = after.at(*RASTERISED_BUTTON)
+            return (quiet or blue > red + 60) and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
         return wait_for("a picture that stands still", settled)
 
     def save(self, keys):
@@ -160,6 +178,42 @@ class Viewer:
         wait_for(f"a file after {keys}", lambda: set(self.folder.glob("rayscope-*.png")) - known)
         [path] = set(self.folder.glob("rayscope-*.png")) - known
         return Pixels(convert_to_ppm("convert", str(path)))
+
+    def settled_window(self):
+        """The whole window, once the picture stands still."""
+        self.settled_picture()
+        return self.capture()
+
+    def type_into(self, place, words):
+        """Types into a slider or a field to drag."""
+        self.do("keydown", "ctrl")
+        self.click(*place)
+        self.do("keyup", "ctrl")
+        self.do("type", "--delay", "40", words)
+        self.key("Return")
+
+    def scroll_to_end(self, place):
+        self.point(*place)
+        before = None
+        while before is None or self.capture().differing(before) > 0:
+            before = self.capture()
+            self.do("click", "--repeat", 10, "--delay", 30, 5)
+            time.sleep(0.3)
+
+    def saved_property(self, name):
+        """What the picture that is saved now says about itself."""
+        known = set(self.folder.glob("rayscope-*.png"))
+        self.key("ctrl+s")
+        wait_for("a file", lambda: set(self.folder.glob("rayscope-*.png")) - known)
+        [path] = set(self.folder.glob("rayscope-*.png")) - known
+        return subprocess.run(["identify", "-format", f"%[rayscope:{name}]", str(path)], check=True, stdout=subprocess.PIPE,
+                              text=True).stdout
+
+    def size(self):
+        words = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window], stdout=subprocess.PIPE,
+                               text=True).stdout
+        values = dict(line.split("=") for line in words.split())
+        return int(values["WIDTH"]), int(values["HEIGHT"])
 
     def open_by_name(self, name):
         self.key("ctrl+o")
@@ -378,14 +432,15 @@ def test_bvh_boxes(viewer):
     viewer.click(*BVH_SAVINGS)
     viewer.point(100, 600)
     wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
+    # The rival with leaves of another size costs the rays of the view something else.
+    table = wait_for("the figures of the rival", lambda: viewer.settled_window().crop(*RIVAL_TABLE))
+    viewer.type_into(RIVAL_LEAF_SIZE, "64")
+    viewer.point(100, 600)
+    wait_for("other figures", lambda: viewer.settled_window().crop(*RIVAL_TABLE).differing(table) > 100)
     viewer.click(*BVH_SAVINGS)
     # A tree of one level: its leaves hold half of the triangles each.
     few = viewer.settled_picture().count(is_leaf_yellow)
-    viewer.do("keydown", "ctrl")
-    viewer.click(*BVH_MAX_LEVEL)
-    viewer.do("keyup", "ctrl")
-    viewer.do("type", "--delay", "40", "1")
-    viewer.key("Return")
+    viewer.type_into(BVH_MAX_LEVEL, "1")
     viewer.point(100, 600)
     wait_for("the coarse tree", lambda: viewer.settled_picture().count(is_leaf_yellow) > 10 * few)
     viewer.key("ctrl+z")
@@ -469,6 +524,245 @@ def test_typing_is_not_a_shortcut(viewer):
     viewer.key("n")
 
 
+def test_wide_search(viewer):
+    """The same search through the tree that production rays walk."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(390, 480)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    viewer.key("t")
+    viewer.click(*RECORDED)
+    viewer.click(*WHY)
+    viewer.point(100, 600)
+    binary = viewer.settled_picture()
+    viewer.click(*TREE_WIDE)
+    viewer.point(100, 600)
+    wait_for("the boxes of the wide tree", lambda: viewer.settled_picture().differing(binary) > 300)
+    viewer.click(*MISSED_BOXES)
+    seen = set()
+    for _ in range(6):
+        viewer.key("Right")
+        seen.add(viewer.settled_picture().data)
+    expect(len(seen) >= 4, f"steps of the wide search look different ({len(seen)})")
+    viewer.key("Left")
+    expect(viewer.settled_picture().data in seen, "a step back shows the same as before")
+    viewer.click(*MISSED_BOXES)
+    viewer.click(*TREE_BINARY)
+    viewer.click(*WHY)
+    viewer.click(*RECORDED)
+    viewer.key("t")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def is_lit(red, green, blue):
+    return red + green + blue > 30
+
+
+def test_compare(viewer):
+    """A kept picture against one with other settings: wipe, flip and difference."""
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.key("Tab")
+    viewer.key("o")  # lights and handles are not compared
+    a = viewer.settled_picture()
+    viewer.key("k")
+    viewer.click(*TAB_SETTINGS)
+    viewer.click(*HARD_SHADOWS)
+    viewer.click(*TAB_COMPARE)
+    viewer.point(100, 600)
+    left, right, below = (0, 60, 460, 560), (484, 60, 460, 560), (0, 60, 944, 560)
+    wait_for("B", lambda: viewer.settled_picture().crop(*right).differing(a.crop(*right)) > 1000)
+    wiped = viewer.settled_picture()
+    expect(wiped.crop(*left).data == a.crop(*left).data, "A is on the left of the divider")
+    viewer.drag((472, 640), (300, 640))
+    viewer.point(100, 600)
+    moved = viewer.settled_picture()
+    beside = (320, 60, 140, 560)
+    expect(moved.crop(*beside).differing(wiped.crop(*beside)) > 300, "the divider was dragged")
+    viewer.key("x")
+    expect(viewer.settled_picture().crop(*below).data == a.crop(*below).data, "flipped, A is seen")
+    viewer.key("x")
+    b = viewer.settled_picture()
+    expect(b.crop(*below).differing(a.crop(*below)) > 3000, "flipped again, B is seen")
+    expect(b.crop(*right).data == wiped.crop(*right).data, "B is what was on the right of the divider")
+    viewer.click(*MODE_DIFFERENCE)
+    viewer.point(100, 600)
+    wait_for("the difference", lambda: viewer.settled_picture().crop(*below).data != b.crop(*below).data)
+    differing = viewer.settled_picture().crop(*below).count(is_lit)
+    truly = a.crop(*below).differing(b.crop(*below))
+    expect(abs(differing - truly) < 0.1 * truly, f"where the pictures differ, and only there ({differing}, {truly})")
+    figures = wait_for("figures", lambda: viewer.capture().crop(*FIGURES))
+    viewer.click(*BACK_TO_A)
+    viewer.point(100, 600)
+    wait_for("no difference", lambda: viewer.settled_picture().crop(*below).count(is_lit) == 0)
+    wait_for("other figures", lambda: viewer.capture().crop(*FIGURES).differing(figures) > 20)
+    viewer.key("v")
+    expect(viewer.settled_picture().crop(*below).data == a.crop(*below).data, "V ends the comparison")
+    viewer.key("o")
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
+
+
+def test_goal(viewer):
+    """The dial, a target for the error, and a limit of time."""
+    viewer.click(*TAB_SETTINGS)
+    viewer.key("Tab")
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    expect(viewer.saved_property("setting.spp") == "4", "four samples were asked for")
+    viewer.click(*DIAL_FASTEST)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    expect(viewer.saved_property("setting.max_depth") == "2", "the dial's first position is 'preview'")
+    viewer.key("ctrl+z")
+    viewer.click(*BY_ERROR)
+    viewer.point(100, 600)
+    wait_for("the target", lambda: viewer.settled_picture() and int(viewer.saved_property("samples")) >= 8)
+    expect(viewer.saved_property("setting.spp") == "4", "the setting stays")
+    # A target out of reach, and a second of time.
+    viewer.click(*BY_TIME)
+    viewer.type_into(ERROR, "0.0001")
+    viewer.type_into(SECONDS, "1")
+    viewer.drag((700, 600), (860, 560))
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    expect(int(viewer.saved_property("samples")) < 400, "tracing ended")
+    viewer.click(*BY_TIME)
+    viewer.click(*BY_ERROR)
+    viewer.key("Home")
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def test_isolate_and_copy(viewer):
+    """One ray and what belongs to it; the tree in the clipboard."""
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(440, 340)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    every = viewer.settled_picture()
+    viewer.key("j")
+    copied = json.loads(wait_for("the clipboard", x11.clipboard_text))
+    viewer.key("ctrl+j")
+    newest = wait_for("the exported rays", lambda: sorted(viewer.folder.glob("*.json")))[-1]
+    expect(copied == json.loads(newest.read_text()), "the clipboard has the tree of the file")
+    viewer.click(*FIRST_RAY)
+    viewer.point(100, 600)
+    selected = viewer.settled_picture()
+    viewer.key("i")
+    isolated = viewer.settled_picture()
+    expect(isolated.differing(selected) > 30, "other rays went away")
+    viewer.key("i")
+    expect(viewer.settled_picture().data == selected.data, "they come back")
+    expect(selected.differing(every) > 30, "the selected ray has a halo")
+    viewer.key("ctrl+c")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def test_fly(viewer):
+    before = viewer.settled_picture()
+    viewer.point(470, 340)
+    viewer.key("grave")
+    viewer.do("keydown", "w")
+    wait_for("a flight", lambda: viewer.picture().differing(before) > 20000)
+    viewer.do("keyup", "w")
+    viewer.key("Escape")
+    flown = viewer.settled_picture()
+    viewer.key("w")
+    expect(viewer.settled_picture().data == flown.data, "the flight has ended")
+    viewer.key("Home")
+    wait_for("the camera of the scene", lambda: viewer.settled_picture().data == before.data)
+
+
+def test_drop(viewer):
+    scene = viewer.folder / "dropped.obj"
+    scene.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    expect(x11.drop_file(int(viewer.window), scene), "the window takes the file")
+    wait_for("the dropped scene", lambda: "dropped.obj" in viewer.title())
+
+
+def test_bloom_stages(viewer):
+    viewer.click(*TAB_SETTINGS)
+    viewer.key("Tab")
+    viewer.scroll_to_end((1100, 500))
+    stages = []
+    for row in (24, 42, 60):
+        viewer.click(*BLOOM_STAGE)
+        viewer.click(BLOOM_STAGE[0], BLOOM_STAGE[1] + row)
+        viewer.point(100, 600)
+        stages.append(viewer.settled_picture())
+    thresholded, filtered, added = stages
+    lit = [stage.count(is_lit) for stage in stages]
+    expect(0 < lit[0] < lit[1], f"the filter spreads what is above the threshold {lit}")
+    expect(added.data != filtered.data, "the last stage is another one")
+    viewer.click(*BLOOM_DEBUG)
+    viewer.point(100, 600)
+    whole = wait_for("the picture with bloom", lambda: viewer.settled_picture())
+    expect(whole.brightness() > filtered.brightness(), "the glow is added to the picture")
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
+
+
+def is_sky_blue(red, green, blue):
+    return 175 < red < 210 and 195 < green < 228 and 220 < blue < 250
+
+
+def test_environment_overlay(viewer):
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(340, 300)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    before = viewer.settled_picture()
+    # The sphere shows the sky there, and so does the line along which it is seen.
+    line = before.crop(450, 150, 490, 130).count(is_sky_blue)
+    expect(line > 100, f"the reflected direction is drawn in the colour of the sky ({line} pixels)")
+    viewer.key("c")
+    wait_for("the line to go", lambda: viewer.settled_picture().crop(450, 150, 490, 130).count(is_sky_blue) == 0)
+
+
+def test_byte_budget(viewer):
+    """All samples of a pixel, as many as the memory holds."""
+    viewer.click(*TAB_RAYS)
+    viewer.point(100, 600)
+    viewer.settled_picture()
+    viewer.point(440, 480)
+    viewer.key("r")
+    viewer.drag((700, 600), (860, 560))
+    one = viewer.settled_picture()
+    viewer.click(*ALL_SAMPLES)
+    viewer.point(100, 600)
+    wait_for("all samples", lambda: viewer.settled_picture().differing(one) > 300)
+    every = viewer.settled_picture()
+    viewer.type_into(BUDGET, "1")
+    viewer.point(100, 600)
+    wait_for("fewer rays", lambda: viewer.settled_picture().differing(every) > 30)
+
+
+def test_full_screen(viewer):
+    small = viewer.size()
+    expect(small == (800, 600), f"the window has the size that was asked for, not {small}")
+    viewer.key("F11")
+    wait_for("the whole screen", lambda: viewer.size() == (WIDTH, HEIGHT))
+    wait_for("panels at the new edge", lambda: viewer.capture().at(*PANEL_PIXEL) != (0, 0, 0))
+    viewer.key("F11")
+    wait_for("the window of before", lambda: viewer.size() == small)
+
+
 def test_missing_file(viewer):
     viewer.settled_picture()
     before = viewer.picture()
@@ -506,17 +800,30 @@ def test_without_display(program):
     expect("display" in run.stderr and run.stderr.count("\n") == 1, f"one message about the display: {run.stderr!r}")
 
 
-def run_all(program, folder):
-    test_without_display(program)
-    viewer = Viewer(program, folder, "--set", "spp=4")
+# What a window is opened with, and what is done in it.
+SESSIONS = [
+    (["--set", "spp=4"],
+     [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_bvh_boxes,
+      test_heat_map, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
+      test_wide_search]),
+    (["--set", "spp=4"], [test_compare, test_goal, test_isolate_and_copy, test_fly, test_drop]),
+    (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
+    (["builtin:cornell-area", "--set", "spp=1024"], [test_byte_budget]),
+    (["builtin:spheres", "--set", "spp=1", "--set", "bloom=true", "--set", "bloom_debug=true", "--set",
+      "bloom_threshold=0.3", "--set", "bloom_size=8", "--set", "bloom_sigma=4"],
+     [test_bloom_stages]),
+    (["--size", "800x600", "builtin:cube"], [test_full_screen]),
+]
+
+
+def run_session(program, folder, arguments, tests):
+    folder.mkdir()
+    viewer = Viewer(program, folder, *arguments)
     try:
-        for test in (test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces,
-                     test_bvh_boxes, test_heat_map, test_lab,
-                     test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file):
-            if sys.argv[2:] and test.__name__ not in sys.argv[2:]:
-                continue
+        for test in tests:
+            began = time.monotonic()
             test(viewer)
-            print(f"ok  {test.__name__}", flush=True)
+            print(f"ok  {test.__name__}  {time.monotonic() - began:.1f} s", flush=True)
         viewer.quit()
     except Exception:
         kept = Path(tempfile.gettempdir()) / "rayscope_ui_test_failed.png"
@@ -525,6 +832,15 @@ def run_all(program, folder):
         raise
     finally:
         viewer.process.kill()
+        viewer.process.wait()
+
+
+def run_all(program, folder):
+    test_without_display(program)
+    for number, (arguments, tests) in enumerate(SESSIONS):
+        chosen = [test for test in tests if not sys.argv[2:] or test.__name__ in sys.argv[2:]]
+        if chosen:
+            run_session(program, folder / str(number), arguments, chosen)
 
 
 def start_display():
@@ -547,7 +863,7 @@ def start_display():
 
 def main():
     program = os.path.abspath(sys.argv[1])
-    missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert") if shutil.which(tool) is None]
+    missing = [tool for tool in ("Xvfb", "xdotool", "import", "convert", "identify") if shutil.which(tool) is None]
     if missing:
         print("skipped: not installed:", ", ".join(missing))
         return 77

@@ -1,4 +1,12 @@
 // How one ray walks the wide tree. Include after one of the lanes_*.inl.
+//
+// A watcher is handed on by value and told what the walk does:
+//   entered(ref, search)                   a node or leaf is searched now
+//   children(node, mask, entry, search)    the children whose bit is set are met, where `entry` says
+//   waits(ref)                             the child goes onto the stack
+//   skipped(ref, search)                   what waited begins behind the closest hit found since
+//   filtered(block, leaf, mask, search)    of the triangles of a block those whose bit is set may be hit
+//   tested(primitive, isHit, hit, search)  a primitive was tested exactly; the result is not taken up yet
 #include "bvh/kernel/block_test.inl"
 #include "bvh/kernel/node_test.inl"
 #include "bvh/kernel/sphere.h"
@@ -21,23 +29,36 @@ struct Search {
     }
 };
 
+/// Watches nothing: the walk is compiled as if there were no watchers.
+struct NoWatcher {};
+template <class Watcher>
+constexpr bool watches = true;
+template <>
+constexpr bool watches<NoWatcher> = false;
+
 /// Tests what a leaf holds. Returns whether anything was hit.
-template <bool kAny>
+template <bool kAny, class Watcher = NoWatcher>
 RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, const FastShear& shear, ChildRef leaf,
-                               Search& search) {
+                               Search& search, Watcher watcher = {}) {
     HitWords found;
     if (leaf >= kSphereTag) {
         const SphereRecord& record = tree.spheres[leaf & kSphereIndexMask];
-        if (!hitsSphere(search.ray, record.sphere, search.best.t, found)) return false;
+        const bool isHit = hitsSphere(search.ray, record.sphere, search.best.t, found);
+        if constexpr (watches<Watcher>) watcher.tested(record.primitive, isHit, found, search);
+        if (!isHit) return false;
         found.primitive = record.primitive;
         search.keepCloser(found);
         return true;
     }
     const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
     bool any = false;
-    for (unsigned mask = candidates(block, leaf, shear, search.tMin, search.bound); mask != 0;
-         mask &= mask - 1) {
-        if (!testTriangle(search.ray, block, __builtin_ctz(mask), search.best.t, found)) continue;
+    const unsigned possible = candidates(block, leaf, shear, search.tMin, search.bound);
+    if constexpr (watches<Watcher>) watcher.filtered(block, leaf, possible, search);
+    for (unsigned mask = possible; mask != 0; mask &= mask - 1) {
+        const int lane = __builtin_ctz(mask);
+        const bool isHit = testTriangle(search.ray, block, lane, search.best.t, found);
+        if constexpr (watches<Watcher>) watcher.tested(block.primitive[lane], isHit, found, search);
+        if (!isHit) continue;
         if constexpr (kAny) return true;
         search.keepCloser(found);
         any = true;
@@ -52,8 +73,9 @@ struct Waiting {
 constexpr int kStackSize = (kWidth - 1) * kMostWideLevels + kWidth;
 
 /// The near child of several first; the others wait.
+template <class Watcher>
 RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes entry, Waiting* stack,
-                                      int& waiting) {
+                                      int& waiting, Watcher watcher) {
     alignas(32) float entries[kWidth];
     entry.store(entries);
     int lane = __builtin_ctz(mask);
@@ -63,57 +85,69 @@ RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes
         const Waiting other{node.child[lane], entries[lane]};
         const bool nearer = other.entry < nearest.entry;
         stack[waiting++] = nearer ? nearest : other;
+        if constexpr (watches<Watcher>) watcher.waits(stack[waiting - 1].ref);
         nearest = nearer ? other : nearest;
     }
     return nearest.ref;
 }
 
-template <class BoxLanes>
+template <class BoxLanes, class Watcher = NoWatcher>
 RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                      FastShear& shear, bool& isSheared, Search& search) {
+                                      FastShear& shear, bool& isSheared, Search& search,
+                                      Watcher watcher = {}) {
     Waiting stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
     while (true) {
+        if constexpr (watches<Watcher>) watcher.entered(ref, search);
         if (ref & kTagMask) {
             if (!isSheared) {
                 shear.prepare(search.ray, static_cast<float>(search.scale));
                 isSheared = true;
             }
-            visitLeaf<false>(tree, shear, ref, search);
+            visitLeaf<false>(tree, shear, ref, search, watcher);
         } else {
             const WideNode& node = tree.nodes[ref];
             Lanes entry;
             const unsigned mask = intersectChildren(node, lanes, search.bound, entry);
+            if constexpr (watches<Watcher>) watcher.children(node, mask, entry, search);
             if (mask != 0) {
-                ref = nearestChild(node, mask, entry, stack, waiting);
+                ref = nearestChild(node, mask, entry, stack, waiting, watcher);
                 continue;
             }
         }
-        while (waiting > 0 && stack[waiting - 1].entry > search.bound) --waiting;
+        while (waiting > 0 && stack[waiting - 1].entry > search.bound) {
+            --waiting;
+            if constexpr (watches<Watcher>) watcher.skipped(stack[waiting].ref, search);
+        }
         if (waiting == 0) break;
         ref = stack[--waiting].ref;
     }
 }
 
-template <class BoxLanes>
+template <class BoxLanes, class Watcher = NoWatcher>
 RAYSCOPE_INLINE bool walkToAnyHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                  FastShear& shear, bool& isSheared, Search& search) {
+                                  FastShear& shear, bool& isSheared, Search& search, Watcher watcher = {}) {
     ChildRef stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
     while (true) {
+        if constexpr (watches<Watcher>) watcher.entered(ref, search);
         if (ref & kTagMask) {
             if (!isSheared) {
                 shear.prepare(search.ray, static_cast<float>(search.scale));
                 isSheared = true;
             }
-            if (visitLeaf<true>(tree, shear, ref, search)) return true;
+            if (visitLeaf<true>(tree, shear, ref, search, watcher)) return true;
         } else {
             const WideNode& node = tree.nodes[ref];
             Lanes entry;
             const unsigned mask = intersectChildren(node, lanes, search.bound, entry);
-            waiting += static_cast<int>(compress(mask, node.child, stack + waiting));
+            if constexpr (watches<Watcher>) watcher.children(node, mask, entry, search);
+            const int met = static_cast<int>(compress(mask, node.child, stack + waiting));
+            if constexpr (watches<Watcher>)
+                for (int i = 0; i < met; ++i) watcher.waits(stack[waiting + i]);
+            waiting += met;
         }
         if (waiting == 0) return false;
         ref = stack[--waiting];
@@ -135,7 +169,7 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     }
 }
 
-bool closestHit(const WideTreeView& tree, RayWords ray, HitWords& hit) {
+[[maybe_unused]] bool closestHit(const WideTreeView& tree, RayWords ray, HitWords& hit) {
     if (!isTraceable(ray)) return false;
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {
@@ -148,7 +182,7 @@ bool closestHit(const WideTreeView& tree, RayWords ray, HitWords& hit) {
     return found;
 }
 
-bool anyHit(const WideTreeView& tree, RayWords ray) {
+[[maybe_unused]] bool anyHit(const WideTreeView& tree, RayWords ray) {
     if (!isTraceable(ray)) return false;
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {

@@ -9,7 +9,10 @@ namespace rayscope::viewer {
 
 namespace {
 
-bool isTest(TraversalEvent event) { return event == TraversalEvent::Hit || event == TraversalEvent::NoHit; }
+bool isTest(TraversalEvent event) {
+    return event == TraversalEvent::Hit || event == TraversalEvent::NoHit ||
+           event == TraversalEvent::Filtered;
+}
 
 /// What became of a box in the end, or as far as the steps go.
 struct Fate {

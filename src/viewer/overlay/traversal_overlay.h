@@ -13,6 +13,7 @@ struct TraversalChoice {
     bool missed = false;    ///< boxes that the ray does not meet
     bool stepping = false;  ///< as it stands after `step` steps, not at the end
     int step = 0;
+    BvhLayout layout = BvhLayout::Binary;  ///< of the tree that is searched
     bool operator==(const TraversalChoice&) const = default;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "settings/table.h"
+#include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
 #include "viewer/theme.h"
@@ -15,12 +15,7 @@ using Inspected = BvhInspector::Inspected;
 
 constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
 
-std::string vectorText(glm::vec3 v) { return fmt::format("{:.5g}  {:.5g}  {:.5g}", v.x, v.y, v.z); }
-
-std::string_view nameOf(BvhBuilder builder) {
-    constexpr std::string_view kNames[] = {"median", "SAH", "binned SAH"};
-    return kNames[static_cast<int>(builder)];
-}
+std::string vectorText(glm::vec3 v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
 
 /// A slider between two buttons that take one step each. Returns the step.
 int steppedSlider(const char* label, int& value, int highest, std::string_view help) {
@@ -79,40 +74,11 @@ void drawBuild(Workspace& workspace, const Inspected& seen) {
     labelledRow("Built");
     text(fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
     labelledRow("Nodes");
-    text(fmt::format("{}, of them {} leaves", s.nodes, s.leaves));
+    text(fmt::format("{}, {} are leaves", s.nodes, s.leaves));
     labelledRow("SAH cost");
     text(fmt::format("{:.3f}", s.sahCost));
     labelledRow("Memory");
     text(fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
-}
-
-/// What one kind of builder saves against the other, in numbers.
-void drawSavings(BvhInspector& bvh, const Inspected& seen) {
-    ImGui::Checkbox("Savings against the rival builder", &bvh.shown.savings);
-    tooltip(
-        "Below the boxes of the level, in red, those that the other kind of builder makes: where red shows, "
-        "space is saved.");
-    if (!bvh.shown.savings) return;
-    const Inspected* rival = bvh.rival();
-    if (rival == nullptr) return dimText("building the rival ...");
-    const LevelComparison c =
-        compareAtLevel(seen.tree(), seen.index, rival->tree(), rival->index, bvh.shown.level);
-    if (!ImGui::BeginTable("savings", 3, ImGuiTableFlags_SizingStretchProp)) return;
-    const auto row = [](std::string_view name, std::string_view own, std::string_view other) {
-        ImGui::TableNextRow();
-        for (const std::string_view words : {name, own, other}) {
-            ImGui::TableNextColumn();
-            text(words);
-        }
-    };
-    row("", nameOf(seen.builder), nameOf(rival->builder));
-    row("boxes on the level", fmt::format("{}", c.boxes[0]), fmt::format("{}", c.boxes[1]));
-    row("of them met by a line", fmt::format("{:.3f}", c.met[0]), fmt::format("{:.3f}", c.met[1]));
-    row("SAH cost of the tree", fmt::format("{:.2f}", c.sahCost[0]), fmt::format("{:.2f}", c.sahCost[1]));
-    ImGui::EndTable();
-    if (c.met[1] > 0.0)
-        text(fmt::format("saved on this level: {:.1f} %, in all: {:.1f} %",
-                         100.0 * (1.0 - c.met[0] / c.met[1]), 100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
 }
 
 bool isAncestor(const TreeIndex& index, std::uint32_t node, std::uint32_t below) {
@@ -214,10 +180,15 @@ void drawBvhPanel(Workspace& workspace) {
     if (section("Boxes")) {
         drawLevels(bvh, *seen);
         drawLeaf(bvh, *seen);
-        drawSavings(bvh, *seen);
+        ImGui::Checkbox("Savings against another build", &bvh.shown.savings);
+        tooltip(
+            "Below the boxes of the level, in red, those of the build that it is compared with: where red "
+            "shows, space is saved.");
     }
     if (section("Build")) drawBuild(workspace, *seen);
+    if (bvh.shown.savings && section("Against another build")) drawRival(workspace, *seen);
     if (section("Nodes")) drawTree(bvh, *seen);
+    if (section("Splits of the node")) drawSplitCurve(bvh, workspace.edit.settings.bvhBins);
     if (section("Leaves")) {
         drawHistogram("Leaves by level", "on level", seen->statistics.leavesAtLevel);
         drawHistogram("Leaves by number of primitives",

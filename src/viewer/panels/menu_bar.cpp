@@ -17,6 +17,8 @@ bool isEnabled(const Workspace& workspace, Command command) {
     if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays ||
         command == Command::PinPixel)
         return workspace.rays.shot() != nullptr;
+    if (command == Command::ComparePictures || command == Command::FlipPictures)
+        return workspace.comparison.a() != nullptr;
     return true;
 }
 
@@ -39,6 +41,8 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.liveRay;
         case Command::ToggleHeatMap:
             return workspace.heat.shown;
+        case Command::ComparePictures:
+            return workspace.comparison.visible();
         case Command::ToggleSearch:
             return workspace.rays.search.shown;
         case Command::IsolateRay:

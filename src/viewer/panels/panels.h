@@ -24,6 +24,11 @@ void drawRaysPanel(Workspace& workspace);
 void drawBvhPanel(Workspace& workspace);
 void drawHeatPanel(Workspace& workspace);
 void drawLabPanel(Workspace& workspace);
+void drawComparisonPanel(Workspace& workspace);
+void drawGoalPanel(Workspace& workspace);
+
+/// The divider and the names of compared pictures, over the picture.
+void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 size);
 
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {

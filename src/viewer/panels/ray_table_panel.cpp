@@ -12,8 +12,8 @@ namespace rayscope::viewer {
 
 namespace {
 
-std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
-std::string vectorText(const glm::vec3& v) { return fmt::format("{:.5g}  {:.5g}  {:.5g}", v.x, v.y, v.z); }
+std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
+std::string vectorText(const glm::vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
 
 int levelOf(const RayTree& tree, int node) {
     int level = 0;

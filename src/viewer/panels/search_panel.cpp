@@ -49,6 +49,19 @@ void drawLog(DebugRays& rays, const TraversalLog& log) {
     drawStep(log, static_cast<std::size_t>(rays.search.step));
 }
 
+/// The trees are searched in other steps; the place in the search would mean nothing in the other one.
+void drawLayoutChoice(TraversalChoice& search) {
+    labelledRow("Tree", false,
+                "The binary tree, as the panel BVH shows it, or the one with eight children per node that "
+                "production rays walk.");
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
+    const BvhLayout before = search.layout;
+    if (choiceButton("Binary", before == BvhLayout::Binary, half)) search.layout = BvhLayout::Binary;
+    ImGui::SameLine();
+    if (choiceButton("Wide", before == BvhLayout::Wide, half)) search.layout = BvhLayout::Wide;
+    if (search.layout != before) search.step = 0;
+}
+
 }  // namespace
 
 void drawSearch(Workspace& workspace) {
@@ -62,7 +75,11 @@ void drawSearch(Workspace& workspace) {
     ImGui::Checkbox("Missed", &rays.search.missed);
     tooltip("Boxes that were tested and are not on the ray.");
     if (!rays.search.shown) return;
-    if (rays.searches().empty()) return dimText("There is no hierarchy to search.");
+    drawLayoutChoice(rays.search);
+    if (rays.searches().empty())
+        return wrappedText(rays.search.layout == BvhLayout::Wide
+                               ? "There is no wide tree to search: see the setting bvh_layout."
+                               : "There is no hierarchy to search.");
     for (const TraversalLog& log : rays.searches()) {
         ImGui::PushID(static_cast<int>(log.body));
         if (rays.searches().size() > 1) dimText(fmt::format("body {}", log.body));

@@ -109,6 +109,8 @@ std::vector<std::string_view> groupsOfTable() {
 }  // namespace
 
 void drawSettingsPanel(Workspace& workspace) {
+    if (ImGui::CollapsingHeader("Speed and accuracy", ImGuiTreeNodeFlags_DefaultOpen))
+        drawGoalPanel(workspace);
     static const std::vector<std::string_view> groups = groupsOfTable();
     for (const std::string_view group : groups) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;

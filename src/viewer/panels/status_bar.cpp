@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "image/srgb.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
@@ -56,35 +58,82 @@ void drawCursor(const CursorInfo& cursor) {
         text(cursor.object);
 }
 
+/// How accurate the picture is, and when it will be good enough.
+std::string errorText(const Workspace& workspace) {
+    const std::optional<ErrorForecast> forecast = workspace.render.forecast();
+    if (!forecast || !workspace.view.traced) return "";
+    const RenderGoal& goal = workspace.goal;
+    std::string words = fmt::format("error {:.2g}   ", forecast->estimate.error);
+    if (workspace.render.status().state != RenderState::Rendering) return words;
+    if (goal.byError && forecast->remainingSeconds > 0.0)
+        words += fmt::format("{:.2g} in {}   ", goal.error, durationText(forecast->remainingSeconds));
+    if (goal.byTime)
+        words += fmt::format("{:.2g} at {}   ", forecast->errorAtLimit,
+                             durationText(static_cast<double>(goal.seconds)));
+    return words;
+}
+
+std::string endText(const RenderControl& render) {
+    if (!render.stopped()) return stateText(render.status().state);
+    return *render.stopped() == StopReason::Reached ? "target reached" : "time limit";
+}
+
 std::string progressText(const Workspace& workspace) {
     const RenderControl& render = workspace.render;
     const RenderStatus& status = render.status();
-    std::string words =
-        fmt::format("{}/{} samples   {:.2f} Mray/s   {}", status.samples, status.targetSamples,
-                    render.raysPerSecond() * 1e-6, durationText(status.elapsedSeconds));
-    if (status.state == RenderState::Rendering && status.remainingSeconds > 0.0)
-        words += fmt::format("   ETA {}", durationText(status.remainingSeconds));
-    return words + fmt::format("   {}", stateText(status.state));
+    const bool openEnded = workspace.goal.byError && workspace.view.traced;
+    std::string words = openEnded ? fmt::format("{} samples   ", status.samples)
+                                  : fmt::format("{}/{} samples   ", status.samples, status.targetSamples);
+    words += fmt::format("{:.2f} Mray/s   {}   ", render.raysPerSecond() * 1e-6,
+                         durationText(status.elapsedSeconds));
+    if (status.state == RenderState::Rendering && status.remainingSeconds > 0.0 && !openEnded)
+        words += fmt::format("ETA {}   ", durationText(status.remainingSeconds));
+    return words + errorText(workspace) + endText(render);
 }
 
-void drawProgress(const Workspace& workspace) {
+/// The share of the work that is done, as far as it is known.
+double doneShare(const Workspace& workspace) {
     const RenderStatus& status = workspace.render.status();
-    const std::string words = progressText(workspace);
-    const std::string bad = fmt::format("NaN {}", status.nonFiniteSamples);
-    const float gap = scaled(14.0f),
-                width = ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(bad.c_str()).x + gap;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x);
-    text(words);
-    ImGui::SameLine(0.0f, gap);
+    const std::optional<ErrorForecast> forecast = workspace.render.forecast();
+    double share = workspace.goal.byError ? 0.0 : status.progress;
+    if (workspace.goal.byError && forecast && forecast->remainingSeconds > 0.0)
+        share = status.elapsedSeconds / (status.elapsedSeconds + forecast->remainingSeconds);
+    if (workspace.goal.byTime)
+        share = std::max(share, status.elapsedSeconds / static_cast<double>(workspace.goal.seconds));
+    return std::min(share, 1.0);
+}
+
+/// What the bar says on its right.
+struct Progress {
+    std::string words, bad;
+    float gap = scaled(14.0f);
+
+    explicit Progress(const Workspace& workspace)
+        : words(progressText(workspace)),
+          bad(fmt::format("NaN {}", workspace.render.status().nonFiniteSamples)) {}
+    /// Where it begins, from the left of the window.
+    float start() const {
+        const float width = ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(bad.c_str()).x + gap;
+        return ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
+    }
+};
+
+void drawProgress(const Workspace& workspace, const Progress& progress) {
+    const RenderStatus& status = workspace.render.status();
+    ImGui::SameLine(progress.start());
+    text(progress.words);
+    ImGui::SameLine(0.0f, progress.gap);
     if (status.nonFiniteSamples > 0)
-        coloredText(kErrorText, bad);
+        coloredText(kErrorText, progress.bad);
     else
-        dimText(bad);
+        dimText(progress.bad);
     tooltip("Samples that are not a number or infinite. They are left out of the picture and counted here.");
 
     const ImVec2 at = ImGui::GetWindowPos();
-    const float done = ImGui::GetWindowWidth() * static_cast<float>(status.progress);
-    if (status.state == RenderState::Rendering || status.state == RenderState::Paused)
+    // From the first moment on there is something to be seen.
+    const float done =
+        std::max(scaled(10.0f), ImGui::GetWindowWidth() * static_cast<float>(doneShare(workspace)));
+    if (workspace.render.busy() || status.state == RenderState::Paused)
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + done, at.y + scaled(2.0f)},
                                                   ImGui::GetColorU32(ImGuiCol_PlotHistogram));
 }
@@ -107,6 +156,9 @@ void drawStatusBar(Workspace& workspace, float height) {
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
     if (ImGui::Begin("##status", nullptr, kFlags)) {
+        const Progress progress(workspace);
+        const ImVec2 corner = ImGui::GetWindowPos();
+        ImGui::PushClipRect(corner, {corner.x + progress.start() - progress.gap, corner.y + height}, true);
         const std::optional<Notice>& notice = workspace.notice;
         if (workspace.loader.busy())
             text("opening " + workspace.loader.path() + " ...");
@@ -121,7 +173,8 @@ void drawStatusBar(Workspace& workspace, float height) {
             drawCursor(*workspace.cursor);
         else
             dimText("F1 lists the keys");
-        drawProgress(workspace);
+        ImGui::PopClipRect();
+        drawProgress(workspace, progress);
     }
     ImGui::End();
     ImGui::PopStyleColor();

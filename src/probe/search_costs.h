@@ -1,0 +1,28 @@
+#pragma once
+// What trees cost the rays of a picture.
+#include <rayscope/accel.h>
+#include <cstdint>
+#include <vector>
+
+#include "bvh/binary_tree.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+/// The rays that the first sample of some pixels sends out, in the frame in which a body rests.
+struct ViewRays {
+    std::vector<Ray> closest, any;
+    std::size_t count() const { return closest.size() + any.size(); }
+};
+
+/// Of at most columns × rows pixels, spread evenly over the picture.
+ViewRays raysOfView(const World& world, std::uint64_t seed, std::size_t body, int columns, int rows);
+
+/// Per ray.
+struct SearchCosts {
+    double nodes = 0.0;  ///< boxes entered
+    double tests = 0.0;  ///< primitives tested
+};
+SearchCosts searchCosts(const BinaryTree& tree, const AccelInput& input, const ViewRays& rays);
+
+}  // namespace rayscope

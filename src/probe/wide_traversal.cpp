@@ -1,0 +1,180 @@
+#include "probe/wide_traversal.h"
+
+#include <limits>
+#include <unordered_map>
+
+#include "bvh/ray_query.h"
+// clang-format off: the lanes come first
+#include "bvh/kernel/compress_portable.inl"
+#include "bvh/kernel/lanes_portable.inl"
+// clang-format on
+#include "bvh/kernel/walk.inl"
+
+namespace rayscope {
+
+namespace {
+
+using kernel::ChildRef, kernel::HitWords, kernel::Search, kernel::TriangleBlock, kernel::WideNode;
+
+constexpr float kNoDistance = std::numeric_limits<float>::quiet_NaN();
+
+PrimitiveBox boxOfChild(const WideNode& node, int lane) {
+    const auto& p = node.planes;
+    return {{p[0][lane], p[2][lane], p[4][lane], 0.0f, p[1][lane], p[3][lane], p[5][lane], 0.0f}};
+}
+
+glm::vec3 lowerOf(const PrimitiveBox& box) { return {box.planes[0], box.planes[1], box.planes[2]}; }
+glm::vec3 upperOf(const PrimitiveBox& box) { return {box.planes[4], box.planes[5], box.planes[6]}; }
+
+/// Nodes, and after them blocks and spheres, count from 0.
+std::uint32_t numberOf(const WideTree& tree, ChildRef ref) {
+    if (ref >= kernel::kSphereTag)
+        return static_cast<std::uint32_t>(tree.blockCount) + (ref & kernel::kSphereIndexMask);
+    return (ref & kernel::kTagMask) != 0 ? ref & kernel::kBlockIndexMask : ref;
+}
+
+int trianglesOf(ChildRef block) { return static_cast<int>(block >> kernel::kBlockSizeShift & 7u) + 1; }
+
+/// The root's box is stored nowhere: nothing needs it but those who look.
+void findRootBox(const WideTree& tree, TraversalBox& box) {
+    box.lower = glm::vec3(kernel::kInfinity);
+    box.upper = -box.lower;
+    const auto include = [&](glm::vec3 lower, glm::vec3 upper) {
+        box.lower = glm::min(box.lower, lower);
+        box.upper = glm::max(box.upper, upper);
+    };
+    if (tree.root >= kernel::kSphereTag) {
+        const float* s = tree.spheres[tree.root & kernel::kSphereIndexMask].sphere;
+        const PrimitiveBox own = boxOf(Sphere{{s[0], s[1], s[2]}, s[3]});
+        include(lowerOf(own), upperOf(own));
+    } else if ((tree.root & kernel::kTagMask) != 0) {
+        const TriangleBlock& block = tree.blocks[tree.root & kernel::kBlockIndexMask];
+        for (const auto& corner : block.corner)
+            for (int lane = 0; lane < trianglesOf(tree.root); ++lane) {
+                const glm::vec3 place(corner[0][lane], corner[1][lane], corner[2][lane]);
+                include(place, place);
+            }
+    } else {
+        for (int lane = 0; lane < kernel::kWidth; ++lane) {
+            const PrimitiveBox child = boxOfChild(tree.nodes[tree.root], lane);
+            if (child.planes[0] <= child.planes[4]) include(lowerOf(child), upperOf(child));
+        }
+    }
+}
+
+/// Writes down what a walk through the wide tree tells.
+class WideRecorder {
+  public:
+    WideRecorder(TraversalLog& log, const WideTree& tree) : log_(log), tree_(tree), query_(log.ray) {
+        findRootBox(tree, log_.boxes[boxOf(tree.root)]);
+        const glm::vec3 lower = log_.boxes[0].lower, upper = log_.boxes[0].upper;
+        entries_[0] = entryOf({{lower.x, lower.y, lower.z, 0.0f, upper.x, upper.y, upper.z, 0.0f}});
+    }
+
+    void entered(ChildRef ref, const Search& search) {
+        const std::uint32_t box = boxOf(ref);
+        add(TraversalEvent::Entered, box, entries_[box], search);
+        current_ = static_cast<int>(box);
+    }
+    void children(const WideNode& node, unsigned mask, const kernel::Lanes& entry, const Search& search) {
+        bound_ = search.best.t;
+        for (int lane = 0; lane < kernel::kWidth; ++lane) {
+            const PrimitiveBox planes = boxOfChild(node, lane);
+            if (!(planes.planes[0] <= planes.planes[4])) continue;
+            const std::uint32_t box = boxOf(node.child[lane]);
+            log_.boxes[box].lower = lowerOf(planes);
+            log_.boxes[box].upper = upperOf(planes);
+            const bool isMet = (mask >> lane & 1u) != 0;
+            entries_[box] = isMet ? static_cast<float>(entry.value[lane] / search.scale) : entryOf(planes);
+            if (isMet) continue;
+            // It is rejected: because of a closer hit, or because it is off the ray?
+            add(std::isnan(entries_[box]) ? TraversalEvent::Missed : TraversalEvent::Behind, box,
+                entries_[box], search);
+        }
+    }
+    void waits(ChildRef ref) {
+        const std::uint32_t box = boxOf(ref);
+        log_.steps.push_back({TraversalEvent::Waits, box, entries_[box], bound_});
+    }
+    void skipped(ChildRef ref, const Search& search) {
+        const std::uint32_t box = boxOf(ref);
+        add(TraversalEvent::Behind, box, entries_[box], search);
+    }
+    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const Search& search) {
+        for (int lane = 0; lane < trianglesOf(leaf); ++lane)
+            if ((mask >> lane & 1u) == 0)
+                add(TraversalEvent::Filtered, block.primitive[lane], kNoDistance, search);
+    }
+    void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) {
+        const Hit found{hit.t, primitive, hit.u, hit.v};
+        Hit best{search.best.t, search.best.primitive, 0.0f, 0.0f};
+        const bool isCloser = isHit && keepCloser(found, best);
+        add(isCloser ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive, isHit ? hit.t : kNoDistance,
+            search);
+        if (isCloser) log_.hit = found;
+    }
+
+  private:
+    /// Where the ray enters a box, whatever it has hit; NaN if it does not.
+    float entryOf(const PrimitiveBox& box) const {
+        float entry;
+        if (!intersectBox(box.planes, query_.box, query_.box.tMax, entry)) return kNoDistance;
+        return static_cast<float>(entry / query_.box.scale);
+    }
+    /// A new box is the root or a child of the node that was entered last.
+    std::uint32_t boxOf(ChildRef ref) {
+        const auto [known, isNew] = known_.try_emplace(ref, static_cast<std::uint32_t>(log_.boxes.size()));
+        if (isNew) {
+            log_.boxes.push_back({numberOf(tree_, ref), current_, (ref & kernel::kTagMask) != 0, {}, {}});
+            entries_.push_back(kNoDistance);
+        }
+        return known->second;
+    }
+    void add(TraversalEvent event, std::uint32_t number, float t, const Search& search) {
+        log_.steps.push_back({event, number, t, search.best.t});
+    }
+
+    TraversalLog& log_;
+    const WideTree& tree_;
+    RayQuery query_;
+    std::unordered_map<ChildRef, std::uint32_t> known_;  ///< ref → box
+    std::vector<float> entries_;                         ///< of boxes, where they were tested last
+    int current_ = -1;                                   ///< box
+    float bound_ = 0.0f;
+};
+
+/// The recorder as the walk hands it on: by value.
+struct Watcher {
+    WideRecorder* to;
+    void entered(ChildRef ref, const Search& search) const { to->entered(ref, search); }
+    void children(const WideNode& node, unsigned mask, const kernel::Lanes& entry,
+                  const Search& search) const {
+        to->children(node, mask, entry, search);
+    }
+    void waits(ChildRef ref) const { to->waits(ref); }
+    void skipped(ChildRef ref, const Search& search) const { to->skipped(ref, search); }
+    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const Search& search) const {
+        to->filtered(block, leaf, mask, search);
+    }
+    void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) const {
+        to->tested(primitive, isHit, hit, search);
+    }
+};
+
+}  // namespace
+
+void recordWideSearch(const WideTree& tree, TraversalLog& log) {
+    WideRecorder recorder(log, tree);
+    const Watcher watcher{&recorder};
+    const kernel::WideTreeView view = tree.view();
+    kernel::prepared(view, words(log.ray), [&](const auto& lanes, Search& search) {
+        kernel::FastShear shear{};
+        bool isSheared = false;
+        if (log.anyHit)
+            kernel::walkToAnyHit(view, view.root, lanes, shear, isSheared, search, watcher);
+        else
+            kernel::walkToClosestHit(view, view.root, lanes, shear, isSheared, search, watcher);
+    });
+}
+
+}  // namespace rayscope

@@ -1,0 +1,11 @@
+#pragma once
+#include "bvh/wide_tree.h"
+#include "probe/traversal_log.h"
+
+namespace rayscope {
+
+/// Walks the wide tree with the ray of the log, for any hit if the log says so, and writes down what the walk
+/// does. The ray must be traceable.
+void recordWideSearch(const WideTree& tree, TraversalLog& log);
+
+}  // namespace rayscope

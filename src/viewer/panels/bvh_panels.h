@@ -1,0 +1,17 @@
+#pragma once
+// Parts of the panel of the hierarchy.
+#include <string_view>
+
+#include "viewer/workspace.h"
+
+namespace rayscope::viewer {
+
+std::string_view nameOf(BvhBuilder builder);
+
+/// Another build of the same primitives: how it is built, and what the two cost.
+void drawRival(Workspace& workspace, const BvhInspector::Inspected& seen);
+
+/// What it would cost to split the selected node elsewhere.
+void drawSplitCurve(BvhInspector& bvh, int bins);
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,75 @@
+// The dial from fast to accurate, and when a picture is good enough.
+#include <fmt/format.h>
+
+#include "viewer/panels/panels.h"
+#include "viewer/panels/widgets.h"
+#include "viewer/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
+
+/// The position of the dial that the settings are at; -1 between positions.
+int dialPosition(const Settings& settings) {
+    const std::vector<Preset>& all = presets();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Settings turned = settings;
+        applyPreset(turned, all[i]);
+        if (turned == settings) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void drawDial(Settings& settings) {
+    const std::vector<Preset>& all = presets();
+    int position = dialPosition(settings);
+    const std::string name(position < 0 ? "own settings" : all[static_cast<std::size_t>(position)].name);
+    labelledRow("Fast ... accurate", position >= 0,
+                "Sets what trades speed for accuracy: preview, balanced, final or reference, as --preset "
+                "does. What the scene shows stays as it is.");
+    if (ImGui::SliderInt("##dial", &position, 0, static_cast<int>(all.size()) - 1, name.c_str(), kClamp))
+        applyPreset(settings, all[static_cast<std::size_t>(position)]);
+    if (position >= 0) tooltip(all[static_cast<std::size_t>(position)].meaning);
+}
+
+void drawTarget(RenderGoal& goal) {
+    labelledRow("Until the error is", goal.byError,
+                "Goes on until the root mean squared error of the picture is below this with the confidence "
+                "below, whatever the number of samples is set to. Not with the jittered sampler.");
+    ImGui::Checkbox("##byError", &goal.byError);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::SliderFloat("##error", &goal.error, 1e-4f, 0.1f, "%.4f", kClamp | ImGuiSliderFlags_Logarithmic);
+    if (goal.byError) {
+        labelledRow("Sure to", false, "The confidence with which the error lies below the target.");
+        float percent = 100.0f * goal.confidence;
+        if (ImGui::SliderFloat("##confidence", &percent, 50.0f, 99.9f, "%.1f %%", kClamp))
+            goal.confidence = percent / 100.0f;
+    }
+    labelledRow("Time limit", goal.byTime, "Stops tracing after so many seconds.");
+    ImGui::Checkbox("##byTime", &goal.byTime);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::SliderFloat("##seconds", &goal.seconds, 1.0f, 3600.0f, "%.0f s",
+                       kClamp | ImGuiSliderFlags_Logarithmic);
+}
+
+}  // namespace
+
+void drawGoalPanel(Workspace& workspace) {
+    drawDial(workspace.edit.settings);
+    drawTarget(workspace.goal);
+    const std::optional<ErrorForecast> forecast = workspace.render.forecast();
+    labelledRow("Error now", false,
+                "Of the picture as it is, from how much it still changes: the root mean squared error, and "
+                "what it lies below with the confidence in brackets. With Sobol points it is rather less.");
+    if (!workspace.view.traced || !forecast)
+        dimText("not known yet");
+    else
+        text(fmt::format("{:.2g} (< {:.2g})", forecast->estimate.error, forecast->estimate.upper));
+    ImGui::Spacing();
+}
+
+}  // namespace rayscope::viewer

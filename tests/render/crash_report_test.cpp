@@ -1,0 +1,66 @@
+#include "render/crash_report.h"
+
+#include <gtest/gtest.h>
+#include <rayscope/scene.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+namespace rayscope {
+namespace {
+
+RenderRequest cornell() {
+    Diagnostics notes;
+    RenderRequest request;
+    request.scene = std::make_shared<const SceneDescription>(loadScene("builtin:cornell", notes));
+    request.camera = request.scene->cameras.front();
+    request.width = 40;
+    request.height = 30;
+    return request;
+}
+
+TEST(CrashReport, TheCommandNamesEverythingThatDiffers) {
+    RenderRequest request = cornell();
+    EXPECT_EQ(probeCommandOf(request).rfind("rayscope probe builtin:cornell --size 40x30 --look-from ", 0),
+              0u);
+    EXPECT_EQ(probeCommandOf(request).find("--set"), std::string::npos);
+    request.seed = 7;
+    request.settings.hardShadows = false;
+    request.settings.exposure = 1.5f;
+    const std::string command = probeCommandOf(request);
+    EXPECT_NE(command.find(" --seed 7"), std::string::npos);
+    EXPECT_NE(command.find(" --set hard_shadows=false"), std::string::npos);
+    EXPECT_NE(command.find(" --set exposure=1.5"), std::string::npos);
+}
+
+void crash(int signal, bool inAnotherThread) {
+    installCrashReport();
+    describeForCrashReport(cornell());
+    const auto work = [&] { BusySample::ofThisThread().set(12, 3, 5); };
+    if (inAnotherThread)
+        std::thread(work).join();
+    else
+        work();
+    if (signal == SIGABRT) std::abort();
+    std::raise(signal);
+}
+
+TEST(CrashReportDeathTest, PrintsTheCommandThatRepeatsTheSample) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(crash(SIGSEGV, false), testing::KilledBySignal(SIGSEGV),
+                "segmentation fault.*scene: builtin:cornell, 40 x 30 pixels.*this sample was being traced.*"
+                "rayscope probe builtin:cornell .*--pixel 12,3 --sample 5");
+    EXPECT_EXIT(crash(SIGABRT, true), testing::KilledBySignal(SIGABRT),
+                "assertion that failed.*settings: .*other threads were tracing.*--pixel 12,3 --sample 5");
+    EXPECT_EXIT(
+        {
+            installCrashReport();
+            BusySample::ofThisThread().clear();
+            std::raise(SIGFPE);
+        },
+        testing::KilledBySignal(SIGFPE), "arithmetic exception");
+}
+
+}  // namespace
+}  // namespace rayscope

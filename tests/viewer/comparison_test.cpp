@@ -1,0 +1,68 @@
+#include "viewer/comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace rayscope::viewer {
+namespace {
+
+RgbImage flat(int width, int height, float value) {
+    RgbImage image(width, height);
+    for (Rgb& pixel : image.pixels) pixel = Rgb(value);
+    return image;
+}
+
+void settle(Comparison& comparison, const RgbImage& b, int revision) {
+    comparison.update(b, revision, true, 0.0f);
+    while (comparison.busy()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        comparison.update(b, revision, true, 0.0f);
+    }
+}
+
+TEST(Comparison, MeasuresThePresentPictureAgainstTheKeptOne) {
+    Comparison comparison;
+    EXPECT_FALSE(comparison.visible());
+    settle(comparison, flat(16, 16, 0.5f), 1);
+    EXPECT_EQ(comparison.figures(), nullptr) << "there is no A";
+    comparison.keep({}, flat(16, 16, 0.25f), 4);
+    EXPECT_FALSE(comparison.visible()) << "only if asked for";
+    comparison.view.shown = true;
+    settle(comparison, flat(16, 16, 0.75f), 1);
+    ASSERT_NE(comparison.figures(), nullptr);
+    EXPECT_DOUBLE_EQ(comparison.figures()->rmse, 0.5);
+    EXPECT_TRUE(comparison.figuresAreFinal());
+    settle(comparison, flat(16, 16, 0.25f), 2);
+    EXPECT_EQ(comparison.figures()->rmse, 0.0);
+    EXPECT_EQ(comparison.figures()->ssim, 1.0);
+    EXPECT_EQ(comparison.figures()->flip, 0.0);
+}
+
+TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
+    Comparison comparison;
+    comparison.keep({}, flat(16, 16, 0.25f), 1);
+    comparison.view.shown = true;
+    settle(comparison, flat(16, 16, 0.5f), 1);
+    ASSERT_NE(comparison.figures(), nullptr);
+    settle(comparison, flat(17, 16, 0.5f), 2);
+    EXPECT_EQ(comparison.figures(), nullptr);
+    const int version = comparison.view.version;
+    comparison.forget();
+    EXPECT_EQ(comparison.a(), nullptr);
+    EXPECT_FALSE(comparison.visible());
+    EXPECT_GT(comparison.view.version, version);
+}
+
+TEST(Comparison, NamesTheSettingsThatDiffer) {
+    EditState a, b;
+    EXPECT_TRUE(differencesOf(a, b).empty());
+    b.settings.spp = 64;
+    b.settings.hardShadows = false;
+    b.camera.fov += 1.0f;
+    EXPECT_EQ(differencesOf(a, b),
+              (std::vector<std::string>{"hard_shadows true -> false", "spp 16 -> 64", "camera"}));
+}
+
+}  // namespace
+}  // namespace rayscope::viewer
