@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "bvh/isa.h"
 #include "bvh/meshes.h"
@@ -14,7 +15,7 @@
 namespace rayscope::test {
 namespace {
 
-constexpr std::size_t kBatch = 20000;
+constexpr std::size_t kBatch = 5000;
 
 struct Place {
     int exponent = 0;
@@ -64,15 +65,17 @@ Ray aimedRay(const Geometry& mesh, const Place& place, Random& random) {
     return ray;
 }
 
-std::vector<Accel> accelsOf(const Geometry& mesh) {
-    std::vector<Accel> accels;
-    for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
-        if (!isAvailable(isa)) continue;
-        BuildSettings settings;
-        settings.isa = isa;
-        accels.push_back(Accel::build(mesh.input(), settings));
-    }
-    return accels;
+std::vector<Isa> kernels() {
+    std::vector<Isa> list;
+    for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512})
+        if (isAvailable(isa)) list.push_back(isa);
+    return list;
+}
+
+Accel accelOf(const Geometry& mesh, Isa isa) {
+    BuildSettings settings;
+    settings.isa = isa;
+    return Accel::build(mesh.input(), settings);
 }
 
 /// An integer grid in the plane x + 2y + 3z = 0 and its neighbours: exactly coplanar in float.
@@ -156,19 +159,26 @@ std::uint64_t shootAtSeams(std::uint64_t count) {
     struct Target {
         Geometry mesh;
         Place place;
-        std::vector<Accel> accels;
+        std::vector<std::optional<Accel>> accels;  ///< by kernels, built when they are wanted
     };
+    const std::vector<Isa> isas = kernels();
     std::vector<Target> targets;
     for (const Geometry& unit : units)
-        for (const Place& place : places(1e6)) targets.push_back({placed(unit, place), place, {}});
-    for (Target& target : targets) target.accels = accelsOf(target.mesh);
+        for (const Place& place : places(1e6)) {
+            targets.push_back({placed(unit, place), place, {}});
+            targets.back().accels.resize(isas.size());
+        }
 
     std::vector<Ray> rays(kBatch);
     std::vector<Hit> hits(kBatch);
     std::vector<std::uint8_t> occluded(kBatch);
     for (std::size_t round = 0; shot < count; ++round) {
         Target& target = targets[round % targets.size()];
-        const Accel& accel = target.accels[round / targets.size() % target.accels.size()];
+        // Neighbouring targets take different kernels, so that few rounds see all of both.
+        const std::size_t isa = (round + round / targets.size()) % isas.size();
+        std::optional<Accel>& built = target.accels[isa];
+        if (!built) built = accelOf(target.mesh, isas[isa]);
+        const Accel& accel = *built;
         for (Ray& ray : rays) ray = aimedRay(target.mesh, target.place, random);
         const bool any = round % 3 == 2;
         any ? accel.anyHits(rays, occluded) : accel.closestHits(rays, hits);
@@ -208,7 +218,7 @@ std::uint64_t leaveSurfaces(std::uint64_t count) {
     std::uint64_t left = 0;
     for (std::size_t round = 0; left < count; ++round) {
         const Target& target = targets[round % targets.size()];
-        for (std::size_t i = 0; i < kBatch / 10; ++i) {
+        for (std::size_t i = 0; i < kBatch / 2; ++i) {
             left += leaveOnce(*target.world, target.mesh, target.closed, target.size, random) ? 2 : 0;
             if (testing::Test::HasFailure()) return left;
         }

@@ -8,7 +8,7 @@ namespace {
 #ifdef NDEBUG
 constexpr std::uint64_t kSeams = 1'000'000, kSurfaces = 1'000'000;
 #else  // with sanitizers
-constexpr std::uint64_t kSeams = 200'000, kSurfaces = 50'000;
+constexpr std::uint64_t kSeams = 100'000, kSurfaces = 50'000;
 #endif
 
 TEST(ManyRays, NoneLeaksAtASharedEdgeOrVertex) { EXPECT_GE(shootAtSeams(kSeams), kSeams); }
