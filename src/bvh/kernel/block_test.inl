@@ -38,7 +38,6 @@ RAYSCOPE_INLINE unsigned mayHit(const TriangleBlock& block, const FastShear& ray
     const Lanes w = subtractProduct(x[1] * y[0], y[1], x[0]);
     const unsigned positive = less(error, maximum(maximum(u, v), w));
     const unsigned negative = less(minimum(minimum(u, v), w), Lanes::all(0.0f) - error);
-    const unsigned certain = less(error, Lanes::all(0x1p100f));
 
     const Lanes scaleZ = Lanes::all(ray.scaleZ);
     const Lanes signedDet = u + v + w, det = absolute(signedDet);
@@ -46,6 +45,7 @@ RAYSCOPE_INLINE unsigned mayHit(const TriangleBlock& block, const FastShear& ray
         multiplyAdd(u, z[0] * scaleZ, multiplyAdd(v, z[1] * scaleZ, w * (z[2] * scaleZ))), signedDet);
     const Lanes margin = multiplyAdd(
         reach, multiplyAdd(error, Lanes::all(9.0f), det * Lanes::all(32.0f * kUnit)), Lanes::all(0x1p-120f));
+    const unsigned certain = less(margin, Lanes::all(0x1p100f));
     const unsigned before = less(along + margin, Lanes::all(tMin) * det);
     const unsigned behind = less(multiplyAdd(Lanes::all(bound), det, margin), along);
     return ~(((positive & negative) | before | behind) & certain) & 0xffu;
