@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the pictures of docs/debugging.md: drives the window under a virtual display and takes screenshots.
 
-usage: scripts/make_doc_images.py PROGRAM        needs what tests/viewer/ui_test.py needs
+usage: scripts/make_doc_images.py PROGRAM [rays|surface|lens|…]        needs what tests/viewer/ui_test.py needs
 """
 import subprocess
 import sys
@@ -90,7 +90,9 @@ def hierarchy(viewer):
 
 def heat(viewer):
     viewer.click(*ui.TAB_MAP)
+    viewer.point(*ASIDE)
     viewer.key("m")
+    ui.wait_for("the map", lambda: viewer.settled_picture().count(ui.is_map_yellow) > 300)
     take(viewer, "heat-map")
 
 
@@ -118,13 +120,15 @@ PICTURES = [
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
     program = str(Path(sys.argv[1]).resolve())
     IMAGES.mkdir(parents=True, exist_ok=True)
     display = ui.start_display()
     try:
         for arguments, draw in PICTURES:
+            if sys.argv[2:] and draw.__name__ not in sys.argv[2:]:
+                continue
             with tempfile.TemporaryDirectory() as folder:
                 viewer = ui.Viewer(program, Path(folder), "--set", "spp=16", *arguments)
                 try:

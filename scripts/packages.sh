@@ -10,7 +10,7 @@ build_packages=(
 )
 
 test_packages=(
-    libgtest-dev libgmock-dev clang-format
+    libgtest-dev libgmock-dev clang-format valgrind
     xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window without a screen
 )
 

@@ -21,6 +21,7 @@ void addProbeCommand(CLI::App& program, int& exitCode);
 void addInfoCommand(CLI::App& program, int& exitCode);
 void addBenchCommand(CLI::App& program, int& exitCode);
 void addCastCommand(CLI::App& program, int& exitCode);
+void addLabCommand(CLI::App& program, int& exitCode);
 void addTradeCommand(CLI::App& program, int& exitCode);
 void addCompareCommand(CLI::App& program, int& exitCode);
 void addSettingsCommand(CLI::App& program, int& exitCode);

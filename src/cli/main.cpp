@@ -48,6 +48,7 @@ int runProgram(std::vector<std::string> arguments) {
     addBenchCommand(program, exitCode);
     addCastCommand(program, exitCode);
     addTradeCommand(program, exitCode);
+    addLabCommand(program, exitCode);
     addCompareCommand(program, exitCode);
     addSettingsCommand(program, exitCode);
 

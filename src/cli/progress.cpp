@@ -22,6 +22,15 @@ std::string durationText(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+void showBar(double fraction, const std::string& phase, double remainingSeconds) {
+    constexpr int kWidth = 32;
+    const int full = static_cast<int>(fraction * kWidth);
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {}{}ETA {}", "", full, "", kWidth - full,
+               100.0 * fraction, phase, phase.empty() ? "" : "  ",
+               remainingSeconds > 0.0 ? durationText(remainingSeconds) : "–");
+    std::fflush(stderr);
+}
+
 void Progress::show(const RenderStatus& status) {
     if (style_ == ProgressStyle::Json) {
         const nlohmann::json event = {{"progress", status.progress},

@@ -18,6 +18,7 @@
 #include "cli/target_options.h"
 #include "post/develop.h"
 #include "probe/aov.h"
+#include "probe/non_finite.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
 #include "trace/world.h"
@@ -106,17 +107,24 @@ void writeAovs(const RenderOptions& options, const std::vector<Aov>& wanted, con
 
 bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
-/// The first sample of a pixel that is not finite; 0 if none is by itself.
-int firstBadSample(const Rendered& rendered, const RenderRequest& request, glm::ivec2 pixel) {
+/// The first sample of a pixel that is not finite, and why; sample 0 if none is by itself.
+struct BadSample {
+    int index = 0;
+    std::string cause = "the sum of its samples overflows";
+};
+
+BadSample firstBadSample(const Rendered& rendered, const RenderRequest& request, glm::ivec2 pixel) {
     int samples = rendered.status.samples;
     if (rendered.film) rendered.film->sums(pixel.x, pixel.y, samples);
-    for (int index = 0; index < samples; ++index)
-        if (!isFinite(Rgb(probe(*rendered.world, request.seed, {pixel.x, pixel.y, index}).radiance)))
-            return index;
-    return 0;
+    for (int index = 0; index < samples; ++index) {
+        const RayTree tree = probe(*rendered.world, request.seed, {pixel.x, pixel.y, index});
+        if (std::string cause = causeOfNonFinite(tree, *rendered.world); !cause.empty())
+            return {index, cause};
+    }
+    return {};
 }
 
-/// Names the pixels that are not numbers and says how to look into the first.
+/// Names the pixels that are not numbers, and says why the first is none and how to look into it.
 bool reportNonFinite(const RenderOptions& options, const RenderRequest& request, const Rendered& rendered) {
     const RgbImage& image = rendered.mean;
     constexpr int kNamed = 8;
@@ -131,9 +139,10 @@ bool reportNonFinite(const RenderOptions& options, const RenderRequest& request,
         }
     }
     if (count == 0) return false;
-    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; look into it with: {}\n", count, names,
-               count > kNamed ? " …" : "",
-               probeCommand(options.scene, first, firstBadSample(rendered, request, first)));
+    const BadSample bad = firstBadSample(rendered, request, first);
+    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; in the first, {}; look into it with: {}\n",
+               count, names, count > kNamed ? " …" : "", bad.cause,
+               probeCommand(options.scene, first, bad.index));
     return true;
 }
 

@@ -3,11 +3,10 @@
 #include <rayscope/diagnostics.h>
 #include <rayscope/trade.h>
 #include <filesystem>
-#include <thread>
 
 #include "base/atomic_file.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
+#include "cli/interrupt_to_stop.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
@@ -22,34 +21,11 @@ struct TradeOptions {
     bool noCache = false, quiet = false, json = false;
 };
 
-/// Asks for a stop as soon as the user does; a measurement looks at it between samples.
-class InterruptToStop {
-  public:
-    InterruptToStop()
-        : watcher_([this](const std::stop_token& ended) {
-              while (!ended.stop_requested()) {
-                  if (interrupt_.interrupted()) stop_.request_stop();
-                  std::this_thread::sleep_for(std::chrono::milliseconds(20));
-              }
-          }) {}
-    std::stop_token token() const { return stop_.get_token(); }
-
-  private:
-    InterruptGuard interrupt_;
-    std::stop_source stop_;
-    std::jthread watcher_;
-};
-
 void showProgress(ProgressStyle style, const TradeProgress& progress) {
     if (style == ProgressStyle::Json)
         fmt::print(stderr, "{{\"phase\":\"{}\",\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n",
                    progress.phase, progress.fraction, progress.remainingSeconds);
-    if (style != ProgressStyle::Bar) return;
-    constexpr int kWidth = 32;
-    const int full = static_cast<int>(progress.fraction * kWidth);
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {}  ETA {}", "", full, "", kWidth - full,
-               100.0 * progress.fraction, progress.phase, durationText(progress.remainingSeconds));
-    std::fflush(stderr);
+    if (style == ProgressStyle::Bar) showBar(progress.fraction, progress.phase, progress.remainingSeconds);
 }
 
 void printSummary(const TradeResult& r, const std::string& scene) {

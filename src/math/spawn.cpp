@@ -1,18 +1,14 @@
 #include "math/spawn.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace rayscope {
 
-namespace {
-glm::dvec3 errorBox(const glm::dvec3& point, const glm::dvec3& magnitude) {
-    return 0x1p-24 * glm::abs(point) + 0x1p-50 * magnitude + glm::dvec3(0x1p-149);
-}
-}  // namespace
-
 double spawnDistance(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal) {
-    return glm::dot(glm::abs(normal), errorBox(point, magnitude));
+    const glm::dvec3 rounding = 0x1p-24 * glm::abs(point) + glm::dvec3(0x1p-149);
+    return glm::dot(glm::abs(normal), rounding) + 0x1p-44 * std::max({magnitude.x, magnitude.y, magnitude.z});
 }
 
 glm::vec3 spawnOrigin(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal) {

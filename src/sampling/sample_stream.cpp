@@ -114,27 +114,30 @@ glm::vec2 SamplePoints::jittered(int k) const {
     return glm::min(point, glm::vec2(1.0f - 0x1p-24f));
 }
 
-/// Number of the point in its sequence: those of one sample follow one another.
+/// Number of the point in its sequence, with its bits reversed: those of one sample follow one another.
 std::uint32_t SamplePoints::shuffled(int k) const {
     const auto number =
         static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n_) + static_cast<std::uint32_t>(k);
-    return owenScramble(number, shuffle_);
+    return owenScrambleReversed(reverseBits(number), shuffle_);
+}
+
+/// A coordinate of that point, scrambled.
+float SamplePoints::coordinate(std::uint32_t shuffled, int dimension, std::uint32_t seed) {
+    return toUnitFloat(reverseBits(owenScrambleReversed(sobolReversed(shuffled, dimension), seed)));
 }
 
 glm::vec2 SamplePoints::get2D(int k) const {
     if (pattern_ == SamplePattern::Independent) return independent(key_, k);
     if (pattern_ == SamplePattern::Jittered) return jittered(k);
     const std::uint32_t number = shuffled(k);
-    const std::uint32_t x = owenScramble(sobol(number, dimension_), static_cast<std::uint32_t>(key_));
-    const std::uint32_t y =
-        owenScramble(sobol(number, dimension_ + 1), static_cast<std::uint32_t>(key_ >> 32));
-    return {toUnitFloat(x), toUnitFloat(y)};
+    return {coordinate(number, dimension_, static_cast<std::uint32_t>(key_)),
+            coordinate(number, dimension_ + 1, static_cast<std::uint32_t>(key_ >> 32))};
 }
 
 float SamplePoints::get1D(int k) const {
     if (pattern_ == SamplePattern::Independent) return independent(key_, k).x;
     if (pattern_ == SamplePattern::Sobol)
-        return toUnitFloat(owenScramble(sobol(shuffled(k), dimension_), static_cast<std::uint32_t>(key_)));
+        return coordinate(shuffled(k), dimension_, static_cast<std::uint32_t>(key_));
     const std::uint64_t key = mix(key_);  // other numbers than those of get2D()
     const auto [cell, cells] = stratum(key, k);
     const float x = (static_cast<float>(cell) + independent(key, k).x) / static_cast<float>(cells);

@@ -32,6 +32,7 @@ class SamplePoints {
     glm::vec2 independent(std::uint64_t key, int k) const;
     glm::vec2 jittered(int k) const;
     std::uint32_t shuffled(int k) const;
+    static float coordinate(std::uint32_t shuffled, int dimension, std::uint32_t seed);
 
     SamplePattern pattern_;
     std::uint64_t key_;  ///< of everything that names the points but k

@@ -6,14 +6,6 @@ namespace rayscope {
 
 namespace {
 
-constexpr std::uint32_t reverseBits(std::uint32_t x) {
-    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
-    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
-    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
-    return (x >> 16) | (x << 16);
-}
-
 /// A primitive polynomial over GF(2) of the given degree, its inner coefficients, and the first direction
 /// numbers.
 struct Polynomial {
@@ -49,6 +41,7 @@ constexpr Directions directionsOf(int dimension) {
 }
 
 /// The sum over the bits of one byte of the index, for each of its four bytes: a point is four look-ups.
+/// Index and sum have their bits reversed.
 using ByteTable = std::array<std::array<std::uint32_t, 256>, 4>;
 constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
     std::array<ByteTable, kSobolDimensions> tables{};
@@ -58,7 +51,8 @@ constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
             for (std::uint32_t value = 0; value < 256; ++value)
                 for (std::size_t bit = 0; bit < 8; ++bit)
                     if ((value >> bit) & 1u)
-                        tables[static_cast<std::size_t>(dimension)][byte][value] ^= v[8 * byte + bit];
+                        tables[static_cast<std::size_t>(dimension)][byte][value] ^=
+                            reverseBits(v[31 - (8 * byte + bit)]);
     }
     return tables;
 }
@@ -66,20 +60,18 @@ constexpr std::array<ByteTable, kSobolDimensions> kTables = makeTables();
 
 }  // namespace
 
-std::uint32_t sobol(std::uint32_t index, int dimension) {
+std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension) {
     const ByteTable& table = kTables[static_cast<std::size_t>(dimension)];
-    return table[0][index & 255u] ^ table[1][(index >> 8) & 255u] ^ table[2][(index >> 16) & 255u] ^
-           table[3][index >> 24];
+    return table[0][reversedIndex & 255u] ^ table[1][(reversedIndex >> 8) & 255u] ^
+           table[2][(reversedIndex >> 16) & 255u] ^ table[3][reversedIndex >> 24];
+}
+
+std::uint32_t sobol(std::uint32_t index, int dimension) {
+    return reverseBits(sobolReversed(reverseBits(index), dimension));
 }
 
 std::uint32_t owenScramble(std::uint32_t value, std::uint32_t seed) {
-    value = reverseBits(value);
-    value += seed;
-    value ^= value * 0x6c50b47cu;
-    value ^= value * 0xb82f1e52u;
-    value ^= value * 0xc7afe638u;
-    value ^= value * 0x8d22f6e6u;
-    return reverseBits(value);
+    return reverseBits(owenScrambleReversed(reverseBits(value), seed));
 }
 
 }  // namespace rayscope

@@ -14,4 +14,24 @@ std::uint32_t sobol(std::uint32_t index, int dimension);
 /// (Burley 2020, "Practical Hash-based Owen Scrambling", after Laine and Karras 2011).
 std::uint32_t owenScramble(std::uint32_t value, std::uint32_t seed);
 
+constexpr std::uint32_t reverseBits(std::uint32_t x) {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    return __builtin_bswap32(x);
+}
+
+/// The same two functions, from and to words with their bits in reverse order. That is what scrambling works
+/// on, so a chain of these reverses bits at its ends only.
+std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension);
+
+constexpr std::uint32_t owenScrambleReversed(std::uint32_t reversed, std::uint32_t seed) {
+    reversed += seed;
+    reversed ^= reversed * 0x6c50b47cu;
+    reversed ^= reversed * 0xb82f1e52u;
+    reversed ^= reversed * 0xc7afe638u;
+    reversed ^= reversed * 0x8d22f6e6u;
+    return reversed;
+}
+
 }  // namespace rayscope

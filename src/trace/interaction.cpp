@@ -149,7 +149,7 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
         at.position += moved;
         at.magnitude += glm::abs(moved);
         // The ray was moved into the body's frame in float: that rounding is part of where the surface is.
-        at.magnitude += 0x1p26 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
+        at.magnitude += 0x1p20 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
     }
     faceViewer(at);
     return at;

@@ -52,7 +52,7 @@ double Application::patience() const {
     const bool job = workspace_.job && workspace_.job->running();
     const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
                          job || workspace_.bvh.busy() || workspace_.heat.busy() ||
-                         workspace_.comparison.busy();
+                         workspace_.comparison.busy() || workspace_.lab.busy();
     return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -151,6 +151,7 @@ void Application::drawSidePanel(const Layout& parts) {
                 group("Contents", drawScenePanel);
                 group("Camera", drawCameraPanel);
                 group("Lights", drawLightsPanel);
+                if (ImGui::CollapsingHeader("Numbers at the extremes")) drawLabPanel(workspace_);
             });
             tab("Settings", [&] { drawSettingsPanel(workspace_); });
             tab("Rays", [&] { drawRaysPanel(workspace_); });
@@ -199,6 +200,8 @@ void Application::updateInspectors() {
     const auto film = workspace_.render.session().film();
     if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
         workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
+
+    workspace_.lab.update();
 
     DebugRays& rays = workspace_.rays;
     rays.updateSearch();

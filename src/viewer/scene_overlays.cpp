@@ -1,5 +1,6 @@
 #include "viewer/scene_overlays.h"
 
+#include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 
 namespace rayscope::viewer {
@@ -14,8 +15,15 @@ void append(std::vector<T>& all, const std::vector<T>& more) {
 }  // namespace
 
 SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
-    return {workspace.rays.version(), workspace.bvh.version(), workspace.rays.filter,
-            workspace.rays.search,    workspace.rays.surface,  workspace.bvh.shown};
+    return {workspace.rays.version(),
+            workspace.bvh.version(),
+            workspace.rays.filter,
+            workspace.rays.search,
+            workspace.rays.surface,
+            workspace.bvh.shown,
+            workspace.lab.version(),
+            workspace.lab.shownMethod,
+            workspace.lab.overlay && workspace.lab.scene() == workspace.edit.scene.get()};
 }
 
 /// What surfaces and the lens add to the rays of the chosen sample.
@@ -63,6 +71,8 @@ void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
     lines_.clear();
     boxes_.clear();
     if (const DebugRays::Shot* shot = workspace.rays.shot()) addRays(*shot, workspace.rays, sceneSize);
+    if (const LabResult* lab = workspace.lab.result(); lab && inputsOf(workspace).lab)
+        append(lines_, labFailureLines(*lab, workspace.lab.shownMethod));
     if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
         const BvhChoice& choice = workspace.bvh.shown;
         const BvhInspector::Inspected* rival = workspace.bvh.rival();

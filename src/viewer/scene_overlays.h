@@ -14,6 +14,9 @@ class SceneOverlays {
         TraversalChoice search;
         SurfaceChoice surface;
         BvhChoice bvh;
+        int labVersion = 0;
+        LabMethod labMethod = LabMethod::Float;
+        bool lab = false;
         bool operator==(const Inputs&) const = default;
     };
     static Inputs inputsOf(const Workspace& workspace);

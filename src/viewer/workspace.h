@@ -15,6 +15,7 @@
 #include "viewer/frame_times.h"
 #include "viewer/heat_map.h"
 #include "viewer/history.h"
+#include "viewer/lab_run.h"
 #include "viewer/raster_view.h"
 #include "viewer/recent_files.h"
 #include "viewer/render_control.h"
@@ -61,6 +62,7 @@ struct Workspace {
     HeatMap heat;
     Comparison comparison;
     RenderGoal goal;
+    LabRun lab;
     bool bvhSeen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};

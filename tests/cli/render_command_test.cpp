@@ -144,6 +144,7 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
     const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
     EXPECT_EQ(result.exitCode, 5) << result.err;
     EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --spp 1 --pixel "));
+    EXPECT_THAT(result.err, HasSubstr("in the first, its 2 terms add up to (3.5"));
     // The command that is named repeats it.
     const std::string command = result.err.substr(result.err.find("rayscope probe"));
     const ProgramResult probe = run(folder, command.substr(0, command.find('\n')));

@@ -36,6 +36,7 @@ MODE_DIFFERENCE, FIGURES = (1219, 138), (954, 175, 300, 80)
 BACK_TO_A = (1031, 341)
 BLOOM_DEBUG, BLOOM_STAGE = (1112, 579), (1180, 603)  # the settings scrolled to their end
 ALL_SAMPLES, BUDGET = (964, 299), (1180, 323)  # of stale rays
+LAB_HEADER, LAB_START, LAB_OVERLAY = (1050, 485), (1106, 509), (964, 557)  # of the monkey, which has two lights
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
 
@@ -490,6 +491,25 @@ def test_heat_map(viewer):
     viewer.click(*TAB_SCENE)
 
 
+def is_failure_purple(red, green, blue):
+    return red > 150 and green < 130 and blue > 170
+
+
+def test_lab(viewer):
+    """The laboratory runs beside the window; what fails in the usual triangle test is drawn over the scene."""
+    viewer.open_by_name("builtin:monkey")
+    wait_for("the monkey", lambda: "builtin:monkey" in viewer.title())
+    viewer.click(*TAB_SCENE)
+    viewer.click(*LAB_HEADER)
+    viewer.click(*LAB_START)
+    viewer.point(100, 600)
+    wait_for("rays that went wrong", lambda: viewer.picture().count(is_failure_purple) > 500)
+    viewer.click(*LAB_OVERLAY)
+    viewer.point(100, 600)
+    wait_for("the scene without them", lambda: viewer.picture().count(is_failure_purple) < 50)
+    viewer.click(*LAB_HEADER)
+
+
 def test_typing_is_not_a_shortcut(viewer):
     """Letters in a text field open no panel, switch no view and shoot no ray."""
     viewer.open_by_name("builtin:spheres")
@@ -784,7 +804,7 @@ def test_without_display(program):
 SESSIONS = [
     (["--set", "spp=4"],
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_bvh_boxes,
-      test_heat_map, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
+      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),

@@ -23,6 +23,7 @@ void drawSettingsPanel(Workspace& workspace);
 void drawRaysPanel(Workspace& workspace);
 void drawBvhPanel(Workspace& workspace);
 void drawHeatPanel(Workspace& workspace);
+void drawLabPanel(Workspace& workspace);
 void drawComparisonPanel(Workspace& workspace);
 void drawGoalPanel(Workspace& workspace);
 

@@ -62,7 +62,8 @@ def cornell():
         "materials": read_materials(ROOT / "scenes/cornell.mtl"),
         "light": {"corner": (-0.2, 0.5, 0.0), "edges": ((0.4, 0.0, 0.0), (0.0, 0.0, 0.4))},
         "variants": {"1 spp, 10 x 10": ("spp=1", "parallelogram_samples=10"),
-                     "4 spp, 5 x 5": ("spp=4", "parallelogram_samples=5")},
+                     "4 spp, 5 x 5": ("spp=4", "parallelogram_samples=5"),
+                     "4 spp, 2 x 2": ("spp=4", "parallelogram_samples=2")},
         "reference": ("spp=256", "parallelogram_samples=2"),
     }
 
@@ -95,7 +96,7 @@ def scales():
         "materials": {"shape": {"kd": (0.42, 0.68, 0.5), "ks": (0.0,) * 3, "ns": 30.0},
                       "floor": {"kd": (0.4, 0.4, 0.4), "ks": (0.3, 0.3, 0.3), "ns": 60.0}},
         "light": {"position": (-1.0, 1.6, -1.4)},
-        "variants": {"1 spp": ("spp=1",), "4 spp": ("spp=4",)},
+        "variants": {"1 spp": ("spp=1",), "2 spp": ("spp=2",), "4 spp": ("spp=4",)},
         "reference": ("spp=256",),
     }
 

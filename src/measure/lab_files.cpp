@@ -1,0 +1,59 @@
+// The laboratory's report in a folder, and what repeats its failures.
+#include <fmt/format.h>
+
+#include <rayscope/lab.h>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+
+namespace rayscope {
+
+namespace {
+
+/// Nine digits are enough to read the same floats again.
+std::string objOf(const MeshData& mesh) {
+    std::string text = "# written by rayscope lab\n";
+    for (const glm::vec3& v : mesh.positions) text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", v.x, v.y, v.z);
+    for (const glm::uvec3& t : mesh.triangles) text += fmt::format("f {} {} {}\n", t.x + 1, t.y + 1, t.z + 1);
+    return text;
+}
+
+/// The cell nearest to the scene as it is in which a method failed.
+const LabFailure* nearestFailure(const LabResult& result, LabMethod method) {
+    const LabFailure* nearest = nullptr;
+    const auto remoteness = [&](const LabFailure& f) {
+        const LabPlace& place = result.cells[f.cell].place;
+        return std::pair(std::abs(place.scale), place.offset);
+    };
+    for (const LabFailure& failure : result.failures)
+        if (failure.method == method && (!nearest || remoteness(failure) < remoteness(*nearest)))
+            nearest = &failure;
+    return nearest;
+}
+
+}  // namespace
+
+std::vector<std::string> writeLab(const LabResult& result, const SceneDescription& scene,
+                                  const std::string& folder) {
+    const std::filesystem::path path(folder);
+    writeFileAtomically((path / "lab.json").string(), labJson(result));
+    writeFileAtomically((path / "lab.csv").string(), labCsv(result));
+    writeFileAtomically((path / "lab.html").string(), labHtml(result));
+    std::vector<std::string> commands;
+    for (int i = 0; i < kLabMethods; ++i) {
+        const auto method = static_cast<LabMethod>(i);
+        const LabFailure* first = nearestFailure(result, method);
+        if (!first) continue;
+        const std::string name = (path / infoOf(method).name).string();
+        std::string rays;
+        for (const LabFailure& failure : result.failures)
+            if (failure.method == method && failure.cell == first->cell)
+                rays.append(reinterpret_cast<const char*>(&failure.ray), sizeof(Ray));
+        writeFileAtomically(name + ".obj", objOf(meshAt(scene, result.cells[first->cell].place)));
+        writeFileAtomically(name + ".rays", rays);
+        commands.push_back(fmt::format("rayscope cast {0}.obj --rays {0}.rays -o {0}.hits", name));
+    }
+    return commands;
+}
+
+}  // namespace rayscope

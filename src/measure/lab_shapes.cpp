@@ -1,0 +1,30 @@
+#include <rayscope/lab.h>
+
+#include "scene/generate.h"
+
+namespace rayscope {
+
+SceneDescription labShapes() {
+    SceneDescription scene;
+    scene.path = "shapes";
+    scene.title = "Closed and open shapes made by formula";
+    scene.materials.emplace_back();
+    scene.cameras.emplace_back();
+    const auto add = [&](const char* name, MeshData data, const glm::vec3& at) {
+        MeshInstance mesh{.name = name,
+                          .data = std::make_shared<MeshData>(std::move(data)),
+                          .transform = {},
+                          .materials = {0}};
+        mesh.transform.translate = at;
+        scene.meshes.push_back(std::move(mesh));
+    };
+    add("icosphere", generate(IcosphereShape{.subdivisions = 4}), {-3, 0, 0});
+    add("needles", generate(UvSphereShape{.segments = 512, .rings = 4}), {0, 0, 0});
+    add("box", generate(BoxShape{}), {3, 0, 0});
+    add("torus", generate(TorusShape{}), {-3, 0, -3});
+    add("monkey", generate(MonkeyShape{}), {0, 0, -3});
+    add("terrain", generate(TerrainShape{.cellsX = 32, .cellsZ = 32}), {3, 0, -3});
+    return scene;
+}
+
+}  // namespace rayscope

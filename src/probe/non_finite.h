@@ -1,0 +1,10 @@
+#pragma once
+#include <rayscope/probe.h>
+
+namespace rayscope {
+
+/// Where the first value of a sample came up that is not a number, or more than a float holds, in words;
+/// empty if there is none.
+std::string causeOfNonFinite(const RayTree& tree, const World& world);
+
+}  // namespace rayscope

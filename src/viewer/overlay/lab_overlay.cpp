@@ -1,0 +1,26 @@
+#include "viewer/overlay/lab_overlay.h"
+
+#include <cmath>
+
+#include "viewer/overlay/palette.h"
+
+namespace rayscope::viewer {
+
+OverlayLines labFailureLines(const LabResult& result, LabMethod method) {
+    OverlayLines lines;
+    const auto size = static_cast<float>(result.size);
+    for (const LabFailure& failure : result.failures) {
+        if (failure.method != method) continue;
+        const Ray ray = rayInScene(result, failure);
+        const float length = glm::length(ray.direction);
+        if (!(length > 0.0f) || !std::isfinite(length)) continue;
+        const bool atSeam = failure.fault == LabFault::Leak || failure.fault == LabFault::DoubleHit;
+        const glm::vec3 to = ray.origin + (atSeam ? 1.0f : 0.05f) * size / length * ray.direction;
+        lines.push_back({ray.origin, to,
+                         failure.fault == LabFault::DoubleHit ? palette::kRejectedRay : palette::kMissedRay,
+                         atSeam ? LineStyle::Solid : LineStyle::Dashed});
+    }
+    return lines;
+}
+
+}  // namespace rayscope::viewer

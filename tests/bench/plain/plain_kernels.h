@@ -1,0 +1,9 @@
+#pragma once
+#include "bvh/kernel/kernels.h"
+
+namespace rayscope::bench {
+
+/// The AVX2 kernels with a plain triangle test in their leaves.
+extern const kernel::Kernels kPlainKernels;
+
+}  // namespace rayscope::bench
