@@ -24,7 +24,7 @@ struct Place {
 
 std::vector<Place> places(double farthest) {
     std::vector<Place> list;
-    for (const int exponent : {-60, -20, 0, 20, 60}) list.push_back({exponent, {}});
+    for (const int exponent : {-60, -20, 0, 20, 40, 60}) list.push_back({exponent, {}});
     for (const double offset : {1.0, 1e3, 1e6})
         if (offset <= farthest) list.push_back({0, {offset, -offset, std::floor(0.5 * offset)}});
     if (farthest >= 1e3) list.push_back({-30, {1e3, 1e3, -1e3}});

@@ -804,7 +804,7 @@ def test_without_display(program):
 SESSIONS = [
     (["--set", "spp=4"],
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_bvh_boxes,
-      test_heat_map, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
+      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
