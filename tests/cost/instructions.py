@@ -2,6 +2,7 @@
 """Counts instructions, which are the same on a busy machine and a quiet one.
 
 usage: instructions.py rays COUNT_RAYS [--record]   what a ray costs, against tests/cost/rays.json
+       instructions.py samples COUNT_SAMPLES        what it costs that the tracer can be watched
        instructions.py unused RAYSCOPE              what features cost that a scene has no use for
 Exits with 77 where valgrind is missing or nothing was recorded for this compiler.
 """
@@ -16,9 +17,12 @@ from pathlib import Path
 RECORD = Path(__file__).with_name("rays.json")
 TOLERANCE = 0.03  # of the recorded figure, in either direction: a gain has to be recorded as well
 LARGEST_COST = 0.01
+LARGEST_HOOK = 0.001
 INSTRUCTION_SETS = "scalar", "sse2", "avx2"  # valgrind knows no AVX-512
 
-# What the scene of the second test has no use for: it is a mesh of one opaque material, two point lights, a pinhole.
+WATCHED_SCENES = "builtin:cornell", "builtin:cornell-area", "builtin:monkey", "builtin:cornell-transparent"
+
+# What the scene of the last test has no use for: it is a mesh of one opaque material, two point lights, a pinhole.
 UNUSED = (
     "segment_samples=400", "parallelogram_samples=20", "transparent_shadows=true", "transparency=false",
     "texture_mapping=false", "texture_filter=mipmap", "environment=false", "reflection_map=true", "depth_of_field=false",
@@ -41,16 +45,24 @@ def callgrind(folder, command, *options):
                           capture_output=True, text=True, cwd=folder)
 
 
-def rays_of(program, instruction_set):
-    """Instructions per ray by kind and query."""
+def between_gates(command, *gates):
+    """What a program prints, and the instructions of each call of its gates in order; None if it fails."""
     with tempfile.TemporaryDirectory() as folder:
-        run = callgrind(folder, [program, instruction_set], "--collect-atstart=no", "--toggle-collect=counted*",
-                        "--dump-after=countedSingle", "--dump-after=countedBatched")
+        run = callgrind(folder, command, "--collect-atstart=no", "--toggle-collect=counted*",
+                        *(f"--dump-after={gate}" for gate in gates))
         if run.returncode != 0:
             return None
         parts = sorted(Path(folder).glob("out.*"), key=lambda path: int(path.suffix[1:]))
         totals = [int(re.search(r"^totals: (\d+)", part.read_text(), re.M).group(1)) for part in parts]
-    lines = [line.split() for line in run.stdout.splitlines()]
+    return run.stdout.splitlines(), totals
+
+
+def rays_of(program, instruction_set):
+    """Instructions per ray by kind and query; None where the instruction set is missing."""
+    found = between_gates([program, instruction_set], "countedSingle", "countedBatched")
+    if not found:
+        return None
+    lines, totals = [line.split() for line in found[0]], found[1]
     # The first gate of each kind is the one that warms up.
     counted = [total for i, total in enumerate(totals) if i % 3]
     return {f"{instruction_set} {kind} {query}": round(total / int(rays))
@@ -76,6 +88,21 @@ def check_rays(program, record):
         if abs(value - before) > TOLERANCE * before:
             print(f"{key}: {value} instructions per ray, {before} are recorded; if that is intended: "
                   f"tests/cost/instructions.py rays {program} --record")
+            wrong = 1
+    return wrong
+
+
+def check_samples(program):
+    found = between_gates([program, *WATCHED_SCENES], "countedSilent", "countedUnwatched")
+    if not found:
+        sys.exit("the two tracers differ, or do not run")
+    lines, totals = found
+    wrong = 0
+    for i, scene in enumerate(lines):
+        # The first pair of each scene warms up.
+        silent, unwatched = totals[4 * i + 2:4 * i + 4]
+        print(f"{scene}: {silent} instructions with the silent observer, {unwatched} without one")
+        if abs(silent / unwatched - 1.0) > LARGEST_HOOK:
             wrong = 1
     return wrong
 
@@ -109,6 +136,8 @@ def main():
     match arguments:
         case ["rays", program, *options] if options in ([], ["--record"]):
             sys.exit(check_rays(program, bool(options)))
+        case ["samples", program]:
+            sys.exit(check_samples(program))
         case ["unused", program]:
             sys.exit(check_unused(program))
     sys.exit(__doc__)

@@ -1,0 +1,9 @@
+#include "cost/unwatched.h"
+
+#include "radiance_unwatched.inl"
+
+namespace rayscope {
+
+template SampleResult radiance(const World&, std::uint64_t, const SampleName&, Nobody&);
+
+}  // namespace rayscope
