@@ -87,11 +87,27 @@ def scales():
             a, b = j * columns + i, j * columns + (i + 1) % columns
             c, d = a + columns, b + columns
             triangles += [("shape", a, b, d), ("shape", a, d, c)]
+    return on_mirror("87k triangles, point light, mirroring floor", vertices, triangles, -0.5)
+
+
+def dragon():
+    """The Stanford dragon of 87,130 triangles, which scripts/fetch_dragon.sh makes, in the same place."""
+    vertices, triangles = [], []
+    for line in (ROOT / "scenes/meshes/dragon.obj").read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            vertices.append(tuple(map(float, words[1:])))
+        elif words[:1] == ["f"]:
+            triangles.append(("shape", *(int(w.split("/")[0]) - 1 for w in words[1:])))
+    return on_mirror("Dragon, point light, mirroring floor", vertices, triangles, -0.52)
+
+
+def on_mirror(name, vertices, triangles, height):
     first = len(vertices)
-    vertices += [(-3.0, -0.5, -3.0), (3.0, -0.5, -3.0), (3.0, -0.5, 3.0), (-3.0, -0.5, 3.0)]
-    triangles += [("floor", first, first + 1, first + 2), ("floor", first, first + 2, first + 3)]
+    vertices = vertices + [(-3.0, height, -3.0), (3.0, height, -3.0), (3.0, height, 3.0), (-3.0, height, 3.0)]
+    triangles = triangles + [("floor", first, first + 1, first + 2), ("floor", first, first + 2, first + 3)]
     return {
-        "name": "87k triangles, point light, mirroring floor",
+        "name": name,
         "vertices": vertices, "normals": None, "triangles": triangles,
         "materials": {"shape": {"kd": (0.42, 0.68, 0.5), "ks": (0.0,) * 3, "ns": 30.0},
                       "floor": {"kd": (0.4, 0.4, 0.4), "ks": (0.3, 0.3, 0.3), "ns": 60.0}},
@@ -250,11 +266,10 @@ def main():
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument("--size", type=int, default=800)
     parser.add_argument("--keep", type=Path, help="folder for scenes and pictures; absent: a temporary one")
-    parser.add_argument("--scene", choices=("cornell", "scales"), help="absent: both")
+    parser.add_argument("--scene", choices=("cornell", "scales", "dragon"), help="absent: the first two")
     options = parser.parse_args()
-    for make in (cornell, scales):
-        if options.scene not in (None, make.__name__):
-            continue
+    scenes = {"cornell": cornell, "scales": scales, "dragon": dragon}
+    for make in [scenes[options.scene]] if options.scene else [cornell, scales]:
         if options.keep:
             folder = options.keep / make.__name__
             folder.mkdir(parents=True, exist_ok=True)
