@@ -17,7 +17,7 @@ constexpr std::size_t kStreamLength = 16384;
 template <class T>
 void setBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const T> items) {
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), items.size());
-    std::memcpy(buffer, items.data(), items.size_bytes());
+    if (!items.empty()) std::memcpy(buffer, items.data(), items.size_bytes());
 }
 
 RTCRayHit queryOf(const Ray& ray) {
