@@ -20,7 +20,8 @@ enum class LabMethod {
     Epsilon,   ///< the same with fixed tolerances of 1e-6, for the determinant and the least t
     Double     ///< the same in double, no tolerance
 };
-inline constexpr int kLabMethods = 4;
+inline constexpr std::array kLabMethods{LabMethod::Rayscope, LabMethod::Float, LabMethod::Epsilon,
+                                        LabMethod::Double};
 struct LabMethodInfo {
     const char* name;   ///< one word
     const char* label;  ///< a few
@@ -57,7 +58,7 @@ struct LabPlace {
 
 struct LabCell {
     LabPlace place;
-    std::array<LabCounts, kLabMethods> methods;
+    std::array<LabCounts, kLabMethods.size()> methods;
     std::uint64_t collapsed =
         0;  ///< triangles that have no area any more: their corners became one point or line
     std::uint64_t undecided = 0;  ///< rays too near to the rim of what they aim at to expect anything
@@ -94,12 +95,14 @@ struct LabResult {
     int raysPerCell = 0;
     std::vector<LabCell> cells;        ///< by scale, then by offset
     std::vector<LabFailure> failures;  ///< some of each cell, method and fault
-    std::array<LabRange, kLabMethods> ranges;
+    std::array<LabRange, kLabMethods.size()> ranges;
     double meshOffset = 0.0;  ///< largest measured offset at scale 2^0 at which no triangle has collapsed
     std::vector<std::string> remarks;
     double seconds = 0.0;
     bool interrupted = false;
 
+    /// Counts of all cells together, and the worst of their ratios.
+    LabCounts total(LabMethod method) const;
     const LabRange& range(LabMethod method) const { return ranges[static_cast<std::size_t>(method)]; }
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/nearest_name.h"
+#include "base/shell_word.h"
 #include "cli/number_list.h"
 
 namespace rayscope {
@@ -127,12 +128,7 @@ std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int samp
     const auto add = [&](std::string_view option, const std::string& value) {
         if (value.empty()) return;
         if (!option.empty()) words += fmt::format(" {}", option);
-        const bool plain = value.find_first_not_of(
-                               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                               "_-+=:,./") == std::string::npos;
-        std::string quoted;
-        for (const char c : value) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        words += plain ? " " + value : fmt::format(" '{}'", quoted);
+        words += " " + shellWord(value);
     };
     add("", options.scene);
     add("--size", options.size);

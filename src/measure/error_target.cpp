@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "measure/statistics.h"
+#include "measure/error_slope.h"
 #include "measure/tile_shares.h"
 #include "measure/workers.h"
 #include "render/crash_report.h"
@@ -46,7 +46,6 @@ class TargetRender {
     void look(int samples);
     int nextLook(int samples) const;
     double samplesNeeded(int samples) const;
-    double slope() const;
     ErrorForecast forecast(int samples) const;
     void finish(StopReason reason);
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -57,7 +56,7 @@ class TargetRender {
     std::array<std::unique_ptr<Film>, 2> halves_;
     std::vector<double> shares_;
     RenderCounters counters_;
-    std::vector<std::pair<int, ErrorEstimate>> looks_;  ///< samples per half, estimate
+    ErrorLooks looks_;  ///< samples per half, estimate
     Clock::time_point start_ = Clock::now();
     std::unique_ptr<Deadline> limit_;
     ErrorTargetResult result_;
@@ -150,25 +149,13 @@ void TargetRender::look(int samples) {
     if (request_.progress) request_.progress(result_.history.back());
 }
 
-/// −d log error / d log samples of the last looks; a half before there are two.
-double TargetRender::slope() const {
-    std::vector<double> x, y;
-    for (std::size_t i = looks_.size() > 4 ? looks_.size() - 4 : 0; i < looks_.size(); ++i) {
-        if (looks_[i].second.upper <= 0.0) continue;
-        x.push_back(std::log(looks_[i].first));
-        y.push_back(std::log(looks_[i].second.upper));
-    }
-    if (x.size() < 2) return 0.5;
-    const double power = request_.target.metric == ErrorMetric::RelMse ? 0.5 : 1.0;
-    return std::clamp(-power * slopeOf(x, y), 0.4, 1.0);
-}
-
 /// Samples per half that the bound should need.
 double TargetRender::samplesNeeded(int samples) const {
     const ErrorEstimate& last = looks_.back().second;
     double ratio = last.upper / request_.target.error;
     if (request_.target.metric == ErrorMetric::RelMse) ratio = std::sqrt(ratio);
-    return std::max<double>(kFirstStop, samples * std::pow(ratio, 1.0 / slope()));
+    return std::max<double>(kFirstStop,
+                            samples * std::pow(ratio, 1.0 / errorSlope(looks_, request_.target.metric)));
 }
 
 /// Twice as many samples, or fewer if fewer should do.
@@ -189,7 +176,8 @@ ErrorForecast TargetRender::forecast(int samples) const {
     if (request_.timeLimit > 0.0) {
         const double power = request_.target.metric == ErrorMetric::RelMse ? 2.0 : 1.0;
         const double atLimit = std::max(1.0, request_.timeLimit / perSample) / looks_.back().first;
-        f.errorAtLimit = f.estimate.error * std::pow(atLimit, -power * slope());
+        f.errorAtLimit =
+            f.estimate.error * std::pow(atLimit, -power * errorSlope(looks_, request_.target.metric));
     }
     return f;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/statistics.h"
-
 namespace rayscope {
 
 namespace {
@@ -79,17 +77,6 @@ bool ErrorWatch::reached() const {
            latest().upper <= target_.error;
 }
 
-/// −d log error / d log samples of the last looks; a half before there are two.
-double ErrorWatch::slope() const {
-    std::vector<double> x, y;
-    for (std::size_t i = looks_.size() > 4 ? looks_.size() - 4 : 0; i < looks_.size(); ++i) {
-        if (looks_[i].second.upper <= 0.0) continue;
-        x.push_back(std::log(looks_[i].first));
-        y.push_back(std::log(looks_[i].second.upper));
-    }
-    return x.size() < 2 ? 0.5 : std::clamp(-slopeOf(x, y), 0.4, 1.0);
-}
-
 ErrorForecast ErrorWatch::forecast(double samples, double seconds, double timeLimit) const {
     ErrorForecast f;
     f.samples = static_cast<int>(samples);
@@ -100,14 +87,15 @@ ErrorForecast ErrorWatch::forecast(double samples, double seconds, double timeLi
     if (target_.error > 0.0) {
         // A look, which may end the rendering, comes at each doubling.
         const double needed = std::max<double>(
-            kFewestSamples, seen * std::pow(f.estimate.upper / target_.error, 1.0 / slope()));
+            kFewestSamples,
+            seen * std::pow(f.estimate.upper / target_.error, 1.0 / errorSlope(looks_, target_.metric)));
         double stop = seen;
         while (stop < needed) stop *= 2.0;
         f.remainingSeconds = std::max(0.0, stop - samples) * perSample;
     }
     if (timeLimit > 0.0)
-        f.errorAtLimit =
-            f.estimate.error * std::pow(std::max(samples, timeLimit / perSample) / seen, -slope());
+        f.errorAtLimit = f.estimate.error * std::pow(std::max(samples, timeLimit / perSample) / seen,
+                                                     -errorSlope(looks_, target_.metric));
     return f;
 }
 

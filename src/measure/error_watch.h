@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "measure/error_slope.h"
 #include "render/film.h"
 
 namespace rayscope {
@@ -40,11 +41,9 @@ class ErrorWatch {
     ErrorForecast forecast(double samples, double seconds, double timeLimit) const;
 
   private:
-    double slope() const;
-
     ErrorTarget target_;
     Snapshot before_;
-    std::vector<std::pair<int, ErrorEstimate>> looks_;  ///< samples per pixel, estimate
+    ErrorLooks looks_;  ///< samples per pixel, estimate
 };
 
 }  // namespace rayscope

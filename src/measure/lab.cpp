@@ -16,10 +16,10 @@ namespace rayscope {
 
 namespace {
 
-constexpr LabMethodInfo kMethods[kLabMethods] = {{"rayscope", "as Rayscope traces"},
-                                                 {"float", "Möller-Trumbore, float"},
-                                                 {"epsilon", "Möller-Trumbore, float, 1e-6"},
-                                                 {"double", "Möller-Trumbore, double"}};
+constexpr LabMethodInfo kMethods[kLabMethods.size()] = {{"rayscope", "as Rayscope traces"},
+                                                        {"float", "Möller-Trumbore, float"},
+                                                        {"epsilon", "Möller-Trumbore, float, 1e-6"},
+                                                        {"double", "Möller-Trumbore, double"}};
 constexpr const char* kFaults[] = {"leak", "double hit", "false hit", "lost surface", "inaccurate"};
 
 constexpr std::size_t kFailuresKept = 12;  ///< per cell, method and fault

@@ -6,7 +6,7 @@ namespace rayscope {
 
 /// What some rays of a cell showed.
 struct LabTally {
-    std::array<LabCounts, kLabMethods> counts;
+    std::array<LabCounts, kLabMethods.size()> counts;
     std::uint64_t undecided = 0;
     std::vector<LabFailure> failures;
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "base/shell_word.h"
 
 namespace rayscope {
 
@@ -40,8 +41,7 @@ std::vector<std::string> writeLab(const LabResult& result, const SceneDescriptio
     writeFileAtomically((path / "lab.csv").string(), labCsv(result));
     writeFileAtomically((path / "lab.html").string(), labHtml(result));
     std::vector<std::string> commands;
-    for (int i = 0; i < kLabMethods; ++i) {
-        const auto method = static_cast<LabMethod>(i);
+    for (const LabMethod method : kLabMethods) {
         const LabFailure* first = nearestFailure(result, method);
         if (!first) continue;
         const std::string name = (path / infoOf(method).name).string();
@@ -51,7 +51,8 @@ std::vector<std::string> writeLab(const LabResult& result, const SceneDescriptio
                 rays.append(reinterpret_cast<const char*>(&failure.ray), sizeof(Ray));
         writeFileAtomically(name + ".obj", objOf(meshAt(scene, result.cells[first->cell].place)));
         writeFileAtomically(name + ".rays", rays);
-        commands.push_back(fmt::format("rayscope cast {0}.obj --rays {0}.rays -o {0}.hits", name));
+        commands.push_back(fmt::format("rayscope cast {} --rays {} -o {}", shellWord(name + ".obj"),
+                                       shellWord(name + ".rays"), shellWord(name + ".hits")));
     }
     return commands;
 }

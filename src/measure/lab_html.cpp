@@ -12,7 +12,6 @@ namespace rayscope {
 
 namespace {
 
-constexpr LabMethod kAll[] = {LabMethod::Rayscope, LabMethod::Float, LabMethod::Epsilon, LabMethod::Double};
 /// Classes of the style sheet: the front is Rayscope, the others are alternatives.
 constexpr const char* kClasses[] = {"front", "knob", "yours", "feature"};
 
@@ -87,12 +86,12 @@ std::string map(const LabResult& r, LabMethod method, Share value, const char* t
 std::string errorChart(const LabResult& r) {
     std::vector<double> values{1.0};
     for (const LabCell& cell : r.cells)
-        for (const LabMethod method : kAll)
+        for (const LabMethod method : kLabMethods)
             if (cell.place.scale == 0) values.push_back(errorOf(cell.of(method)));
     LogChart chart(1040, 380, {0.1, 2e7}, rangeOf(values), "offset in sizes (0 stands at 0.1)",
                    "largest error of t / bound");
     chart.line({{0.1, 1.0}, {2e7, 1.0}}, "base");
-    for (const LabMethod method : kAll) {
+    for (const LabMethod method : kLabMethods) {
         std::vector<std::pair<double, double>> line;
         for (const LabCell& cell : r.cells) {
             if (cell.place.scale != 0) continue;
@@ -105,7 +104,7 @@ std::string errorChart(const LabResult& r) {
         chart.line(line, classOf(method));
     }
     std::string legend = "<p class='legend soft'>";
-    for (const LabMethod method : kAll)
+    for (const LabMethod method : kLabMethods)
         legend +=
             fmt::format("<span class='{}'><i></i>{}</span>", classOf(method), escaped(infoOf(method).label));
     return "<div class='card'>" + chart.svg() + legend + "</p></div>\n";
@@ -140,7 +139,7 @@ std::string header(const LabResult& r) {
 
 std::string maps(const LabResult& r, Share value, const char* title, const char* words) {
     std::string page = fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, words);
-    for (const LabMethod method : kAll) page += map(r, method, value, title);
+    for (const LabMethod method : kLabMethods) page += map(r, method, value, title);
     return page;
 }
 

@@ -10,8 +10,6 @@ namespace rayscope {
 
 namespace {
 
-constexpr LabMethod kAll[] = {LabMethod::Rayscope, LabMethod::Float, LabMethod::Epsilon, LabMethod::Double};
-
 nlohmann::json toJson(const LabCounts& c) {
     const auto number = [](double x) {
         return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
@@ -60,19 +58,6 @@ std::string rangeText(const LabRange& r) {
                        r.largestOffset, r.failsBeyond ? fmt::format(" ({:g} fail)", *r.failsBeyond) : "");
 }
 
-/// Counts of all cells together, and the worst of their ratios.
-LabCounts totalOf(const LabResult& result, LabMethod method) {
-    LabCounts sum;
-    for (const LabCell& cell : result.cells) {
-        const LabCounts& c = cell.of(method);
-        sum.aimed += c.aimed, sum.leaks += c.leaks, sum.doubleHits += c.doubleHits;
-        sum.spawned += c.spawned, sum.falseHits += c.falseHits, sum.plates += c.plates, sum.lost += c.lost;
-        sum.tRatio = std::max(sum.tRatio, c.tRatio);
-        sum.weightRatio = std::max(sum.weightRatio, c.weightRatio);
-    }
-    return sum;
-}
-
 std::string ratioText(double ratio) {
     return ratio < 100.0 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1e}", ratio);
 }
@@ -97,7 +82,7 @@ std::string labText(const LabResult& r) {
         r.scene, r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset, r.cells.size(),
         r.raysPerCell + r.raysPerCell / 2, r.seconds);
     appendHeader(text, "all cells");
-    for (const LabMethod method : kAll) appendRow(text, infoOf(method).label, totalOf(r, method));
+    for (const LabMethod method : kLabMethods) appendRow(text, infoOf(method).label, r.total(method));
     text += "\n";
     appendHeader(text, "Rayscope, by scale and offset");
     for (const LabCell& cell : r.cells)
@@ -106,7 +91,7 @@ std::string labText(const LabResult& r) {
                               cell.collapsed ? fmt::format(" ({} flat)", cell.collapsed) : ""),
                   cell.of(LabMethod::Rayscope));
     text += "\nsafe range for this scene\n";
-    for (const LabMethod method : kAll)
+    for (const LabMethod method : kLabMethods)
         text += fmt::format("  {:<30} {}; {} of {} cells fail\n", infoOf(method).label,
                             rangeText(r.range(method)), r.range(method).failingCells, r.cells.size());
     text += fmt::format("  {:<30} keeps all its triangles up to an offset of {:g} sizes\n",
@@ -119,16 +104,16 @@ std::string labJson(const LabResult& r) {
     nlohmann::json cells = nlohmann::json::array(), failures = nlohmann::json::array(), ranges, totals;
     for (const LabCell& cell : r.cells) {
         nlohmann::json methods;
-        for (const LabMethod method : kAll) methods[infoOf(method).name] = toJson(cell.of(method));
+        for (const LabMethod method : kLabMethods) methods[infoOf(method).name] = toJson(cell.of(method));
         cells.push_back({{"scale_exponent", cell.place.scale},
                          {"offset_sizes", cell.place.offset},
                          {"collapsed_triangles", cell.collapsed},
                          {"undecided", cell.undecided},
                          {"methods", methods}});
     }
-    for (const LabMethod method : kAll) {
+    for (const LabMethod method : kLabMethods) {
         ranges[infoOf(method).name] = toJson(r.range(method));
-        totals[infoOf(method).name] = toJson(totalOf(r, method));
+        totals[infoOf(method).name] = toJson(r.total(method));
     }
     for (const LabFailure& f : r.failures)
         failures.push_back({{"cell", f.cell},
@@ -159,7 +144,7 @@ std::string labCsv(const LabResult& r) {
         "scale_exponent,offset_sizes,collapsed_triangles,undecided,method,aimed,leaks,double_hits,spawned,"
         "false_hits,second_surfaces,lost_surfaces,t_error_over_bound,weight_error_over_bound\n";
     for (const LabCell& cell : r.cells)
-        for (const LabMethod method : kAll) {
+        for (const LabMethod method : kLabMethods) {
             const LabCounts& c = cell.of(method);
             text += fmt::format("{},{:g},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g}\n", cell.place.scale,
                                 cell.place.offset, cell.collapsed, cell.undecided, infoOf(method).name,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rayscope {
 
 namespace {
@@ -46,8 +48,20 @@ LabRange rangeOf(const std::vector<LabCell>& cells, LabMethod method) {
 
 }  // namespace
 
+LabCounts LabResult::total(LabMethod method) const {
+    LabCounts sum;
+    for (const LabCell& cell : cells) {
+        const LabCounts& c = cell.of(method);
+        sum.aimed += c.aimed, sum.leaks += c.leaks, sum.doubleHits += c.doubleHits;
+        sum.spawned += c.spawned, sum.falseHits += c.falseHits, sum.plates += c.plates, sum.lost += c.lost;
+        sum.tRatio = std::max(sum.tRatio, c.tRatio);
+        sum.weightRatio = std::max(sum.weightRatio, c.weightRatio);
+    }
+    return sum;
+}
+
 void summarize(LabResult& result) {
-    for (int i = 0; i < kLabMethods; ++i)
+    for (int i = 0; i < static_cast<int>(kLabMethods.size()); ++i)
         result.ranges[static_cast<std::size_t>(i)] = rangeOf(result.cells, static_cast<LabMethod>(i));
     for (const LabCell& cell : result.cells) {
         if (cell.place.scale != 0) continue;

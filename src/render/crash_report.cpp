@@ -8,6 +8,8 @@
 #include <cstring>
 #include <mutex>
 
+#include "base/shell_word.h"
+
 namespace rayscope {
 
 namespace {
@@ -107,18 +109,6 @@ void report(int signal) {
     std::raise(signal);
 }
 
-bool isPlain(const std::string& word) {
-    return !word.empty() && word.find_first_not_of(
-                                "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                "0123456789_-+=:,./") == std::string::npos;
-}
-std::string quoted(const std::string& word) {
-    if (isPlain(word)) return word;
-    std::string inQuotes;
-    for (const char c : word) inQuotes += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return "'" + inQuotes + "'";
-}
-
 std::string vectorText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
 /// Those that differ from the defaults, or that the scene sets otherwise.
@@ -138,15 +128,15 @@ std::vector<std::string> assignmentsOf(const RenderRequest& request) {
 
 std::string probeCommandOf(const RenderRequest& request) {
     const CameraDescription& camera = request.camera;
-    std::string words = fmt::format("rayscope probe {} --size {}x{}", quoted(request.scene->path),
+    std::string words = fmt::format("rayscope probe {} --size {}x{}", shellWord(request.scene->path),
                                     request.width, request.height);
     for (const CameraDescription& known : request.scene->cameras)
         if (known.name == camera.name && &known != request.scene->cameras.data())
-            words += " --camera " + quoted(camera.name);
+            words += " --camera " + shellWord(camera.name);
     words += fmt::format(" --look-from {} --look-at {} --up {} --fov {}", vectorText(camera.lookFrom),
                          vectorText(camera.lookAt), vectorText(camera.up), camera.fov);
     if (request.seed != 0) words += fmt::format(" --seed {}", request.seed);
-    for (const std::string& assignment : assignmentsOf(request)) words += " --set " + quoted(assignment);
+    for (const std::string& assignment : assignmentsOf(request)) words += " --set " + shellWord(assignment);
     return words;
 }
 

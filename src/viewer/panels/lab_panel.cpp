@@ -7,8 +7,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr LabMethod kAll[] = {LabMethod::Rayscope, LabMethod::Float, LabMethod::Epsilon, LabMethod::Double};
-
 void drawStart(Workspace& workspace, LabRun& lab) {
     if (lab.busy()) {
         ImGui::ProgressBar(static_cast<float>(lab.fraction()), {-1.0f, 0.0f});
@@ -49,16 +47,12 @@ void drawMap(const LabResult& result, LabMethod method) {
 
 void drawMethod(const LabResult& result, LabMethod method) {
     const LabRange& range = result.range(method);
-    std::uint64_t leaks = 0, doubles = 0, falseHits = 0, lost = 0;
-    for (const LabCell& cell : result.cells) {
-        const LabCounts& c = cell.of(method);
-        leaks += c.leaks, doubles += c.doubleHits, falseHits += c.falseHits, lost += c.lost;
-    }
+    const LabCounts sum = result.total(method);
     text(infoOf(method).label);
     drawMap(result, method);
     dimText(fmt::format("{} of {} cells fail", range.failingCells, result.cells.size()));
-    dimText(fmt::format("{} leaks, {} double hits,\n{} false hits, {} lost surfaces", leaks, doubles,
-                        falseHits, lost));
+    dimText(fmt::format("{} leaks, {} double hits,\n{} false hits, {} lost surfaces", sum.leaks,
+                        sum.doubleHits, sum.falseHits, sum.lost));
     if (range.soundAsItIs)
         dimText(fmt::format("sound from 2^{} to 2^{} times its size,\nand to {:g} sizes from the origin",
                             range.lowestScale, range.highestScale, range.largestOffset));
@@ -71,7 +65,7 @@ void drawOverlayChoice(LabRun& lab) {
     ImGui::Checkbox("Draw the rays that went wrong", &lab.overlay);
     labelledRow("Of", false, "Rays are brought back from the scale and place where they went wrong.");
     if (ImGui::BeginCombo("##method", infoOf(lab.shownMethod).label)) {
-        for (const LabMethod method : kAll)
+        for (const LabMethod method : kLabMethods)
             if (ImGui::Selectable(infoOf(method).label, method == lab.shownMethod)) lab.shownMethod = method;
         ImGui::EndCombo();
     }
@@ -87,7 +81,7 @@ void drawLabPanel(Workspace& workspace) {
     if (!result) return;
     if (lab.scene() != workspace.edit.scene.get()) dimText("The scene has changed since.");
     drawOverlayChoice(lab);
-    for (const LabMethod method : kAll) drawMethod(*result, method);
+    for (const LabMethod method : kLabMethods) drawMethod(*result, method);
     dimText(
         fmt::format("The mesh keeps its triangles\nup to {:g} sizes from the origin.", result->meshOffset));
     for (const std::string& remark : result->remarks) wrappedText(remark);

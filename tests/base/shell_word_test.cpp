@@ -1,0 +1,17 @@
+#include "base/shell_word.h"
+
+#include <gtest/gtest.h>
+
+namespace rayscope {
+namespace {
+
+TEST(ShellWord, QuotesWhatTheShellWouldTakeApart) {
+    EXPECT_EQ(shellWord("scenes/a-b_c.toml"), "scenes/a-b_c.toml");
+    EXPECT_EQ(shellWord("max_depth=3"), "max_depth=3");
+    EXPECT_EQ(shellWord(""), "''");
+    EXPECT_EQ(shellWord("my scene.toml"), "'my scene.toml'");
+    EXPECT_EQ(shellWord("$(it's)"), "'$(it'\\''s)'");
+}
+
+}  // namespace
+}  // namespace rayscope
