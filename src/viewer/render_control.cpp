@@ -114,7 +114,7 @@ void RenderControl::watchError(const Wish& wish) {
         watch_ = std::make_shared<const ErrorWatch>(
             ErrorTarget{.error = static_cast<double>(wish.goal.error),
                         .confidence = static_cast<double>(wish.goal.confidence)},
-            wish.settings.sampler);
+            wish.state.settings.sampler);
     }
     if (looking_.valid()) {
         if (looking_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
