@@ -3,6 +3,7 @@
 #include <rayscope/render_session.h>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -141,6 +142,12 @@ struct TradeRequest {
 /// Measures for about `budgetSeconds`. Throws InputError if the scene cannot be traced. If the budget is too
 /// short, or a stop is requested, the result holds what was measured until then and says so.
 TradeResult measureTrade(const TradeRequest& request);
+
+/// The point that has these settings, as far as they matter in the scene; nothing if none was measured.
+std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings);
+
+/// How much longer a point takes than the front needs for its error: 0.1 is 10 % more; 0 on the front.
+double excessTime(const TradeResult& result, std::size_t point);
 
 /// The folder for references in the user's cache ($XDG_CACHE_HOME or ~/.cache), or "" if there is none.
 std::string referenceCacheFolder();

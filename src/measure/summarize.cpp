@@ -140,7 +140,7 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (result.points[i].role == TradeRole::Preset && result.points[i].runs >= 2)
             result.dial.push_back(
-                {result.points[i].level, i, excessOverFront(result.points, result.front, result.points[i])});
+                {result.points[i].level, i, excessTime(result, i)});
     findNeeds(result, scene);
     remark(result);
 }
