@@ -22,18 +22,19 @@ import race
 
 
 def glossy():
-    """The Cornell box with a rough mirror, under its white light."""
+    """The Cornell box with a rough mirror, under a point light, so that only reflections and edges are noisy."""
     scene = race.cornell()
     # The standard deviation of Rayscope's square, 1 / (3 ns) at a distance of 0.3, for the roughest of its mirrors.
     rough = min(m["ns"] for m in scene["materials"].values() if any(m["ks"]))
-    common = ("glossy=true", "parallelogram_samples=2", "glossy_samples=2")
+    common = ("glossy=true", "glossy_samples=2")
     scene.update({
         "name": "Glossy Cornell box",
+        "light": {"position": (0.0, 0.5, 0.2)},
         "roughness": round(2.0 / (3.0 * rough * 0.3), 3),
-        "rayscope": {f"{spp} spp": (f"spp={spp}", *common) for spp in (1, 4, 16, 64)},
-        "rayscope_reference": ("spp=1024", *common),
+        "rayscope": {f"{spp} spp": (f"spp={spp}", *common) for spp in (1, 4, 16, 64, 256)},
+        "rayscope_reference": ("spp=4096", *common),
         # Subpixels per side; each meets four textures.
-        "povray": {"1 sample": 1, "3 x 3": 3, "5 x 5": 5, "9 x 9": 9}, "povray_reference": 20,
+        "povray": {"1 sample": 1, "3 x 3": 3, "5 x 5": 5, "7 x 7": 7}, "povray_reference": 33,
     })
     return scene
 
@@ -52,8 +53,8 @@ def lens():
     scene.update({
         "lens": (0.1, distance),
         "rayscope": {f"{spp} spp": (f"spp={spp}",) for spp in (1, 4, 16, 64, 256)},
-        "rayscope_reference": ("spp=4096",),
-        "povray": {f"{n} blur samples": n for n in (7, 19, 37, 128, 512)}, "povray_reference": 4096,
+        "rayscope_reference": ("spp=2048",),
+        "povray": {f"{n} blur samples": n for n in (7, 19, 37, 128)}, "povray_reference": 1024,
     })
     return scene
 
@@ -75,7 +76,9 @@ def render_povray(scene, level, folder, size):
     """Level: samples of the lens where there is one, otherwise subpixels per side."""
     through_lens = "lens" in scene
     race.write_povray(scene, folder, blur_samples=level if through_lens else 0, copies=4)
-    antialiasing = ("-A",) if through_lens or level == 1 else ("+AM1", "+A0.0", f"+R{level}")
+    # Its regular grids end at 9 per side; what subdivides itself goes on to 33.
+    grid = ("+AM1", "+A0.0", f"+R{level}") if level <= 9 else ("+AM2", "+A0.0", "+R5")
+    antialiasing = ("-A",) if through_lens or level == 1 else grid
     total, traced = race.run_povray(folder, size, folder / "pov.ppm", antialiasing)
     return total, traced, race.read_ppm16(folder / "pov.ppm")
 
