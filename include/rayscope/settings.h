@@ -61,6 +61,7 @@ struct Settings {
     int bvhBins = 32;
     int bvhMaxLevel = 64;
     int bvhLeafSize = 4;
+    float bvhRefit = 1.2f;
     BvhLayout bvhLayout = BvhLayout::Wide;
     Isa isa = Isa::Auto;
 

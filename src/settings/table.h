@@ -126,6 +126,10 @@ inline constexpr std::tuple kSettingsTable{
     Range<int>{{"bvh_leaf_size", "Acceleration", "BVH leaf size",
            "Most primitives in a leaf above the deepest level.", "primitives", Trade::Speed},
            &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, idle::bvh},
+    Range<float>{{"bvh_refit", "Acceleration", "BVH refit",
+           "Triangles that moved keep their tree until its SAH cost has grown to this many times that of when it was built; "
+           "0 builds anew for each change.", "times"},
+           &Settings::bvhRefit, 0.0f, 1000.0f, Invalidates::Accel, idle::bvh},
     Choice<BvhLayout, 2>{{"bvh_layout", "Acceleration", "BVH layout",
            "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image."},
            &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, idle::bvh},
