@@ -143,11 +143,10 @@ WideCounts countWideWalk(const WideTree& tree, const Ray& ray, bool any) {
     const kernel::WideTreeView view = tree.view();
     kernel::prepared(view, words(ray), [&](const auto& lanes, kernel::Search& search) {
         kernel::FastShear shear{};
-        bool isSheared = false;
         if (any)
-            kernel::walkToAnyHit(view, view.root, lanes, shear, isSheared, search, counter);
+            kernel::walkToAnyHit(view, view.root, lanes, shear, search, counter);
         else
-            kernel::walkToClosestHit(view, view.root, lanes, shear, isSheared, search, counter);
+            kernel::walkToClosestHit(view, view.root, lanes, shear, search, counter);
     });
     return counts;
 }
