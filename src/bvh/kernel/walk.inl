@@ -86,7 +86,7 @@ struct Waiting {
 };
 constexpr int kStackSize = (kWidth - 1) * kMostWideLevels + kWidth;
 
-/// The near child of several first; the others wait.
+/// The nearest child of several first; the others wait in order, the farthest lowest.
 template <class Watcher>
 RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes entry, Waiting* stack,
                                       int& waiting, Watcher watcher) {
@@ -94,14 +94,20 @@ RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes
     entry.store(entries);
     int lane = __builtin_ctz(mask);
     Waiting nearest{node.child[lane], entries[lane]};
+    const int lowest = waiting;
     for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
         lane = __builtin_ctz(mask);
         const Waiting other{node.child[lane], entries[lane]};
         const bool nearer = other.entry < nearest.entry;
-        stack[waiting++] = nearer ? nearest : other;
-        if constexpr (watches<Watcher>) watcher.waits(stack[waiting - 1].ref);
+        const Waiting farther = nearer ? nearest : other;
         nearest = nearer ? other : nearest;
+        int place = waiting++;
+        for (; place > lowest && stack[place - 1].entry < farther.entry; --place)
+            stack[place] = stack[place - 1];
+        stack[place] = farther;
     }
+    if constexpr (watches<Watcher>)
+        for (int place = lowest; place < waiting; ++place) watcher.waits(stack[place].ref);
     return nearest.ref;
 }
 
