@@ -1,63 +1,209 @@
 #!/usr/bin/env python3
-"""bench_page.py FILE.json…: the page docs/bench.md from what `rayscope bench --json` wrote."""
+"""bench_page.py FROM DOCS: the page DOCS/bench.md and its charts DOCS/images/bench-*.svg from what `rayscope bench --json` wrote
+into the folder FROM: race-*.json, builder-*.json and growth-*.json (see scripts/make_bench.sh)."""
 import json
+import math
 import pathlib
 import sys
 
 KINDS = {"primary": "primary", "shadow": "shadow", "bounce": "bounce", "ao": "ambient occlusion"}
+# Okabe and Ito's colours: told apart with any kind of colour vision.
+COLORS = {"single / Embree": "#0072b2", "single / robust": "#56b4e9", "batched / Embree": "#d55e00", "batched / best": "#e69f00"}
 
 
 def ratio(interval):
     return f"{interval['median']:.2f} ({interval['low']:.2f} … {interval['high']:.2f})"
 
 
+def name(row):
+    return pathlib.PurePath(row["scene"].removeprefix("builtin:")).stem
+
+
 def scene(row):
-    return f"{pathlib.PurePath(row['scene'].removeprefix('builtin:')).stem} ({row['triangles']:,})"
+    return f"{name(row)} ({row['triangles']:,})"
 
 
 def table(head, rows):
-    print("| " + " | ".join(head) + " |")
-    print("|" + "---|" * len(head))
-    for cells in rows:
-        print("| " + " | ".join(cells) + " |")
-    print()
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
 
 
 def builds(rows):
-    print("## Builds\n")
-    table(["mesh", "threads", "Rayscope, ms", "Embree, ms", "times as fast", "bytes per triangle", "Embree's", "SAH cost"],
-          [[scene(r), str(r["threads"]), f"{r['build_ms']:.1f}", f"{r['embree_build_ms']:.1f}", ratio(r["build_ratio"]),
-            f"{r['bytes_per_triangle']:.0f}", f"{r['embree_bytes_per_triangle']:.0f}", f"{r['sah_cost']:.1f}"]
-           for r in rows])
+    return "## Builds\n\n" + table(
+        ["mesh", "threads", "Rayscope, ms", "Embree, ms", "times as fast", "bytes per triangle", "Embree's", "levels",
+         "triangles per leaf"],
+        [[scene(r), str(r["threads"]), f"{r['build_ms']:.1f}", f"{r['embree_build_ms']:.1f}", ratio(r["build_ratio"]),
+          f"{r['bytes_per_triangle']:.0f}", f"{r['embree_bytes_per_triangle']:.0f}", str(r["levels"]),
+          f"{r['triangles_per_leaf']:.1f}"] for r in rows])
+
+
+def ratios(timing):
+    return {"single / Embree": timing["ratio_interval"], "single / robust": timing["ratio_to_robust"],
+            "batched / Embree": timing["batched_to_embree_single"], "batched / best": timing["batched_to_embree_best"]}
 
 
 def rays(rows, threads):
-    print(f"## Rays, {threads} thread{'s' if threads > 1 else ''}\n")
     body = []
     for r in rows:
-        for kind, name in KINDS.items():
+        for kind, label in KINDS.items():
             t = r["rays"][kind]
             best = max(t["embree_mrays_per_s"], t["embree_packet16_mrays_per_s"], t["embree_stream_mrays_per_s"])
-            body.append([scene(r), name, f"{t['mrays_per_s']:.2f}", f"{t['batched_mrays_per_s']:.2f}",
-                         f"{t['embree_mrays_per_s']:.2f}", f"{t['embree_robust_mrays_per_s']:.2f}", f"{best:.2f}",
-                         ratio(t["ratio_interval"]), ratio(t["ratio_to_robust"]), ratio(t["batched_to_embree_single"]),
-                         ratio(t["batched_to_embree_best"])])
-    table(["mesh", "rays", "single", "batched", "Embree", "Embree robust", "Embree's best", "single / Embree",
-           "single / robust", "batched / Embree", "batched / best"], body)
+            body.append([scene(r), label] + [f"{x:.2f}" for x in (t["mrays_per_s"], t["batched_mrays_per_s"],
+                        t["embree_mrays_per_s"], t["embree_robust_mrays_per_s"], best)] + [ratio(x) for x in ratios(t).values()])
+    return f"## Rays, {threads} thread{'s' if threads > 1 else ''}\n\n" + table(
+        ["mesh", "rays", "single", "batched", "Embree", "Embree robust", "Embree's best", *COLORS], body)
+
+
+def counters(rows):
+    body = [[scene(r), label] + [f"{r['rays'][kind]['per_ray'][key]:.2f}" for key in ("nodes", "leaves", "primitives",
+                                                                                     "exact_tests")]
+            for r in rows for kind, label in KINDS.items()]
+    return """## What a ray does
+
+Counted per ray in the wide layout, without a clock: nodes of eight children visited, leaves, triangles in those leaves, and of
+them those that the float filter left for the exact test.
+
+""" + table(["mesh", "rays", "nodes", "leaves", "triangles", "exact tests"], body)
+
+
+def builders(rows):
+    body = [[scene(r), r["builder"], f"{r['build_ms']:.1f}", f"{r['sah_cost']:.2f}", f"{r['counted_cost']:.2f}", str(r["levels"]),
+             f"{r['binary_nodes']:,}", f"{r['wide_nodes']:,}", f"{r['triangles_per_leaf']:.1f}", f"{r['bytes_per_triangle']:.0f}"]
+            + [f"{r['rays'][kind]['per_ray']['nodes'] + r['rays'][kind]['per_ray']['leaves']:.2f}" for kind in KINDS]
+            for r in rows]
+    return """## The builders
+
+The surface area heuristic predicts what a random line through the scene costs: inner nodes visited and triangles tested in the
+binary tree. *Random lines* counts it, on 10,000 of them. The last columns are nodes and leaves of the wide layout per ray.
+
+""" + table(["mesh", "builder", "build, ms", "SAH cost", "random lines", "levels", "nodes", "wide nodes", "triangles per leaf",
+             "bytes per triangle", *KINDS.values()], body)
+
+
+def growth(rows):
+    def per(row, ms):
+        return f"{ms * 1e6 / (row['triangles'] * math.log2(row['triangles'])):.2f}"
+    body = [[f"{r['triangles']:,}", f"{r['build_ms']:.1f}", f"{r['embree_build_ms']:.1f}", ratio(r["build_ratio"]),
+             per(r, r["build_ms"]), per(r, r["embree_build_ms"]), f"{r['bytes_per_triangle']:.0f}"] for r in rows]
+    return f"""## How builds grow
+
+Terrain, all threads ({rows[0]['threads']}). If time grows as n log n, nanoseconds per n log₂ n stay the same.
+
+![Build time over triangles](images/bench-builds.svg)
+
+""" + table(["triangles", "Rayscope, ms", "Embree, ms", "times as fast", "ns per n log₂ n", "Embree's", "bytes per triangle"], body)
+
+
+class Chart:
+    """An SVG file with a plot area; x and y are in pixels of it."""
+
+    def __init__(self, width, height, left=64, top=40, right=16, bottom=56):
+        self.width, self.height, self.left, self.top = width, height, left, top
+        self.total = (width + left + right, height + top + bottom)
+        self.parts = []
+
+    def text(self, x, y, words, anchor="middle", turn=None):
+        turned = f' transform="rotate({turn} {x:.1f} {y:.1f})"' if turn else ""
+        self.parts.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{words}</text>')
+
+    def line(self, x1, y1, x2, y2, color="#999", width=1.0, dash=""):
+        dashed = f' stroke-dasharray="{dash}"' if dash else ""
+        self.parts.append(f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{color}" '
+                          f'stroke-width="{width}"{dashed}/>')
+
+    def dot(self, x, y, color, radius=3.5):
+        self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius}" fill="{color}"/>')
+
+    def write(self, path):
+        w, h = self.total
+        path.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" viewBox="0 0 {w} {h}" '
+                        'font-family="sans-serif" font-size="12" fill="#222">\n<rect width="100%" height="100%" fill="#fff"/>\n'
+                        f'<g transform="translate({self.left} {self.top})">\n' + "\n".join(self.parts) + "\n</g>\n</svg>\n")
+
+
+def legend(chart, entries):
+    x = 0
+    for label, color in entries:
+        chart.dot(x + 4, 14 - chart.top, color)
+        chart.text(x + 14, 18 - chart.top, label, "start")
+        x += 30 + 7 * len(label)
+
+
+def ray_chart(rows, path):
+    """Ratios with their intervals, a panel for each kind of ray."""
+    panel, step, low, high = 220, 24, 0.25, 2.0
+    place = lambda value: panel * math.log(min(max(value, low), high) / low) / math.log(high / low)
+    chart = Chart(4 * (panel + 24), step * len(rows), left=170, top=64, bottom=36)
+    legend(chart, [(label, color) for label, color in COLORS.items()])
+    for i, row in enumerate(rows):
+        chart.text(-10, step * (i + 0.5) + 4, scene(row), "end")
+    for column, (kind, label) in enumerate(KINDS.items()):
+        origin = column * (panel + 24)
+        chart.text(origin + panel / 2, -4, label)
+        for tick in (0.25, 0.5, 1.0, 2.0):
+            chart.line(origin + place(tick), 0, origin + place(tick), chart.height, "#222" if tick == 1.0 else "#ddd")
+            chart.text(origin + place(tick), chart.height + 16, f"{tick:g}")
+        for i, row in enumerate(rows):
+            for k, (name_of, interval) in enumerate(ratios(row["rays"][kind]).items()):
+                y, color = step * i + 4.5 + 5 * k, COLORS[name_of]
+                chart.line(origin + place(interval["low"]), y, origin + place(interval["high"]), y, color, 1.2)
+                chart.dot(origin + place(interval["median"]), y, color, 2.4)
+    chart.text(2 * (panel + 24), chart.height + 32, "times as fast as Embree, one thread; right is faster")
+    chart.write(path)
+
+
+def build_chart(rows, path):
+    """Build times over triangles on logarithmic axes."""
+    chart = Chart(560, 300, right=44)
+    xs = [math.log10(r["triangles"]) for r in rows]
+    times = [t for r in rows for t in (r["build_ms"], r["embree_build_ms"])]
+    bottom, top = math.floor(math.log10(min(times))), math.ceil(math.log10(max(times)))
+    x = lambda value: chart.width * (value - xs[0]) / (xs[-1] - xs[0])
+    y = lambda ms: chart.height * (top - math.log10(ms)) / (top - bottom)
+    for exponent in range(bottom, top + 1):
+        chart.line(0, y(10.0**exponent), chart.width, y(10.0**exponent), "#ddd")
+        chart.text(-8, y(10.0**exponent) + 4, f"{10.0**exponent:g} ms", "end")
+    for exponent in range(round(xs[0]), round(xs[-1]) + 1):
+        chart.text(x(exponent), chart.height + 18, f"{10**exponent:,}")
+    chart.text(chart.width / 2, chart.height + 40, "triangles")
+    legend(chart, [("Rayscope", "#0072b2"), ("Embree", "#d55e00"), ("n log n through the largest", "#999999")])
+    law = [(v, rows[-1]["build_ms"] * 10**(v - xs[-1]) * v / xs[-1]) for v in xs]
+    for (x1, t1), (x2, t2) in zip(law, law[1:]):
+        chart.line(x(x1), y(t1), x(x2), y(t2), "#999999", 1.0, "5 4")
+    for key, color in (("build_ms", "#0072b2"), ("embree_build_ms", "#d55e00")):
+        points = [(x(v), y(r[key])) for v, r in zip(xs, rows)]
+        for (x1, y1), (x2, y2) in zip(points, points[1:]):
+            chart.line(x1, y1, x2, y2, color, 2.0)
+        for px, py in points:
+            chart.dot(px, py, color)
+    chart.write(path)
 
 
 def main():
-    rows = [row for name in sys.argv[1:] for row in json.loads(pathlib.Path(name).read_text())]
-    print("# Builds and rays beside Embree\n")
-    print(f"""Written by `scripts/make_bench.sh` from `rayscope bench`. Million rays per second, medians of seven rounds in which all
+    folder, docs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    read = lambda pattern: [row for file in sorted(folder.glob(pattern)) for row in json.loads(file.read_text())]
+    race, grown = read("race-*.json"), sorted(read("growth-*.json"), key=lambda row: row["triangles"])
+    threads = sorted({row["threads"] for row in race})
+    one = [row for row in race if row["threads"] == threads[0]]
+    pages = [f"""# Builds and rays beside Embree
+
+Written by `scripts/make_bench.sh` from `rayscope bench`. Million rays per second, medians of seven rounds in which all
 contestants take turns; ratios are medians of the ratios of each round, with the order statistics that enclose the true
-median with 95 % confidence (for fewer rounds than that takes, an estimate). Embree 3 at medium quality: *Embree* is its default mode, one ray at a
-time, *robust* its robust flag, *best* the fastest of single rays, packets of 16 and streams in each round. Kernels:
-{", ".join(sorted({row["isa"] for row in rows}))}. Rays whose hit or miss differs from Embree's robust mode: {sum(row["mismatches"] for row in rows)}.
-""")
-    builds(rows)
-    for threads in sorted({row["threads"] for row in rows}):
-        rays([row for row in rows if row["threads"] == threads], threads)
+median with 95 % confidence (for fewer rounds than that takes, an estimate). Embree 3 at medium quality: *Embree* is its default
+mode, one ray at a time, *robust* its robust flag, *best* the fastest of single rays, packets of 16 and streams in each round.
+Kernels: {", ".join(sorted({row["isa"] for row in race}))}. Rays whose hit or miss differs from Embree's robust mode:
+{sum(row["mismatches"] for row in race)}.
+
+*room* is the dragon of 871,414 triangles between 36 large ones; *hard* is long thin diagonal triangles, clusters ten thousand times
+smaller than the scene and a few triangles as large as it ([hard_mesh.py](../scripts/hard_mesh.py)), not a closed surface: rays along
+its rims may be told apart by rounding; *hills* is terrain.
+
+![Ratios to Embree](images/bench-rays.svg)
+""", builds(race), *[rays([row for row in race if row["threads"] == n], n) for n in threads], counters(one),
+             builders(sorted(read("builder-*.json"), key=lambda row: name(row))), growth(grown)]
+    (docs / "bench.md").write_text("\n".join(pages))
+    ray_chart(one, docs / "images" / "bench-rays.svg")
+    build_chart(grown, docs / "images" / "bench-builds.svg")
 
 
 if __name__ == "__main__":

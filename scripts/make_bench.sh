@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# scripts/make_bench.sh [SIZE]: measures builds and rays beside Embree on the meshes of docs/bench.md, with one thread and
-# with all, and writes that page. SIZE is the width and height of the image of primary rays (512). Takes about ten minutes; the
-# machine should have nothing else to do.
+# scripts/make_bench.sh [SIZE]: measures builds and rays beside Embree, with one thread and with all, the builders beside one
+# another, and builds from a thousand to ten million triangles; writes docs/bench.md and its charts. SIZE is the width and
+# height of the image of primary rays (512). Takes about fifteen minutes; the machine should have nothing else to do.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -12,14 +12,40 @@ build release rayscope_program
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+bench() { "$root/build/release/rayscope" bench "$@"; }
+
+# hills TRIANGLES: a scene of so many triangles of terrain.
+hills() {
+    local side
+    side=$(python3 -c "print(max(1, round(($1 / 2) ** 0.5)))")
+    sed "s/cells = \[[0-9, ]*\]/cells = [$side, $side]/" "$root/scenes/million.toml" >"$folder/hills-$1.toml"
+    echo "$folder/hills-$1.toml"
+}
+
 scenes=(builtin:monkey builtin:teapot)
 for mesh in dragon-47k dragon dragon-202k dragon-871k; do
     sed "s#meshes/dragon.obj#$root/scenes/meshes/$mesh.obj#" "$root/scenes/dragon.toml" >"$folder/$mesh.toml"
     scenes+=("$folder/$mesh.toml")
 done
+{
+    cat "$folder/dragon-871k.toml"
+    for box in 'size = [4, 3, 6], inward = true }' 'size = [0.5, 0.5, 0.5] }' 'size = [0.4, 1, 0.4] }'; do
+        printf '\n[[mesh]]\ngenerate = { shape = "box", %s\nmaterial = "jade"\n' "$box"
+        [[ $box == *inward* ]] || printf 'transform = { translate = [1.2, -0.9, 0.8] }\n'
+    done
+} >"$folder/room-871k.toml"
+"$root/scripts/hard_mesh.py" >"$folder/hard.obj"
+sed "s#meshes/dragon.obj#hard.obj#" "$root/scenes/dragon.toml" >"$folder/hard.toml"
+scenes+=("$folder/room-871k.toml" "$folder/hard.toml" "$(hills 5000000)")
+
 for threads in 1 "$(nproc)"; do
-    "$root/build/release/rayscope" bench "${scenes[@]}" --threads "$threads" --size "$size" --rounds 7 \
-        --json "$folder/$threads.json"
+    bench "${scenes[@]}" --threads "$threads" --size "$size" --rounds 7 --json "$folder/race-$threads.json"
 done
-"$root/scripts/bench_page.py" "$folder"/*.json >"$folder/bench.md"
-mv "$folder/bench.md" "$root/docs/bench.md"
+for builder in median sah sah_binned high; do
+    bench "$folder/dragon.toml" "$folder/hard.toml" --size 256 --rounds 5 --set "bvh_builder=$builder" \
+        --json "$folder/builder-$builder.json"
+done
+for triangles in 1000 10000 100000 1000000 10000000; do
+    bench "$(hills $triangles)" --size 8 --rounds 5 --json "$folder/growth-$triangles.json"
+done
+"$root/scripts/bench_page.py" "$folder" "$root/docs"

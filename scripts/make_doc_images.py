@@ -6,6 +6,7 @@ usage: scripts/make_doc_images.py PROGRAM [rays|surface|lens|…]        needs w
 import subprocess
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -13,58 +14,135 @@ IMAGES = ROOT / "docs" / "images" / "debugging"
 sys.path.insert(0, str(ROOT / "tests" / "viewer"))
 import ui_test as ui  # noqa: E402  (its folder is known only now)
 
-ASIDE = (100, 600)  # a place in the picture where nothing is
+PICTURE, PANEL = (0, 19, 944, 678), (944, 19, 336, 678)
 
 
-def take(viewer, name):
-    viewer.point(*ASIDE)
+def take(viewer, name, part=(0, 0, ui.WIDTH, ui.HEIGHT), scale=0.75):
+    """Takes a screenshot, or a part of it, at three quarters of its size."""
+    viewer.point(*ui.ASIDE)
     viewer.settled_picture()
-    pixels = viewer.capture()
-    screen = b"P6 %d %d 255\n" % (pixels.width, pixels.height) + pixels.data
-    subprocess.run(["convert", "ppm:-", "-resize", "960x540", "-dither", "None", "-colors", "160", "-define",
-                    "png:compression-level=9", f"png8:{IMAGES / name}.png"], input=screen, check=True)
+    pixels = viewer.capture().crop(*part)
+    write(b"P6 %d %d 255\n" % (pixels.width, pixels.height) + pixels.data, name, scale)
+
+
+def write(ppm, name, scale):
+    subprocess.run(["convert", "ppm:-", "-resize", f"{100 * scale:g}%", "-dither", "None", "-colors", "128", "-define",
+                    "png:compression-level=9", f"png8:{IMAGES / name}.png"], input=ppm, check=True)
     print(IMAGES / f"{name}.png", flush=True)
 
 
-def record(viewer, pixel):
-    """Records the rays of a pixel and looks at them from the side."""
-    viewer.click(*ui.TAB_RAYS)
-    viewer.point(*ASIDE)
-    viewer.settled_picture()
-    viewer.point(*pixel)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
-
-
 def rays(viewer):
-    record(viewer, (440, 340))
+    viewer.shoot((440, 340))
     take(viewer, "rays")
 
 
+def shadows(viewer):
+    viewer.shoot((530, 500))
+    take(viewer, "shadows", PICTURE)
+
+
+def levels(viewer):
+    viewer.click(*ui.TAB_BVH)
+    viewer.point(*ui.ASIDE)
+    viewer.settled_picture()
+    viewer.key("b")
+    for _ in range(4):
+        viewer.key("Next")
+    viewer.point(430, 380)
+    viewer.key("g")
+    take(viewer, "levels")
+
+
+def normals(viewer):
+    viewer.shoot((440, 330))
+    viewer.click(*ui.RECORDED)
+    viewer.click(*ui.WHY)
+    viewer.click(*ui.LEGEND_VERTEX_NORMALS)
+    viewer.wheel((500, 330), 5)
+    take(viewer, "normals")
+
+
 def surface(viewer):
-    record(viewer, (440, 330))
+    viewer.shoot((440, 330))
     viewer.click(*ui.RECORDED)
     take(viewer, "texels")
 
 
+def environment(viewer):
+    viewer.shoot((340, 300))
+    viewer.click(*ui.RECORDED)
+    viewer.click(*ui.WHY)
+    take(viewer, "environment")
+
+
+def bloom(viewer):
+    viewer.click(*ui.TAB_SETTINGS)
+    viewer.key("Tab")
+    viewer.scroll_to_end((1100, 500))
+    stages = []
+    for row in (24, 42, 60):
+        viewer.click(*ui.BLOOM_STAGE)
+        viewer.click(ui.BLOOM_STAGE[0], ui.BLOOM_STAGE[1] + row)
+        viewer.point(*ui.ASIDE)
+        viewer.settled_picture()
+        stages.append(viewer.capture().crop(150, 150, 640, 420))
+    rows = [stage.data[3 * 640 * y:3 * 640 * (y + 1)] for y in range(420) for stage in stages]
+    write(b"P6 1920 420 255\n" + b"".join(rows), "bloom", 0.6)
+
+
+def glossy(viewer):
+    viewer.shoot((440, 330))
+    take(viewer, "glossy", PICTURE)
+
+
+def transparency(viewer):
+    viewer.shoot((420, 430))
+    viewer.click(*ui.RECORDED)
+    viewer.click(*ui.WHY)
+    viewer.click(*ui.RAY_COLORS)
+    viewer.click(ui.RAY_COLORS[0], ui.RAY_COLORS[1] + 42)
+    take(viewer, "transparency")
+
+
 def lens(viewer):
-    record(viewer, (420, 330))
+    viewer.shoot((420, 330))
     take(viewer, "lens")
 
 
 def noise(viewer):
     viewer.key("Tab")
-    record(viewer, (560, 500))
+    viewer.shoot((560, 500))
     take(viewer, "samples")
 
 
+def replay(viewer):
+    viewer.key("Tab")
+    viewer.point(*ui.ASIDE)
+    viewer.settled_picture()
+    viewer.click(*ui.TAB_RAYS)
+    viewer.point(440, 480)
+    viewer.key("r")
+    take(viewer, "replay", PANEL)
+
+
+def table(viewer):
+    viewer.shoot((440, 340))
+    viewer.click(ui.FIRST_RAY[0], ui.FIRST_RAY[1] + 40)
+    take(viewer, "table")
+
+
+def why(viewer):
+    viewer.shoot((387, 375))
+    take(viewer, "why")
+
+
 def search(viewer):
-    record(viewer, (390, 480))
+    viewer.shoot((390, 480))
     viewer.key("t")
     viewer.click(*ui.RECORDED)
     viewer.click(*ui.WHY)
     viewer.click(*ui.TREE_WIDE)
-    viewer.point(*ASIDE)
+    viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     for _ in range(2):
         viewer.key("shift+Right")
@@ -77,7 +155,7 @@ def search(viewer):
 
 def hierarchy(viewer):
     viewer.click(*ui.TAB_BVH)
-    viewer.point(*ASIDE)
+    viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     viewer.key("b")
     for _ in range(3):
@@ -88,17 +166,40 @@ def hierarchy(viewer):
     take(viewer, "builds")
 
 
+def nodes(viewer):
+    viewer.click(*ui.TAB_BVH)
+    viewer.point(*ui.ASIDE)
+    viewer.settled_picture()
+    for place in ui.NODE_ARROW, ui.NODE_CHILD:
+        viewer.click(*place)
+    take(viewer, "nodes")
+
+
 def heat(viewer):
     viewer.click(*ui.TAB_MAP)
-    viewer.point(*ASIDE)
+    viewer.point(*ui.ASIDE)
     viewer.key("m")
     ui.wait_for("the map", lambda: viewer.settled_picture().count(ui.is_map_yellow) > 300)
     take(viewer, "heat-map")
 
 
+def pins(viewer):
+    viewer.key("Tab")
+    viewer.click(*ui.TAB_RAYS)
+    viewer.point(*ui.ASIDE)
+    viewer.settled_picture()
+    for place in (560, 500), (440, 480), (330, 300):
+        viewer.point(*place)
+        viewer.key("r")
+        viewer.key("p")
+    viewer.click(*ui.RECORDED)
+    viewer.scroll_to_end((1100, 500))
+    take(viewer, "pins", PANEL)
+
+
 def comparison(viewer):
     viewer.key("Tab")
-    viewer.point(*ASIDE)
+    viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     viewer.key("k")
     viewer.click(*ui.TAB_SETTINGS)
@@ -107,8 +208,32 @@ def comparison(viewer):
     take(viewer, "comparison")
 
 
+def probe(program):
+    """What a terminal shows of the twin of the window."""
+    command = "rayscope probe builtin:cornell --pixel 300,420 --explain"
+    words = subprocess.run([program, *command.split()[1:]], check=True, stdout=subprocess.PIPE, text=True).stdout
+    lines = [f"$ {command}", *(line for part in words.splitlines() for line in textwrap.wrap(part, 100, subsequent_indent="      "))]
+    ppm = subprocess.run(["convert", "-background", "#15171a", "-fill", "#e6e8eb", "-font", "DejaVu-Sans-Mono", "-pointsize",
+                          "13", "-bordercolor", "#15171a", "-border", "10", "label:" + "\n".join(lines), "-depth", "8", "ppm:-"],
+                         check=True, stdout=subprocess.PIPE).stdout
+    write(ppm, "probe", 1)
+
+
 PICTURES = [
     (["builtin:cornell"], rays),
+    (["builtin:cornell-area", "--set", "parallelogram_samples=4"], shadows),
+    (["builtin:monkey"], levels),
+    (["builtin:monkey"], normals),
+    (["builtin:environment", "--set", "reflection_map=true"], environment),
+    (["builtin:spheres", "--set", "bloom=true", "--set", "bloom_debug=true", "--set", "bloom_threshold=0.3", "--set",
+      "bloom_size=8", "--set", "bloom_sigma=4"], bloom),
+    (["builtin:cornell-glossy"], glossy),
+    (["builtin:cornell-transparent"], transparency),
+    (["builtin:cornell-area"], replay),
+    (["builtin:cornell"], table),
+    (["builtin:cornell"], why),
+    (["builtin:monkey"], nodes),
+    (["builtin:cornell-area", "--set", "parallelogram_samples=1"], pins),
     (["builtin:quad-textured"], surface),
     (["builtin:spheres-dof"], lens),
     (["builtin:cornell-area", "--set", "parallelogram_samples=1"], noise),
@@ -126,6 +251,8 @@ def main():
     IMAGES.mkdir(parents=True, exist_ok=True)
     display = ui.start_display()
     try:
+        if not sys.argv[2:] or "probe" in sys.argv[2:]:
+            probe(program)
         for arguments, draw in PICTURES:
             if sys.argv[2:] and draw.__name__ not in sys.argv[2:]:
                 continue

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rayscope {
 
@@ -39,5 +40,15 @@ HitError::HitError(const ShearedRay& ray, const glm::vec3& a, const glm::vec3& b
 
 double HitError::ofHitT(double exactT) const { return t + halfUlp(exactT, t); }
 double HitError::ofHitWeight(double exactWeight) const { return weight + halfUlp(exactWeight, weight); }
+
+double sphereHitError(const Ray& ray, const Sphere& sphere) {
+    const glm::dvec3 direction = ray.direction;
+    const glm::dvec3 fromCenter = glm::dvec3(ray.origin) - glm::dvec3(sphere.center);
+    const double r = sphere.radius, reach = glm::length(fromCenter) + r, length = glm::length(direction);
+    const glm::dvec3 closest = fromCenter - glm::dot(fromCenter, direction) / (length * length) * direction;
+    const double discriminant = r * r - glm::dot(closest, closest);
+    if (!(discriminant > 0x1p-48 * r * reach)) return std::numeric_limits<double>::infinity();
+    return 0x1p-49 * reach * (1.0 + r / std::sqrt(discriminant)) / length;
+}
 
 }  // namespace rayscope

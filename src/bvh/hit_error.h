@@ -1,5 +1,6 @@
 #pragma once
-// How far the hit of a ray and a triangle can be from the exact answer.
+// How far the hit of a ray and a primitive can be from the exact answer.
+#include "bvh/intersect_sphere.h"
 #include "bvh/intersect_triangle.h"
 
 namespace rayscope {
@@ -27,5 +28,15 @@ struct HitError {
     double ofHitT(double exactT) const;
     double ofHitWeight(double exactWeight) const;
 };
+
+/// A bound of the absolute error of both roots of intersectSphere() in units of the ray's direction d.
+///
+/// With D the distance of the origin from the center, r the radius, and Δ = r² − p² with p the distance of
+/// the line from the center: p is off by less than 4εD across the line, so Δ by less than 8εrD + 4εr², its
+/// root by that over 2√Δ, and b by 4εD|d|. The far root adds those; the near root is c/q, whose numerator is
+/// off by 4εD(D + r) and whose denominator is at least √Δ|d|, and at least 0.8 D|d| beyond two radii.
+/// Together less than 2^-49 (D + r)(1 + r/√Δ)/|d|. Infinite for lines that graze the sphere within what Δ may
+/// be off.
+double sphereHitError(const Ray& ray, const Sphere& sphere);
 
 }  // namespace rayscope

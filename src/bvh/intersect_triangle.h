@@ -13,7 +13,7 @@ using kernel::TriangleHit;
 inline bool intersectTriangle(const ShearedRay& ray, const glm::vec3& a, const glm::vec3& b,
                               const glm::vec3& c, TriangleHit& hit) {
     const kernel::ShearedVertex sa = shear(ray, &a.x), sb = shear(ray, &b.x), sc = shear(ray, &c.x);
-    return !surelyMisses(sa, sb, sc) && intersectSheared(ray, sa, sb, sc, hit);
+    return !surelyMisses(sa, sb, sc) && intersectSheared(ray.scaleZ, sa, sb, sc, hit);
 }
 
 }  // namespace rayscope

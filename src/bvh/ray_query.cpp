@@ -44,8 +44,8 @@ bool kernel::hitsSphere(RayWords words, const float* record, float bound, HitWor
     found.u = found.v = 0.0f;
     const BoxRay box(words);
     const float tMin = std::max(words[6], 0.0f);
-    return accept(box, tMin, near, own.planes, bound, found.t) ||
-           accept(box, tMin, far, own.planes, bound, found.t);
+    return accept(box, tMin, near, own.lower(), own.upper(), bound, found.t) ||
+           accept(box, tMin, far, own.lower(), own.upper(), bound, found.t);
 }
 
 }  // namespace rayscope

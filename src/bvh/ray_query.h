@@ -12,6 +12,8 @@ namespace rayscope {
 /// The planes of the box of one primitive.
 struct PrimitiveBox {
     float planes[8];
+    kernel::Float4 lower() const { return kernel::load4(planes); }
+    kernel::Float4 upper() const { return kernel::load4(planes + 4); }
 };
 
 inline PrimitiveBox boxOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -37,7 +39,8 @@ struct RayQuery {
     bool hits(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, float bound, Hit& found) const {
         TriangleHit hit;
         if (!intersectTriangle(sheared, a, b, c, hit)) return false;
-        if (!accept(box, ray.tMin, hit.t, boxOf(a, b, c).planes, bound, found.t)) return false;
+        const PrimitiveBox own = boxOf(a, b, c);
+        if (!accept(box, ray.tMin, hit.t, own.lower(), own.upper(), bound, found.t)) return false;
         found.u = static_cast<float>(hit.u);
         found.v = static_cast<float>(hit.v);
         return true;

@@ -33,6 +33,11 @@ nlohmann::json json(const RayTiming& timing) {
                           {"mrays_per_s", timing.single},
                           {"batched_mrays_per_s", timing.batched},
                           {"batched_to_single", json(timing.batchedToOwnSingle)}};
+    if (timing.nodes > 0.0)
+        row["per_ray"] = {{"nodes", timing.nodes},
+                          {"leaves", timing.leaves},
+                          {"primitives", timing.primitives},
+                          {"exact_tests", timing.exact}};
     if (timing.embreeSingle > 0.0)
         row.update({{"embree_mrays_per_s", timing.embreeSingle},
                     {"embree_robust_mrays_per_s", timing.embreeRobust},
@@ -72,6 +77,11 @@ nlohmann::json json(const BenchRow& row) {
                              {"build_ms", row.buildSeconds.value * 1e3},
                              {"build_seconds", json(row.buildSeconds)},
                              {"sah_cost", row.sahCost},
+                             {"counted_cost", row.countedCost},
+                             {"levels", row.summary.binaryLevels},
+                             {"binary_nodes", row.summary.binaryNodes},
+                             {"wide_nodes", row.summary.wideNodes},
+                             {"triangles_per_leaf", row.blockFill},
                              {"bytes_per_triangle", row.bytesPerPrimitive},
                              {"rays", rays},
                              {"mismatches", different}};
@@ -87,8 +97,14 @@ std::string ratio(const Interval& interval) {
 }
 
 void print(const BenchRow& row) {
-    fmt::print("{}: {} triangles, {} spheres, {} thread{}, SAH cost {:.2f}\n", row.scene, row.triangles,
-               row.spheres, row.threads, row.threads == 1 ? "" : "s", row.sahCost);
+    fmt::print("{}: {} triangles, {} spheres, {} thread{}\n", row.scene, row.triangles, row.spheres,
+               row.threads, row.threads == 1 ? "" : "s");
+    fmt::print("  {}: SAH cost {:.2f}, of random lines {:.2f}; {} levels, {} nodes",
+               settingText(row, "bvh_builder"), row.sahCost, row.countedCost, row.summary.binaryLevels,
+               row.summary.binaryNodes);
+    if (row.summary.wideNodes > 0)
+        fmt::print("; {} wide nodes, {:.1f} triangles per leaf", row.summary.wideNodes, row.blockFill);
+    fmt::print("\n");
     fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
                row.bytesPerPrimitive);
     if (EmbreeRace::isAvailable())
@@ -109,6 +125,12 @@ void print(const BenchRow& row) {
                        ratio(timing.batchedToSingle), ratio(timing.batchedToBest), timing.mismatches);
         fmt::print("\n");
     }
+    if (row.summary.wideNodes > 0)
+        fmt::print("  {:8} {:>8} {:>8} {:>8} {:>8}\n", "per ray", "nodes", "leaves", "filter", "exact");
+    for (const RayTiming& timing : row.rays)
+        if (timing.nodes > 0.0)
+            fmt::print("  {:8} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", benchNameOf(timing.kind), timing.nodes,
+                       timing.leaves, timing.primitives, timing.exact);
 }
 
 /// The middle of the first light, or where a lamp would stand.

@@ -13,7 +13,9 @@
 #include "bvh/binary_tree.h"
 #include "bvh/build.h"
 #include "bvh/statistics.h"
+#include "bvh/wide_counts.h"
 #include "measure/embree_race.h"
+#include "measure/random_lines.h"
 #include "measure/statistics.h"
 
 namespace rayscope {
@@ -42,6 +44,7 @@ class Track {
           threads_(threads) {}
 
     std::size_t size() const { return rays_.size(); }
+    std::span<const Ray> rays() const { return rays_; }
     std::size_t countHits() const {
         return any_ ? static_cast<std::size_t>(std::ranges::count(occluded_, 1))
                     : static_cast<std::size_t>(std::ranges::count_if(
@@ -153,6 +156,26 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     return timing;
 }
 
+void setCounts(RayTiming& timing, const WideCounts& counts) {
+    const auto perRay = [&](std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(timing.rays);
+    };
+    timing.nodes = perRay(counts.nodes);
+    timing.leaves = perRay(counts.leaves);
+    timing.primitives = perRay(counts.primitives);
+    timing.exact = perRay(counts.exact);
+}
+
+void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, const BuildSettings& settings) {
+    constexpr int kLines = 10000;
+    row.summary = accel.summary();
+    if (row.summary.triangleBlocks > 0)
+        row.blockFill = static_cast<double>(row.triangles) / static_cast<double>(row.summary.triangleBlocks);
+    const BinaryTree tree = buildBinaryTree(input, settings);
+    row.sahCost = statisticsOf(tree).sahCost;
+    row.countedCost = costOfRandomLines(tree, kLines);
+}
+
 }  // namespace
 
 BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
@@ -185,14 +208,16 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
     row.bytesPerPrimitive = static_cast<double>(accel.bytes()) / primitives;
     if (fast) row.embreeBytesPerPrimitive = static_cast<double>(fast->bytes()) / primitives;
     row.isa = accel.summary().isa;
-    row.sahCost = statisticsOf(buildBinaryTree(input, options.build)).sahCost;
+    describeTree(row, accel, input, options.build);
     for (const BenchRayKind kind : kBenchRayKinds) {
         note(std::string(benchNameOf(kind)));
         Track track(makeBenchRays(accel, camera, light, kind, options.size), asksAnyHit(kind),
                     options.threads);
-        if (track.size() > 0)
-            row.rays.push_back(race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind,
-                                    track, options.rounds));
+        if (track.size() == 0) continue;
+        row.rays.push_back(
+            race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind, track, options.rounds));
+        if (accel.wideTree())
+            setCounts(row.rays.back(), countSearches(*accel.wideTree(), track.rays(), asksAnyHit(kind)));
     }
     return row;
 }

@@ -29,6 +29,7 @@ struct RayTiming {
     Interval batchedToSingle;                 ///< own batched queries against Embree's single rays
     Interval batchedToBest;  ///< the same against the fastest of Embree's queries in each round
     Interval batchedToOwnSingle;
+    double nodes = 0.0, leaves = 0.0, primitives = 0.0, exact = 0.0;  ///< per ray, see WideCounts
     std::size_t mismatches = 0;  ///< rays whose hit or miss differs from Embree's robust mode
 };
 
@@ -39,7 +40,9 @@ struct BenchRow {
     BuildSettings build;
     Isa isa = Isa::Auto;                                    ///< of the kernels; Auto: none
     Interval buildSeconds, embreeBuildSeconds, buildRatio;  ///< ratio: Embree's time over the own
-    double sahCost = 0.0;
+    double sahCost = 0.0, countedCost = 0.0;                ///< as predicted, and of random lines
+    AccelSummary summary;
+    double blockFill = 0.0;  ///< triangles per leaf of the wide layout
     double bytesPerPrimitive = 0.0, embreeBytesPerPrimitive = 0.0;
     std::vector<RayTiming> rays;
 };

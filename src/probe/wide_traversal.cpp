@@ -169,11 +169,10 @@ void recordWideSearch(const WideTree& tree, TraversalLog& log) {
     const kernel::WideTreeView view = tree.view();
     kernel::prepared(view, words(log.ray), [&](const auto& lanes, Search& search) {
         kernel::FastShear shear{};
-        bool isSheared = false;
         if (log.anyHit)
-            kernel::walkToAnyHit(view, view.root, lanes, shear, isSheared, search, watcher);
+            kernel::walkToAnyHit(view, view.root, lanes, shear, search, watcher);
         else
-            kernel::walkToClosestHit(view, view.root, lanes, shear, isSheared, search, watcher);
+            kernel::walkToClosestHit(view, view.root, lanes, shear, search, watcher);
     });
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <csignal>
 #include <cstring>
+#include <memory>
 #include <mutex>
 
 #include "base/shell_word.h"
@@ -77,6 +78,35 @@ const char* nameOf(int signal) {
 }
 
 thread_local BusySample* own = nullptr;
+
+/// Where the handler runs in a thread whose own stack is used up.
+class AlternateStack {
+  public:
+    AlternateStack() {
+        stack_t present{};
+        sigaltstack(nullptr, &present);
+        if (!(present.ss_flags & SS_DISABLE)) return;  // that of a sanitizer
+        memory_ = std::make_unique<char[]>(kBytes);
+        stack_t wanted{};
+        wanted.ss_sp = memory_.get();
+        wanted.ss_size = kBytes;
+        sigaltstack(&wanted, nullptr);
+    }
+    ~AlternateStack() {
+        if (!memory_) return;
+        stack_t none{};
+        none.ss_flags = SS_DISABLE;
+        sigaltstack(&none, nullptr);
+    }
+    AlternateStack(const AlternateStack&) = delete;
+    AlternateStack& operator=(const AlternateStack&) = delete;
+
+    static void ofThisThread() { static thread_local AlternateStack stack; }
+
+  private:
+    static constexpr std::size_t kBytes = std::size_t{64} << 10;
+    std::unique_ptr<char[]> memory_;
+};
 
 void report(int signal) {
     say("\nrayscope crashed: signal ");
@@ -154,12 +184,19 @@ void describeForCrashReport(const RenderRequest& request) {
 }
 
 BusySample& BusySample::ofThisThread() {
-    if (own == nullptr) own = &slots[nextSlot++ % kSlots];
+    if (own == nullptr) {
+        own = &slots[nextSlot++ % kSlots];
+        AlternateStack::ofThisThread();
+    }
     return *own;
 }
 
 void installCrashReport() {
-    for (const int signal : kSignals) std::signal(signal, report);
+    AlternateStack::ofThisThread();
+    struct sigaction action {};
+    action.sa_handler = report;
+    action.sa_flags = SA_ONSTACK;
+    for (const int signal : kSignals) sigaction(signal, &action, nullptr);
 }
 
 }  // namespace rayscope

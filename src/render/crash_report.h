@@ -15,13 +15,14 @@ std::string probeCommandOf(const RenderRequest& request);
 
 /// From now on a crash by a signal, or by an assertion that fails, is reported on stderr before the program
 /// ends by that signal: the scene, the settings, and for the samples that were being traced the command that
-/// repeats them, first that of the thread that crashed.
+/// repeats them, first that of the thread that crashed. That works also where a thread has used up its stack.
 void installCrashReport();
 
 /// What is being rendered, for the report. The latest request wins.
 void describeForCrashReport(const RenderRequest& request);
 
-/// The sample that a thread is tracing. Written for every sample, read only by the report.
+/// The sample that a thread is tracing; asking for it prepares the thread for a report. Written for every
+/// sample, read only by the report.
 class BusySample {
   public:
     static BusySample& ofThisThread();

@@ -178,6 +178,7 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
     updateComparison();
     drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
+    drawDetailNote(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
     updateCursorRadiance();
 }
 

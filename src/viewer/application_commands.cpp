@@ -159,9 +159,11 @@ void Application::saveImage() {
 void Application::saveScreenshotNow() {
     const std::string path = nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
+    ImageMetadata metadata = metadataOf(workspace_.edit, 0, 0);
+    if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
+        metadata["drawn"] = lacking;
     try {
-        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadataOf(workspace_.edit, 0, 0),
-                   ToneCurve::Srgb);
+        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadata, ToneCurve::Srgb);
         workspace_.tell("Saved " + path);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace rayscope::viewer {
 
 namespace {
@@ -28,21 +26,23 @@ void Comparison::forget() {
 
 void Comparison::update(const RgbImage& b, int revision, bool complete, float exposure) {
     if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const ErrorMeasures measured = coming_.get();
+        const ErrorMeasures figures = coming_.get();
         measuredAt_ = Clock::now();
-        if (measured_.first == view.version) figures_ = measured;
+        if (kept_ && measuring_.version == view.version) {
+            figures_ = figures;
+            measured_ = measuring_;
+        }
     }
-    const std::pair wanted{view.version, revision};
-    final_ = measured_ == wanted && complete_ && !coming_.valid();
-    if (!visible() || coming_.valid() || (measured_ == wanted && complete_ == complete)) return;
+    const Pair wanted{view.version, revision, exposure};
+    final_ = complete && measured_ == wanted;
+    if (!visible() || coming_.valid() || (figures_ && measured_ == wanted)) return;
     if (b.width != kept_->image.width || b.height != kept_->image.height) {
         figures_.reset();
         return;
     }
     const double waited = std::chrono::duration<double>(Clock::now() - measuredAt_).count();
     if (!complete && waited < kPatience) return;
-    measured_ = wanted;
-    complete_ = complete;
+    measuring_ = wanted;
     coming_ = std::async(std::launch::async, [a = kept_->image, b, exposure] {
         CompareOptions options;
         options.exposure = exposure;

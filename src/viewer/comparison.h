@@ -51,8 +51,13 @@ class Comparison {
     std::optional<Kept> kept_;
     std::future<ErrorMeasures> coming_;
     std::optional<ErrorMeasures> figures_;
-    std::pair<int, int> measured_{-1, -1};  ///< version of A and revision of B
-    bool complete_ = false, final_ = false;
+    struct Pair {
+        int version = -1, revision = -1;  ///< of A, and of B
+        float exposure = 0.0f;
+        bool operator==(const Pair&) const = default;
+    };
+    Pair measuring_, measured_;  ///< what the figures to come, and those that are there, belong to
+    bool final_ = false;
     Clock::time_point measuredAt_{};
 };
 

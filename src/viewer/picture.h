@@ -14,11 +14,15 @@ namespace rayscope::viewer {
 /// The picture area: one of the two views with the overlays on it, redrawn only when something changed.
 class Picture {
   public:
+    Picture();
+
     /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
     void update(Workspace& workspace, std::optional<Grip> hovered, bool moving);
 
     /// Copies the finished picture to the window, its lower left corner to this pixel.
-    void show(glm::ivec2 corner) const { target_.copyToWindow(corner.x, corner.y); }
+    void show(glm::ivec2 corner) const {
+        target_.copyToWindow(corner.x, corner.y, drawn_.size.x, drawn_.size.y);
+    }
 
     /// What is shown, without overlays, as a linear image of the view's size.
     RgbImage rasterImage(const Workspace& workspace);
@@ -28,6 +32,8 @@ class Picture {
     int shownRevision() const { return traced_.revision(); }
     const SceneBounds& sceneBounds() const { return raster_.bounds(); }
     bool computing() const { return traced_.computingBloom(); }
+    /// What the picture has of what there is to see.
+    const DrawnCounts& counts() const { return counts_; }
 
   private:
     /// All that the picture depends on besides the traced image.
@@ -46,15 +52,19 @@ class Picture {
         bool operator==(const Inputs&) const = default;
     };
     Inputs inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const;
+    bool resize(const Inputs& inputs);
     void redraw(const Workspace& workspace, const Inputs& inputs);
     void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
+    void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look);
 
+    bool software_;  ///< OpenGL runs on the processor
     RenderTarget target_;
     RasterView raster_;
     TracedView traced_;
     SceneOverlays overlays_;
-    LineBatch sceneLines_, handleLines_;
+    LineBatch sceneLines_, boldLines_;
     Inputs drawn_;
+    DrawnCounts counts_;
     std::shared_ptr<const SceneDescription> loaded_;
 };
 

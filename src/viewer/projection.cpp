@@ -22,6 +22,18 @@ std::optional<glm::dvec2> ViewFrame::project(glm::dvec3 point) const {
     return glm::dvec2((x + 1.0) * 0.5 * width, (1.0 - y) * 0.5 * height);
 }
 
+std::optional<std::array<glm::dvec2, 2>> ViewFrame::projectSegment(glm::dvec3 a, glm::dvec3 b) const {
+    const double nearest = 1e-3 * (glm::distance(eye, a) + glm::distance(eye, b));
+    const double depthA = glm::dot(a - eye, forward) - nearest;
+    const double depthB = glm::dot(b - eye, forward) - nearest;
+    if (depthA <= 0.0 && depthB <= 0.0) return std::nullopt;
+    if (depthA < 0.0) a = glm::mix(a, b, depthA / (depthA - depthB));
+    if (depthB < 0.0) b = glm::mix(b, a, depthB / (depthB - depthA));
+    const auto start = project(a), end = project(b);
+    if (!start || !end) return std::nullopt;
+    return std::array{*start, *end};
+}
+
 double ViewFrame::unitsPerPixelAt(glm::dvec3 point) const {
     return 2.0 * tanHalfFov * std::abs(glm::dot(point - eye, forward)) / height;
 }

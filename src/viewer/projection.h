@@ -2,6 +2,7 @@
 // Where points of the scene appear in the picture: the rasterised view, the overlays and the handles use the
 // camera of the tracer.
 #include <rayscope/scene.h>
+#include <array>
 #include <optional>
 
 namespace rayscope::viewer {
@@ -19,6 +20,8 @@ struct ViewFrame {
     glm::dvec3 directionThrough(glm::dvec2 pixel) const;
     /// The point of the picture where `point` appears; nothing if it is not before the camera.
     std::optional<glm::dvec2> project(glm::dvec3 point) const;
+    /// The ends of a segment in the picture, as far as it lies before the camera; nothing if it does nowhere.
+    std::optional<std::array<glm::dvec2, 2>> projectSegment(glm::dvec3 a, glm::dvec3 b) const;
     /// Size of a pixel, in scene units, at the depth of `point`.
     double unitsPerPixelAt(glm::dvec3 point) const;
 };

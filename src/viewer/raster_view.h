@@ -4,7 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "viewer/gl/mesh_buffer.h"
+#include "viewer/drawable_mesh.h"
+#include "viewer/drawing_budget.h"
+#include "viewer/gl/render_target.h"
 #include "viewer/gl/shader.h"
 #include "viewer/gl/texture.h"
 #include "viewer/projection.h"
@@ -22,7 +24,8 @@ struct RasterStyle {
 /// of the scene without shadows, so that shapes read.
 class RasterView {
   public:
-    RasterView();
+    /// While something moves, no more than so many triangles are drawn.
+    explicit RasterView(std::size_t mostTrianglesMoving);
     ~RasterView();
     RasterView(const RasterView&) = delete;
     RasterView& operator=(const RasterView&) = delete;
@@ -31,30 +34,35 @@ class RasterView {
     void setScene(std::shared_ptr<const SceneDescription> scene);
     const SceneBounds& bounds() const { return bounds_; }
 
-    /// Draws over the bound target: background, opaque, then transparent surfaces.
-    void draw(const ViewFrame& frame, const RasterStyle& style);
+    /// Fills the target: background, opaque, then transparent surfaces. Counts triangles.
+    DrawnCounts draw(const RenderTarget& target, const ViewFrame& frame, const RasterStyle& style,
+                     bool moving);
 
   private:
-    /// One thing to draw: a range of a mesh, or a sphere.
+    /// One thing to draw: the triangles of a slot of a mesh, or a sphere.
     struct Item {
-        const MeshBuffer* mesh;
-        MeshBuffer::Range range;
+        DrawableMesh* mesh;
+        std::uint32_t slot;
         glm::mat4 model;
         std::size_t material;
         glm::vec3 center;
     };
-    void drawBackground();
+    void drawBackground(const RenderTarget& target);
     void setLights();
-    void drawItem(const Item& item, const RasterStyle& style);
+    void drawItem(const Item& item, const RasterStyle& style, bool moving);
     void collectItems();
+    void shareTriangles();
 
     Shader surface_{"surface"}, background_{"background"};
     std::shared_ptr<const SceneDescription> scene_;
     SceneBounds bounds_;
-    std::map<std::shared_ptr<const MeshData>, std::unique_ptr<MeshBuffer>> meshes_;
+    std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes_;
     std::map<std::shared_ptr<const Texture>, GlTexture> textures_;
-    std::unique_ptr<MeshBuffer> sphere_;
+    DrawableMesh sphere_;
     std::vector<Item> opaque_, transparent_;
+    RenderTarget backdrop_;
+    std::size_t mostTrianglesMoving_;
+    DrawnCounts counts_;
     GLuint emptyVertexArray_ = 0;
 };
 

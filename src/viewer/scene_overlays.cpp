@@ -2,6 +2,7 @@
 
 #include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
+#include "viewer/overlay/line_choice.h"
 
 namespace rayscope::viewer {
 
@@ -85,21 +86,29 @@ void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
     }
 }
 
-OverlayLines SceneOverlays::lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize,
-                                  bool moving) {
-    // What software OpenGL draws in some milliseconds, and what it draws in a moment.
-    constexpr std::size_t kMostMoving = 1500, kMostStill = 20000;
+SceneOverlays::Drawing SceneOverlays::draw(const Workspace& workspace, const ViewFrame& frame,
+                                           float sceneSize, const DrawingBudget& budget) {
     const Inputs inputs = inputsOf(workspace);
     if (inputs != built_ || sceneSize != builtSize_) {
         rebuild(workspace, sceneSize);
         built_ = inputs;
         builtSize_ = sceneSize;
     }
-    OverlayLines all = lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
-                                  static_cast<double>(workspace.view.scale));
-    append(all, boxLines(boxes_, frame, moving ? kMostMoving : kMostStill));
-    append(all, lines_);
-    return all;
+    const BoxLines boxes = boxLines(boxes_, frame, budget.boxes);
+    const OverlayLines rays = chooseLines(lines_, frame, budget.linePixels);
+    Drawing drawing;
+    drawing.counts.boxes = boxes.large;
+    drawing.counts.boxesDrawn = boxes.whole;
+    drawing.counts.lines = lines_.size();
+    drawing.counts.linesDrawn = rays.size();
+    for (const OverlayLines* part : {&boxes.lines, &rays})
+        for (const OverlayLine& line : *part)
+            (isBold(line) ? drawing.boldLines : drawing.lines).push_back(line);
+    append(drawing.boldLines, lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
+                                         static_cast<double>(workspace.view.scale)));
+    // A wide line is drawn as two triangles, which costs about three times as much.
+    drawing.fine = budget.fineLines && 3.0 * drawingCost(drawing.lines, frame) > budget.linePixels;
+    return drawing;
 }
 
 }  // namespace rayscope::viewer

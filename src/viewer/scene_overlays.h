@@ -1,4 +1,5 @@
 #pragma once
+#include "viewer/drawing_budget.h"
 #include "viewer/overlay/boxes.h"
 #include "viewer/workspace.h"
 
@@ -21,8 +22,15 @@ class SceneOverlays {
     };
     static Inputs inputsOf(const Workspace& workspace);
 
-    /// `sceneSize` is the diagonal of the scene. While something is moving, fewer boxes are drawn whole.
-    OverlayLines lines(const Workspace& workspace, const ViewFrame& frame, float sceneSize, bool moving);
+    /// What there is to draw in a frame.
+    struct Drawing {
+        OverlayLines lines, boldLines;  ///< the latter over the former
+        bool fine = false;              ///< `lines` are to be one pixel wide
+        DrawnCounts counts;             ///< of boxes and lines
+    };
+    /// `sceneSize` is the diagonal of the scene.
+    Drawing draw(const Workspace& workspace, const ViewFrame& frame, float sceneSize,
+                 const DrawingBudget& budget);
 
   private:
     void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);

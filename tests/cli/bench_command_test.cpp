@@ -37,10 +37,14 @@ TEST(Bench, MeasuresEveryKindOfRay) {
         EXPECT_GT(row["build_ms"], 0.0);
         EXPECT_GT(row["sah_cost"], 0.0);
         EXPECT_GT(row["bytes_per_triangle"], 0.0);
+        EXPECT_NEAR(row["counted_cost"].get<double>() / row["sah_cost"].get<double>(), 1.0, 0.05);
         EXPECT_EQ(row["mismatches"], 0);
         for (const char* kind : {"primary", "shadow", "bounce", "ao"}) {
             EXPECT_GT(row["rays"][kind]["mrays_per_s"], 0.0) << kind;
             EXPECT_GT(row["rays"][kind]["batched_mrays_per_s"], 0.0) << kind;
+            const nlohmann::json& counts = row["rays"][kind]["per_ray"];
+            EXPECT_GT(counts["nodes"].get<double>() + counts["leaves"].get<double>(), 0.5) << kind;
+            EXPECT_GE(counts["primitives"], counts["exact_tests"]) << kind;
         }
     }
 }

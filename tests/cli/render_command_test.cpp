@@ -28,7 +28,7 @@ TEST(Render, WritesEveryFormatFromOneRun) {
     EXPECT_EQ(readImage(folder / "a.hdr").height, 30);
 }
 
-TEST(Render, IsReproducibleForAnyThreads) {
+TEST(Render, IsReproducibleForAnyThreadsAndAnySearch) {
     const TemporaryFolder folder;
     for (const char* threads : {"1", "2", "5"})
         ASSERT_EQ(run(folder, std::string("rayscope render builtin:cornell-area --size 30x30 --spp 3 -t ") +
@@ -37,6 +37,13 @@ TEST(Render, IsReproducibleForAnyThreads) {
                   0);
     EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t2.pfm"));
     EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t5.pfm"));
+    for (const char* searched :
+         {"isa=scalar", "bvh_layout=binary", "bvh_builder=median --set leaf_size=1", "bvh=false"}) {
+        run(folder,
+            std::string("rayscope render builtin:cornell-area --size 30x30 --spp 3 -o other.pfm --set ") +
+                searched);
+        EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "other.pfm")) << searched;
+    }
     run(folder, "rayscope render builtin:cornell-area --size 30x30 --spp 3 --seed 1 -o s.pfm");
     EXPECT_NE(test::readText(folder / "t1.pfm"), test::readText(folder / "s.pfm"));
 }

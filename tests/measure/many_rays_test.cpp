@@ -6,7 +6,7 @@ namespace rayscope::test {
 namespace {
 
 #ifdef NDEBUG
-constexpr std::uint64_t kSeams = 1'000'000, kSurfaces = 1'000'000;
+constexpr std::uint64_t kSeams = 10'000'000, kSurfaces = 5'000'000;
 #else  // with sanitizers
 constexpr std::uint64_t kSeams = 100'000, kSurfaces = 50'000;
 #endif

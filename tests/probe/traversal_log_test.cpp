@@ -6,14 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bvh/ray_words.h"
-#include "bvh/wide_tree.h"
+#include "bvh/wide_counts.h"
 #include "support/test_scenes.h"
-// clang-format off: the lanes come first
-#include "bvh/kernel/compress_portable.inl"
-#include "bvh/kernel/lanes_portable.inl"
-// clang-format on
-#include "bvh/kernel/walk.inl"
 
 namespace rayscope {
 namespace {
@@ -119,39 +113,6 @@ TEST(TraversalLog, EveryStepIsPlausible) {
     EXPECT_GT(skipped, 10u);
 }
 
-/// A second watcher of the production walk, which only counts.
-struct WideCounts {
-    std::size_t entered = 0, tests = 0, filtered = 0;
-};
-struct WideCounter {
-    WideCounts* to;
-    void entered(kernel::ChildRef, const kernel::Search&) const { ++to->entered; }
-    static void children(const kernel::WideNode&, unsigned, const kernel::Lanes&, const kernel::Search&) {}
-    static void waits(kernel::ChildRef) {}
-    static void skipped(kernel::ChildRef, const kernel::Search&) {}
-    void filtered(const kernel::TriangleBlock&, kernel::ChildRef leaf, unsigned mask,
-                  const kernel::Search&) const {
-        to->filtered +=
-            (leaf >> kernel::kBlockSizeShift & 7u) + 1u - static_cast<unsigned>(__builtin_popcount(mask));
-    }
-    void tested(std::uint32_t, bool, const kernel::HitWords&, const kernel::Search&) const { ++to->tests; }
-};
-
-WideCounts countWideWalk(const WideTree& tree, const Ray& ray, bool any) {
-    WideCounts counts;
-    const WideCounter counter{&counts};
-    const kernel::WideTreeView view = tree.view();
-    kernel::prepared(view, words(ray), [&](const auto& lanes, kernel::Search& search) {
-        kernel::FastShear shear{};
-        bool isSheared = false;
-        if (any)
-            kernel::walkToAnyHit(view, view.root, lanes, shear, isSheared, search, counter);
-        else
-            kernel::walkToClosestHit(view, view.root, lanes, shear, isSheared, search, counter);
-    });
-    return counts;
-}
-
 TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
     for (const std::string name : {"monkey", "cornell", "spheres", "triangle"}) {
         const auto world = builtin(name);
@@ -165,17 +126,18 @@ TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
             Hit hit;
             hits += world->bodies[0].accel->closestHit(ray, hit);
             ASSERT_EQ(std::memcmp(&hit, &log.hit, sizeof hit), 0) << name << " ray " << i;
-            const WideCounts counts = countWideWalk(*tree, ray, false);
-            ASSERT_EQ(log.count(TraversalEvent::Entered), counts.entered);
-            ASSERT_EQ(log.tests(), counts.tests);
-            ASSERT_EQ(log.count(TraversalEvent::Filtered), counts.filtered);
+            const WideCounts counts = countSearches(*tree, {&ray, 1}, false);
+            ASSERT_EQ(log.count(TraversalEvent::Entered), counts.nodes + counts.leaves);
+            ASSERT_EQ(log.tests(), counts.exact);
+            ASSERT_EQ(log.count(TraversalEvent::Filtered), counts.primitives - counts.exact);
             const TraversalState end = stateAfter(log, log.steps.size());
             ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
             ASSERT_EQ(end.closest, hit.primitive);
 
             const TraversalLog any = recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
             ASSERT_EQ(any.hit.primitive != kNoPrimitive, world->anyHit(ray, 0.0f));
-            ASSERT_EQ(any.count(TraversalEvent::Entered), countWideWalk(*tree, ray, true).entered);
+            const WideCounts anyCounts = countSearches(*tree, {&ray, 1}, true);
+            ASSERT_EQ(any.count(TraversalEvent::Entered), anyCounts.nodes + anyCounts.leaves);
         }
         EXPECT_GT(hits, 20) << name;
     }

@@ -62,5 +62,30 @@ TEST(CrashReportDeathTest, PrintsTheCommandThatRepeatsTheSample) {
         testing::KilledBySignal(SIGFPE), "arithmetic exception");
 }
 
+volatile bool endless = true;
+
+/// Calls itself until the stack is used up; the result keeps the compiler from making a loop of it.
+int callItself(volatile char* before) {  // NOLINT(misc-no-recursion)
+    volatile char frame[4096];
+    frame[0] = before ? before[0] : 'x';
+    return endless ? callItself(frame) + frame[0] : 0;
+}
+
+TEST(CrashReportDeathTest, AThreadWhoseStackIsUsedUpSaysWhatItTraced) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_EXIT(
+        {
+            installCrashReport();
+            describeForCrashReport(cornell());
+            std::thread([] {
+                BusySample::ofThisThread().set(7, 8, 9);
+                std::exit(callItself(nullptr));
+            }).join();
+        },
+        testing::KilledBySignal(SIGSEGV),
+        "segmentation fault.*this sample was being traced.*rayscope probe builtin:cornell .*--pixel 7,8 "
+        "--sample 9");
+}
+
 }  // namespace
 }  // namespace rayscope

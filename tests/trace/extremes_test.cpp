@@ -57,6 +57,48 @@ TEST(Extremes, ALightOnTheSurfaceGivesNumbers) {
             }
 }
 
+/// Six faces of a box around a point.
+std::vector<MeshInstance> boxAround(const glm::vec3& center, float half) {
+    std::vector<MeshInstance> faces;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-half, half}) {
+            glm::vec3 corner = center - half, u(0.0f), v(0.0f);
+            corner[axis] = center[axis] + side;
+            u[(axis + 1) % 3] = v[(axis + 2) % 3] = 2.0f * half;
+            faces.push_back(quad(corner, u, v));
+        }
+    return faces;
+}
+
+TEST(Extremes, LightsInsideGeometryLightItsInsideOnly) {
+    const glm::vec3 inside(0.25f, 2, -0.125f);
+    const glm::vec3 u(0.25f, 0, 0), v(0, 0.125f, 0.25f);
+    const Rgb white(1.0f);
+    const std::vector<Light> lights = {
+        pointLight(inside),
+        {SegmentLight{{inside - u, inside + u}, {white, white}}, Falloff::None},
+        {ParallelogramLight{inside - 0.5f * (u + v), {u, v}, {white, white, white, white}}, Falloff::None}};
+    for (const bool box : {false, true})
+        for (const Light& light : lights) {
+            SceneDescription scene = floorUnder(light);
+            EXPECT_GT(firstSample(*compileScene(scene, {}, 1, 1)).x, 0.1);
+            if (box)
+                for (const MeshInstance& face : boxAround(inside, 1.0f)) scene.meshes.push_back(face);
+            else
+                scene.spheres = {{"s", {inside, 1.0f}, 0, glm::vec3(0)}};
+            for (int x = -8; x <= 8; ++x) {  // no light leaves, not even through an edge
+                scene.cameras = {pointCamera({0.5f * static_cast<float>(x), 0.5f, 3}, {x, 0, 0})};
+                EXPECT_EQ(firstSample(*compileScene(scene, {}, 1, 1)), RgbSum(0.0)) << x << ' ' << box;
+            }
+            // Seen from where the light is, along the normal: kd + ks.
+            scene.cameras = {pointCamera(inside, inside - glm::vec3(0, 1, 0))};
+            Settings settings;
+            settings.maxDepth = 0;
+            const double value = firstSample(*compileScene(scene, settings, 1, 1)).x;
+            EXPECT_NEAR(value, 0.8, &light == lights.data() ? 1e-6 : 0.1) << box;
+        }
+}
+
 TEST(Extremes, ShininessFromZeroToInfinityHasItsLimits) {
     // The light stands where the mirror image of the eye does: the highlight is ks whatever the shininess.
     const Light mirrored = pointLight({-1, 3, -2});

@@ -20,25 +20,25 @@ ViewFrame frameAt(glm::vec3 eye) {
 
 TEST(BoxLines, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5})).size(), 12u);
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5000})).size(), 1u);
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5})).lines.size(), 12u);
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5000})).lines.size(), 1u);
     const OverlayBoxes many(1000, one[0]);
-    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5})).size(), 12000u);
-    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5000})).size(), 1u);
+    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5})).lines.size(), 12000u);
+    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5000})).lines.size(), 1u);
     // With a limit the largest are whole.
     OverlayBoxes sizes;
     for (int i = 1; i <= 100; ++i) {
         const float half = 0.01f * static_cast<float>(i);
         sizes.push_back({glm::vec3(-half), glm::vec3(half)});
     }
-    EXPECT_EQ(boxLines(sizes, frameAt({0, 0, 5}), 10).size(), 10u * 12u + 1u);
+    EXPECT_EQ(boxLines(sizes, frameAt({0, 0, 5}), 10).lines.size(), 10u * 12u + 1u);
 }
 
 TEST(BoxLines, LeaveOutWhatIsNotInThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    EXPECT_TRUE(boxLines(one, frameAt({0, 0, -5})).empty()) << "behind the camera";
-    EXPECT_TRUE(boxLines(one, frameAt({50, 0, 5})).empty()) << "beside the picture";
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 0})).size(), 12u) << "around the camera";
+    EXPECT_TRUE(boxLines(one, frameAt({0, 0, -5})).lines.empty()) << "behind the camera";
+    EXPECT_TRUE(boxLines(one, frameAt({50, 0, 5})).lines.empty()) << "beside the picture";
+    EXPECT_EQ(boxLines(one, frameAt({0, 0, 0})).lines.size(), 12u) << "around the camera";
 }
 
 TEST(BoxLines, AreBoundedByThePictureForAnyNumberOfBoxes) {
@@ -48,7 +48,7 @@ TEST(BoxLines, AreBoundedByThePictureForAnyNumberOfBoxes) {
                               static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
         boxes.push_back({place, place + 0.005f});
     }
-    const std::size_t lines = boxLines(boxes, frameAt({0, 0, 5})).size();
+    const std::size_t lines = boxLines(boxes, frameAt({0, 0, 5})).lines.size();
     EXPECT_GT(lines, 5000u);
     EXPECT_LE(lines, 201u * 151u);
 }

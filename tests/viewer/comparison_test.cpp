@@ -39,6 +39,34 @@ TEST(Comparison, MeasuresThePresentPictureAgainstTheKeptOne) {
     EXPECT_EQ(comparison.figures()->flip, 0.0);
 }
 
+TEST(Comparison, SaysWhetherTheFiguresAreThoseOfTheCompletePicture) {
+    Comparison comparison;
+    comparison.keep({}, flat(16, 16, 0.25f), 1);
+    comparison.view.shown = true;
+    const RgbImage b = flat(16, 16, 0.5f);
+    const auto wait = [&](bool complete, int revision, const RgbImage& image) {
+        do comparison.update(image, revision, complete, 0.0f);
+        while (comparison.busy());
+    };
+    wait(false, 1, b);
+    ASSERT_NE(comparison.figures(), nullptr) << "figures so far";
+    EXPECT_FALSE(comparison.figuresAreFinal());
+    // The last tile came with the figures: nothing is measured again, they are final now.
+    comparison.update(b, 1, true, 0.0f);
+    EXPECT_FALSE(comparison.busy());
+    EXPECT_TRUE(comparison.figuresAreFinal());
+    // Tiles that come after the end of the rendering was seen.
+    comparison.update(flat(16, 16, 0.75f), 2, true, 0.0f);
+    EXPECT_FALSE(comparison.figuresAreFinal());
+    wait(true, 2, flat(16, 16, 0.75f));
+    EXPECT_TRUE(comparison.figuresAreFinal());
+    EXPECT_DOUBLE_EQ(comparison.figures()->rmse, 0.5);
+    // Exposure is part of what a person sees.
+    comparison.update(flat(16, 16, 0.75f), 2, true, 1.0f);
+    EXPECT_TRUE(comparison.busy());
+    EXPECT_FALSE(comparison.figuresAreFinal());
+}
+
 TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
     Comparison comparison;
     comparison.keep({}, flat(16, 16, 0.25f), 1);

@@ -5,6 +5,7 @@ usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or Imag
 import json
 import operator
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -26,6 +27,8 @@ TAB_COMPARE = (1226, 66)
 HISTOGRAM_END = (1120, 220), (1000, 220)
 FIRST_RAY = (980, 357)  # once the camera has moved away from recorded rays
 RECORDED, LEGEND_CAMERA = (1100, 90), (1030, 291)  # the latter with the former folded
+LEGEND_VERTEX_NORMALS, RAY_COLORS = (1030, 453), (1205, 563)  # with RECORDED and WHY folded
+NODE_ARROW, NODE_CHILD = (976, 407), (1040, 425)
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 RIVAL_LEAF_SIZE, RIVAL_TABLE = (1180, 468), (954, 500, 300, 160)  # while a leaf and savings are shown
@@ -38,6 +41,7 @@ BACK_TO_A = (1031, 341)
 BLOOM_DEBUG, BLOOM_STAGE = (1112, 579), (1180, 603)  # the settings scrolled to their end
 ALL_SAMPLES, BUDGET = (964, 299), (1180, 323)  # of stale rays
 LAB_HEADER, LAB_START, LAB_OVERLAY = (1050, 485), (1106, 509), (964, 557)  # of the monkey, which has two lights
+ASIDE = (100, 600)  # in the picture, where nothing is
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
 PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
 
@@ -97,7 +101,7 @@ def wait_for(what, condition, patience=PATIENCE):
         result = condition()
         if result:
             return result
-        time.sleep(0.1)
+        time.sleep(0.05)
     raise Failure(f"waited {patience:.0f} s in vain for: {what}")
 
 
@@ -130,14 +134,20 @@ class Viewer:
     def do(self, *words):
         expect(self.process.poll() is None, f"the program ended with {self.process.returncode}")
         subprocess.run(["xdotool", *map(str, words)], check=True)
-        time.sleep(0.15)
+        self.wait_for_frame()
+
+    def wait_for_frame(self):
+        """Waits until what was done is in a frame: the answer to the second ping comes after the frame that follows
+        the first."""
+        for _ in range(2):
+            wait_for("an answer of the window",
+                     lambda: self.process.poll() is not None or self.screen.ping(int(self.window), 1.0))
 
     def key(self, keys):
         self.do("key", keys)
 
     def point(self, x, y):
         self.do("mousemove", x, y)
-        time.sleep(0.25)
 
     def click(self, x, y):
         self.point(x, y)
@@ -152,6 +162,11 @@ class Viewer:
             self.do("mousemove", x, y)
         self.do("mouseup", 1)
 
+    def wheel(self, place, notches):
+        """Turns the wheel forward at a place."""
+        self.point(*place)
+        self.do("click", "--repeat", notches, "--delay", 30, 4)
+
     def capture(self):
         return Pixels(self.screen.capture())
 
@@ -165,7 +180,8 @@ class Viewer:
         """The picture once it has stopped changing, and nothing is being traced if it is the traced one."""
         def settled():
             before = self.capture()
-            time.sleep(0.5)
+            time.sleep(0.2)
+            self.wait_for_frame()
             after = self.capture()
             # The bar over the status line is there as long as something is traced.
             quiet = after.at(*PROGRESS_PIXEL) == after.at(PROGRESS_PIXEL[0], PROGRESS_PIXEL[1] + 6)
@@ -200,16 +216,16 @@ class Viewer:
         while before is None or self.capture().differing(before) > 0:
             before = self.capture()
             self.do("click", "--repeat", 10, "--delay", 30, 5)
-            time.sleep(0.3)
+            self.wait_for_frame()
 
-    def saved_property(self, name):
-        """What the picture that is saved now says about itself."""
+    def saved_property(self, name, keys="ctrl+s"):
+        """What the picture that these keys write says about itself; empty if nothing."""
         known = set(self.folder.glob("rayscope-*.png"))
-        self.key("ctrl+s")
+        self.key(keys)
         wait_for("a file", lambda: set(self.folder.glob("rayscope-*.png")) - known)
         [path] = set(self.folder.glob("rayscope-*.png")) - known
-        return subprocess.run(["identify", "-format", f"%[rayscope:{name}]", str(path)], check=True, stdout=subprocess.PIPE,
-                              text=True).stdout
+        return subprocess.run(["identify", "-format", f"%[rayscope:{name}]", str(path)], stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True).stdout
 
     def size(self):
         words = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window], stdout=subprocess.PIPE,
@@ -219,14 +235,29 @@ class Viewer:
 
     def open_by_name(self, name):
         self.key("ctrl+o")
-        time.sleep(0.7)
+        self.wait_for_frame()
         self.key("ctrl+a")
-        time.sleep(0.3)
         self.do("type", "--delay", "40", name)
         self.key("Return")
 
+    def open_scene(self, name):
+        """Opens a built-in scene and waits until it is there."""
+        self.open_by_name(name)
+        wait_for("the other scene", lambda: name in self.title())
+
+    def shoot(self, pixel):
+        """Records the rays of a pixel and turns the camera: seen from where it was shot, a ray is a point."""
+        self.click(*TAB_RAYS)
+        self.point(*ASIDE)
+        before = self.settled_picture()
+        self.point(*pixel)
+        self.key("r")
+        wait_for("the rays", lambda: self.picture().differing(before) > 10)
+        self.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
+        return self.settled_picture()
+
     def quit(self):
-        self.key("ctrl+q")
+        subprocess.run(["xdotool", "key", "ctrl+q"], check=True)
         wait_for("the end of the program", lambda: self.process.poll() is not None)
         expect(self.process.returncode == 0, f"the program ended with {self.process.returncode}")
 
@@ -235,7 +266,7 @@ def test_views(viewer):
     raster = viewer.settled_picture()
     red, green, blue = raster.crop(290, 240, 60, 60).mean()
     expect(red > 2 * green and red > 2 * blue, f"the rasterised view shows the red wall ({red:.0f} {green:.0f} {blue:.0f})")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.key("Tab")
     wait_for("another picture", lambda: viewer.picture().data != raster.data)
     traced = viewer.settled_picture()
@@ -249,7 +280,7 @@ def test_toggle_and_undo(viewer):
     expect((shadowed.width, shadowed.height) == PICTURE[2:], "the saved image has the size of the picture")
     viewer.click(*TAB_SETTINGS)
     viewer.click(*HARD_SHADOWS)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.settled_picture()
     bright = viewer.save("ctrl+s")
     expect(bright.brightness() > shadowed.brightness() + 1.0, "without shadows the picture is brighter")
@@ -269,13 +300,7 @@ def is_ray_yellow(red, green, blue):
 
 
 def test_debug_ray(viewer):
-    before = viewer.settled_picture()
-    viewer.point(360, 300)
-    viewer.key("r")
-    wait_for("the overlay", lambda: viewer.picture().differing(before) > 20)
-    # Seen from where it was shot the camera ray is a point; from the side it is a line.
-    viewer.drag((700, 600), (860, 560))
-    yellow = viewer.settled_picture().count(is_ray_yellow)
+    yellow = viewer.shoot((360, 300)).count(is_ray_yellow)
     expect(yellow > 100, f"the camera ray is seen in the ray-traced view ({yellow} pixels)")
     without = viewer.save("ctrl+s").count(is_ray_yellow)
     expect(without == 0, "the saved image has no overlay")
@@ -283,12 +308,13 @@ def test_debug_ray(viewer):
     expect((shot.width, shot.height) == (WIDTH, HEIGHT), "the screenshot has the size of the window")
     expect(shot.count(is_ray_yellow) > 100, "the screenshot has the overlay")
     viewer.key("Tab")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     raster = viewer.settled_picture()
     expect(raster.count(is_ray_yellow) > 50, "the camera ray is seen in the rasterised view")
     viewer.key("c")
     wait_for("the rays to go", lambda: viewer.picture().count(is_ray_yellow) == 0)
     viewer.key("Home")
+    viewer.click(*TAB_SCENE)
     viewer.settled_picture()
 
 
@@ -310,15 +336,8 @@ def is_visited_green(red, green, blue):
 
 def test_search(viewer):
     """The search of a camera ray, step by step; its tree as files; the legend as a filter."""
-    viewer.open_by_name("builtin:monkey")
-    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
-    viewer.click(*TAB_RAYS)
-    viewer.point(100, 600)
-    viewer.settled_picture()
-    viewer.point(390, 480)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
-    bare = viewer.settled_picture()
+    viewer.open_scene("builtin:monkey")
+    bare = viewer.shoot((390, 480))
     expect(bare.count(is_ray_yellow) > 100, "the camera ray is seen")
     viewer.key("t")
     searched = viewer.settled_picture()
@@ -338,15 +357,15 @@ def test_search(viewer):
     expect(lines == len(tree["nodes"]) + len(tree["shadow_rays"]), "the OBJ has a line for each ray")
     viewer.click(*RECORDED)
     viewer.click(*LEGEND_CAMERA)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a click on the legend hides the camera rays")
     viewer.click(*LEGEND_CAMERA)
     viewer.click(*RECORDED)
     viewer.click(*FIRST_RAY)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     expect(viewer.settled_picture().differing(bare) > 100, "the ray that is selected in the table has a halo")
     viewer.key("h")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     expect(viewer.settled_picture().count(is_ray_yellow) == 0, "a hidden ray is not drawn")
     viewer.key("c")
     viewer.key("Home")
@@ -358,35 +377,24 @@ def is_square_purple(red, green, blue):
     return 150 < red < 230 and 70 < green < 135 and blue > 180
 
 
-def open_and_shoot(viewer, scene, pixel):
-    """Opens the scene, records the rays of a pixel of the rasterised view, and looks at them from the side."""
-    viewer.open_by_name(scene)
-    wait_for("the other scene", lambda: scene in viewer.title())
-    viewer.point(100, 600)
-    before = viewer.settled_picture()
-    viewer.point(*pixel)
-    viewer.key("r")
-    wait_for("the rays", lambda: viewer.picture().differing(before) > 10)
-    viewer.drag((100, 600), (260, 560))
-    return viewer.settled_picture()
-
-
 def test_surfaces(viewer):
     """Texels, the glossy square, the lens and its focus, and samples of the pixel."""
-    viewer.click(*TAB_RAYS)
-    open_and_shoot(viewer, "builtin:quad-textured", (440, 330))
+    viewer.open_scene("builtin:quad-textured")
+    viewer.shoot((440, 330))
     wait_for("texels in the panel", lambda: viewer.capture().crop(*TEXELS).count(
         lambda r, g, b: r > 200 and g < 120 and b < 120) > 200)
     # A click on the last bar of the strip chooses the last sample, whose camera ray is another one.
     first = viewer.capture().crop(*SAMPLE_GRID)
     viewer.click(*LAST_SAMPLE)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("another sample", lambda: viewer.capture().crop(*SAMPLE_GRID).differing(first) > 10)
     viewer.key("c")
-    glossy = open_and_shoot(viewer, "builtin:cornell-glossy", (440, 330))
+    viewer.open_scene("builtin:cornell-glossy")
+    glossy = viewer.shoot((440, 330))
     expect(glossy.count(is_square_purple) > 60, "the square of the glossy reflection is purple")
     viewer.key("c")
-    lens = open_and_shoot(viewer, "builtin:spheres-dof", (420, 330))
+    viewer.open_scene("builtin:spheres-dof")
+    lens = viewer.shoot((420, 330))
     expect(lens.count(is_visited_green) > 300, "the plane of focus is green")
     viewer.key("p")
     viewer.key("c")
@@ -413,10 +421,9 @@ def test_surfaces(viewer):
 
 def test_bvh_boxes(viewer):
     """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
-    viewer.open_by_name("builtin:monkey")
-    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.open_scene("builtin:monkey")
     viewer.click(*TAB_BVH)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     bare = viewer.settled_picture()
     viewer.key("b")
     root = wait_for("the root's box", lambda: viewer.settled_picture().count(is_box_white) - bare.count(is_box_white))
@@ -426,29 +433,28 @@ def test_bvh_boxes(viewer):
     expect(deeper.count(is_box_white) - bare.count(is_box_white) > root + 500, "a deeper level has more boxes")
     viewer.point(460, 400)
     viewer.key("g")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the leaf under the cursor", lambda: viewer.settled_picture().crop(430, 340, 80, 80).count(is_leaf_yellow) > 50)
     before = viewer.settled_picture()
     viewer.key("period")
     expect(viewer.settled_picture().differing(before) > 50, "the next leaf is another one")
     viewer.click(*BVH_SAVINGS)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
     # The rival with leaves of another size costs the rays of the view something else.
     table = wait_for("the figures of the rival", lambda: viewer.settled_window().crop(*RIVAL_TABLE))
     viewer.type_into(RIVAL_LEAF_SIZE, "64")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("other figures", lambda: viewer.settled_window().crop(*RIVAL_TABLE).differing(table) > 100)
     viewer.click(*BVH_SAVINGS)
     # A tree of one level: its leaves hold half of the triangles each.
     few = viewer.settled_picture().count(is_leaf_yellow)
     viewer.type_into(BVH_MAX_LEVEL, "1")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the coarse tree", lambda: viewer.settled_picture().count(is_leaf_yellow) > 10 * few)
     viewer.key("ctrl+z")
     wait_for("the fine tree", lambda: viewer.settled_picture().count(is_leaf_yellow) < 10 * few)
-    viewer.open_by_name("builtin:cornell")
-    wait_for("the first scene", lambda: "builtin:cornell" in viewer.title())
+    viewer.open_scene("builtin:cornell")
     viewer.key("b")
     viewer.click(*TAB_SCENE)
     viewer.settled_picture()
@@ -458,11 +464,11 @@ def test_light_handle(viewer):
     """The light of the Cornell box is clicked and its upward arrow pulled down."""
     before = viewer.settled_picture()
     viewer.click(*LIGHT)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     selected = viewer.settled_picture()
     expect(selected.differing(before) > 100, "a selected light has arrows")
     viewer.drag((LIGHT[0], LIGHT[1] - 50), (LIGHT[0], LIGHT[1] + 60))
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     moved = viewer.settled_picture()
     expect(moved.differing(selected) > 20000, "the scene is lit from the light's new place")
     viewer.key("ctrl+z")
@@ -477,15 +483,14 @@ def is_map_yellow(red, green, blue):
 
 def test_heat_map(viewer):
     """The cost of pixels in place of the picture; a drag in the histogram narrows the range."""
-    viewer.open_by_name("builtin:monkey")
-    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
+    viewer.open_scene("builtin:monkey")
     viewer.click(*TAB_MAP)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.key("m")
     wait_for("the map", lambda: viewer.settled_picture().count(is_map_yellow) > 300)
     few = viewer.settled_picture().count(is_map_yellow)
     viewer.drag(*HISTOGRAM_END)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("more pixels beyond the range", lambda: viewer.settled_picture().count(is_map_yellow) > 2 * few)
     viewer.key("m")
     wait_for("the traced picture", lambda: viewer.settled_picture().count(is_map_yellow) < few)
@@ -499,24 +504,22 @@ def is_failure_purple(red, green, blue):
 
 def test_lab(viewer):
     """The laboratory runs beside the window; what fails in the usual triangle test is drawn over the scene."""
-    viewer.open_by_name("builtin:monkey")
-    wait_for("the monkey", lambda: "builtin:monkey" in viewer.title())
+    viewer.open_scene("builtin:monkey")
     viewer.click(*TAB_SCENE)
     viewer.click(*LAB_HEADER)
     viewer.click(*LAB_START)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("rays that went wrong", lambda: viewer.picture().count(is_failure_purple) > 500)
     viewer.click(*LAB_OVERLAY)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the scene without them", lambda: viewer.picture().count(is_failure_purple) < 50)
     viewer.click(*LAB_HEADER)
 
 
 def test_typing_is_not_a_shortcut(viewer):
     """Letters in a text field open no panel, switch no view and shoot no ray."""
-    viewer.open_by_name("builtin:spheres")
-    wait_for("the other scene", lambda: "builtin:spheres" in viewer.title())
-    viewer.point(100, 600)
+    viewer.open_scene("builtin:spheres")
+    viewer.point(*ASIDE)
     shown = viewer.settled_picture()
     expect(viewer.capture().at(*PANEL_PIXEL) != (0, 0, 0), "the side panel is still there")
     expect(shown.count(is_ray_yellow) == 0, "no ray was shot")
@@ -528,21 +531,15 @@ def test_typing_is_not_a_shortcut(viewer):
 
 def test_wide_search(viewer):
     """The same search through the tree that production rays walk."""
-    viewer.open_by_name("builtin:monkey")
-    wait_for("the other scene", lambda: "builtin:monkey" in viewer.title())
-    viewer.click(*TAB_RAYS)
-    viewer.point(100, 600)
-    viewer.settled_picture()
-    viewer.point(390, 480)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
+    viewer.open_scene("builtin:monkey")
+    viewer.shoot((390, 480))
     viewer.key("t")
     viewer.click(*RECORDED)
     viewer.click(*WHY)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     binary = viewer.settled_picture()
     viewer.click(*TREE_WIDE)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the boxes of the wide tree", lambda: viewer.settled_picture().differing(binary) > 300)
     viewer.click(*MISSED_BOXES)
     seen = set()
@@ -569,7 +566,7 @@ def is_lit(red, green, blue):
 
 def test_compare(viewer):
     """A kept picture against one with other settings: wipe, flip and difference."""
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.settled_picture()
     viewer.key("Tab")
     viewer.key("o")  # lights and handles are not compared
@@ -578,13 +575,13 @@ def test_compare(viewer):
     viewer.click(*TAB_SETTINGS)
     viewer.click(*HARD_SHADOWS)
     viewer.click(*TAB_COMPARE)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     left, right, below = (0, 60, 460, 560), (484, 60, 460, 560), (0, 60, 944, 560)
     wait_for("B", lambda: viewer.settled_picture().crop(*right).differing(a.crop(*right)) > 1000)
     wiped = viewer.settled_picture()
     expect(wiped.crop(*left).data == a.crop(*left).data, "A is on the left of the divider")
     viewer.drag((472, 640), (300, 640))
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     moved = viewer.settled_picture()
     beside = (320, 60, 140, 560)
     expect(moved.crop(*beside).differing(wiped.crop(*beside)) > 300, "the divider was dragged")
@@ -595,14 +592,14 @@ def test_compare(viewer):
     expect(b.crop(*below).differing(a.crop(*below)) > 3000, "flipped again, B is seen")
     expect(b.crop(*right).data == wiped.crop(*right).data, "B is what was on the right of the divider")
     viewer.click(*MODE_DIFFERENCE)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the difference", lambda: viewer.settled_picture().crop(*below).data != b.crop(*below).data)
     differing = viewer.settled_picture().crop(*below).count(is_lit)
     truly = a.crop(*below).differing(b.crop(*below))
     expect(abs(differing - truly) < 0.1 * truly, f"where the pictures differ, and only there ({differing}, {truly})")
     figures = wait_for("figures", lambda: viewer.capture().crop(*FIGURES))
     viewer.click(*BACK_TO_A)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("no difference", lambda: viewer.settled_picture().crop(*below).count(is_lit) == 0)
     wait_for("other figures", lambda: viewer.capture().crop(*FIGURES).differing(figures) > 20)
     viewer.key("v")
@@ -616,16 +613,16 @@ def test_goal(viewer):
     """The dial, a target for the error, and a limit of time."""
     viewer.click(*TAB_SETTINGS)
     viewer.key("Tab")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.settled_picture()
     expect(viewer.saved_property("setting.spp") == "4", "four samples were asked for")
     viewer.click(*DIAL_FASTEST)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.settled_picture()
     expect(viewer.saved_property("setting.max_depth") == "2", "the dial's first position is 'preview'")
     viewer.key("ctrl+z")
     viewer.click(*BY_ERROR)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("the target", lambda: viewer.settled_picture() and int(viewer.saved_property("samples")) >= 8)
     expect(viewer.saved_property("setting.spp") == "4", "the setting stays")
     # A target out of reach, and a second of time.
@@ -633,7 +630,7 @@ def test_goal(viewer):
     viewer.type_into(ERROR, "0.0001")
     viewer.type_into(SECONDS, "1")
     viewer.drag((700, 600), (860, 560))
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     viewer.settled_picture()
     expect(int(viewer.saved_property("samples")) < 400, "tracing ended")
     viewer.click(*BY_TIME)
@@ -674,20 +671,14 @@ def test_trade(viewer):
 
 def test_isolate_and_copy(viewer):
     """One ray and what belongs to it; the tree in the clipboard."""
-    viewer.click(*TAB_RAYS)
-    viewer.point(100, 600)
-    viewer.settled_picture()
-    viewer.point(440, 340)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
-    every = viewer.settled_picture()
+    every = viewer.shoot((440, 340))
     viewer.key("j")
     copied = json.loads(wait_for("the clipboard", x11.clipboard_text))
     viewer.key("ctrl+j")
     newest = wait_for("the exported rays", lambda: sorted(viewer.folder.glob("*.json")))[-1]
     expect(copied == json.loads(newest.read_text()), "the clipboard has the tree of the file")
     viewer.click(*FIRST_RAY)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     selected = viewer.settled_picture()
     viewer.key("i")
     isolated = viewer.settled_picture()
@@ -732,14 +723,14 @@ def test_bloom_stages(viewer):
     for row in (24, 42, 60):
         viewer.click(*BLOOM_STAGE)
         viewer.click(BLOOM_STAGE[0], BLOOM_STAGE[1] + row)
-        viewer.point(100, 600)
+        viewer.point(*ASIDE)
         stages.append(viewer.settled_picture())
     thresholded, filtered, added = stages
     lit = [stage.count(is_lit) for stage in stages]
     expect(0 < lit[0] < lit[1], f"the filter spreads what is above the threshold {lit}")
     expect(added.data != filtered.data, "the last stage is another one")
     viewer.click(*BLOOM_DEBUG)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     whole = wait_for("the picture with bloom", lambda: viewer.settled_picture())
     expect(whole.brightness() > filtered.brightness(), "the glow is added to the picture")
     viewer.key("Tab")
@@ -751,13 +742,7 @@ def is_sky_blue(red, green, blue):
 
 
 def test_environment_overlay(viewer):
-    viewer.click(*TAB_RAYS)
-    viewer.point(100, 600)
-    viewer.settled_picture()
-    viewer.point(340, 300)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
-    before = viewer.settled_picture()
+    before = viewer.shoot((340, 300))
     # The sphere shows the sky there, and so does the line along which it is seen.
     line = before.crop(450, 150, 490, 130).count(is_sky_blue)
     expect(line > 100, f"the reflected direction is drawn in the colour of the sky ({line} pixels)")
@@ -767,20 +752,36 @@ def test_environment_overlay(viewer):
 
 def test_byte_budget(viewer):
     """All samples of a pixel, as many as the memory holds."""
-    viewer.click(*TAB_RAYS)
-    viewer.point(100, 600)
-    viewer.settled_picture()
-    viewer.point(440, 480)
-    viewer.key("r")
-    viewer.drag((700, 600), (860, 560))
-    one = viewer.settled_picture()
+    one = viewer.shoot((440, 480))
     viewer.click(*ALL_SAMPLES)
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("all samples", lambda: viewer.settled_picture().differing(one) > 300)
     every = viewer.settled_picture()
     viewer.type_into(BUDGET, "1")
-    viewer.point(100, 600)
+    viewer.point(*ASIDE)
     wait_for("fewer rays", lambda: viewer.settled_picture().differing(every) > 30)
+
+
+def test_moving(viewer):
+    """While the camera moves, as many rays as software OpenGL can draw, and no secret is made of it."""
+    viewer.shoot((440, 480))
+    viewer.click(*ALL_SAMPLES)
+    viewer.point(*ASIDE)
+    viewer.settled_picture()
+    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "a picture that stands still lacks nothing")
+    viewer.do("mousedown", 1)
+    viewer.do("mousemove", ASIDE[0] + 60, ASIDE[1])
+    said = viewer.saved_property("drawn", "shift+ctrl+s")
+    lines = re.match(r"(\d+) of (\d+) lines, 1/2 of the resolution$", said)
+    expect(lines and 0 < int(lines[1]) < int(lines[2]) and int(lines[2]) > 10000, f"some of more than 10,000 lines: {said!r}")
+    moving = viewer.picture()
+    viewer.do("mouseup", 1)
+    expect(viewer.settled_picture().differing(moving) > 1000, "at rest everything is drawn")
+    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is said")
+    viewer.click(*ALL_SAMPLES)
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.settled_picture()
 
 
 def test_full_screen(viewer):
@@ -838,7 +839,7 @@ SESSIONS = [
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
-    (["builtin:cornell-area", "--set", "spp=1024"], [test_byte_budget]),
+    (["builtin:cornell-area", "--set", "spp=1024"], [test_moving, test_byte_budget]),
     (["builtin:spheres", "--set", "spp=1", "--set", "bloom=true", "--set", "bloom_debug=true", "--set",
       "bloom_threshold=0.3", "--set", "bloom_size=8", "--set", "bloom_sigma=4"],
      [test_bloom_stages]),

@@ -5,6 +5,7 @@ import time
 LONG = ctypes.c_long
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
 REPLACE, CURRENT_TIME, ANY_TYPE = 0, 0, 0
+SUBSTRUCTURE_NOTIFY = 1 << 19
 
 
 class ClientMessage(ctypes.Structure):
@@ -38,17 +39,25 @@ class Event(ctypes.Union):
                 ("selection", Selection), ("pad", LONG * 24)]
 
 
+@ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
+def ignore_error(_display, _error):
+    """A window that is gone is found out by asking its process; by default the library would end this one."""
+    return 0
+
+
 class Client:
     """A client of the display with a window of one pixel, which never appears."""
 
     def __init__(self):
         self.x = ctypes.CDLL("libX11.so.6")
+        self.x.XSetErrorHandler(ignore_error)
         self.x.XOpenDisplay.restype = ctypes.c_void_p
         self.x.XDefaultRootWindow.restype = self.x.XCreateSimpleWindow.restype = ctypes.c_ulong
         self.x.XInternAtom.restype = ctypes.c_ulong
         self.x.XGetImage.restype = ctypes.POINTER(Image)
         self.display = ctypes.c_void_p(self.x.XOpenDisplay(None))
         self.root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
+        self.pings = 0
         self.size = self.x.XDisplayWidth(self.display, 0), self.x.XDisplayHeight(self.display, 0)
         self.window = ctypes.c_ulong(self.x.XCreateSimpleWindow(self.display, self.root, 0, 0, 1, 1, 0, 0, 0))
 
@@ -79,7 +88,7 @@ class Client:
                 event = Event()
                 self.x.XNextEvent(self.display, ctypes.byref(event))
                 return event
-            time.sleep(0.02)
+            time.sleep(0.002)
         return None
 
     def send(self, window, message, *data):
@@ -89,6 +98,17 @@ class Client:
         event.client.data = (LONG * 5)(*data)
         self.x.XSendEvent(self.display, ctypes.c_ulong(window), 0, 0, ctypes.byref(event))
         self.x.XFlush(self.display)
+
+    def ping(self, window, patience):
+        """Waits until the window has handled all events that were sent before. Returns whether it did in time."""
+        self.pings += 1
+        self.x.XSelectInput(self.display, self.root, LONG(SUBSTRUCTURE_NOTIFY))
+        self.send(window, "WM_PROTOCOLS", self.atom("_NET_WM_PING"), self.pings, window, 0, 0)
+        end = time.monotonic() + patience
+        while (event := self.next_event(end - time.monotonic())) is not None:
+            if event.type == CLIENT_MESSAGE and event.client.data[1] == self.pings:
+                return True
+        return False
 
     def read_property(self, name):
         kind, form, count, rest = ctypes.c_ulong(), ctypes.c_int(), ctypes.c_ulong(), ctypes.c_ulong()

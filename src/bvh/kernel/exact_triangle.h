@@ -30,6 +30,27 @@ RAYSCOPE_INLINE ShearedVertex shear(const ShearedRay& ray, const float* vertex) 
             (vertex[ray.ky] - ray.origin[ray.ky]) - ray.shearY * z, z};
 }
 
+/// A ShearedRay whose axes are in the order in which its z comes last.
+struct TurnedRay {
+    Double4 origin;
+    Double4 shear;  ///< x, y, 0, 0
+    double scaleZ;
+
+    RAYSCOPE_INLINE TurnedRay(Float4 from, Float4 direction)
+        : origin(__builtin_convertvector(from, Double4)) {
+        const Double4 along = __builtin_convertvector(direction, Double4);
+        shear = Double4{along[0], along[1], 0.0, 0.0} / along[2];
+        scaleZ = 1.0 / along[2];
+    }
+};
+
+/// The same for a vertex in that order.
+RAYSCOPE_INLINE ShearedVertex shear(const TurnedRay& ray, Float4 vertex) {
+    const Double4 relative = __builtin_convertvector(vertex, Double4) - ray.origin;
+    const Double4 sheared = relative - ray.shear * relative[2];
+    return {sheared[0], sheared[1], relative[2]};
+}
+
 /// True only if two edge functions have opposite signs beyond doubt: the rounding error of fl(p·q − r·s) is
 /// at most ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below
 /// rounded with factor 4ε exceeds; the smallest normal number stands for products that underflow.
@@ -61,17 +82,24 @@ RAYSCOPE_INLINE int edgeSign(double edge, const ShearedVertex& p, const ShearedV
     return (q.x > p.x) - (q.x < p.x);
 }
 
+/// Whether the line passes inside, where an edge function may be zero.
+RAYSCOPE_INLINE bool isInsideOnRim(double u, double v, double w, const ShearedVertex& a,
+                                   const ShearedVertex& b, const ShearedVertex& c) {
+    const int side = edgeSign(u, c, b);
+    return side != 0 && edgeSign(v, a, c) == side && edgeSign(w, b, a) == side;
+}
+
 /// The exact test of a sheared triangle.
-RAYSCOPE_INLINE bool intersectSheared(const ShearedRay& ray, const ShearedVertex& a, const ShearedVertex& b,
+RAYSCOPE_INLINE bool intersectSheared(double scaleZ, const ShearedVertex& a, const ShearedVertex& b,
                                       const ShearedVertex& c, TriangleHit& hit) {
     const double u = differenceOfProducts(c.x, b.y, c.y, b.x);
     const double v = differenceOfProducts(a.x, c.y, a.y, c.x);
     const double w = differenceOfProducts(b.x, a.y, b.y, a.x);
-    const int side = edgeSign(u, c, b);
-    if (side == 0 || edgeSign(v, a, c) != side || edgeSign(w, b, a) != side) return false;
+    const bool inside = ((u > 0.0) & (v > 0.0) & (w > 0.0)) | ((u < 0.0) & (v < 0.0) & (w < 0.0));
+    if (!inside && !isInsideOnRim(u, v, w, a, b, c)) return false;
 
     const double det = u + v + w;
-    hit.t = (u * a.z + v * b.z + w * c.z) * ray.scaleZ / det;
+    hit.t = (u * a.z + v * b.z + w * c.z) * scaleZ / det;
     hit.u = v / det;
     hit.v = w / det;
     return __builtin_isfinite(hit.t);

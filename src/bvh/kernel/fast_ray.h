@@ -41,25 +41,23 @@ struct FastRay {
     }
 };
 
-/// The space in which a ray runs along z, in float.
+/// The space in which a ray runs along z, in float. Only rays that come to a leaf need it.
 struct FastShear {
-    float origin[3];
+    Float4 origin, direction;  ///< in the order of the axes
+    RayAxes axes;
+    bool isReady;
     float shearX, shearY;
-    float scaleZ;        ///< from z to distance
-    int32_t kx, ky, kz;  ///< axes
+    float scaleZ;  ///< from z to distance
 
-    RAYSCOPE_INLINE void prepare(RayWords ray, float scale) {
-        const RayAxes axes(ray);
-        kx = axes.kx;
-        ky = axes.ky;
-        kz = axes.kz;
-        origin[0] = ray[kx];
-        origin[1] = ray[ky];
-        origin[2] = ray[kz];
-        const float along = ray[3 + kz];
-        shearX = ray[3 + kx] / along;
-        shearY = ray[3 + ky] / along;
-        scaleZ = scale / along;
+    RAYSCOPE_INLINE void prepareOnce(RayWords ray, float scale) {
+        if (isReady) return;
+        isReady = true;
+        axes = RayAxes(ray);
+        origin = axes.turned(ray);
+        direction = axes.turned(ray + 3);
+        shearX = direction[0] / direction[2];
+        shearY = direction[1] / direction[2];
+        scaleZ = scale / direction[2];
     }
 };
 

@@ -1,9 +1,10 @@
+// Without instructions for several numbers at once a stream of rays gains nothing: they go one by one.
 // clang-format off: the lanes come first
 #include "bvh/kernel/compress_portable.inl"
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on
 #include "bvh/kernel/kernels.h"
-#include "bvh/kernel/stream.inl"
+#include "bvh/kernel/walk.inl"
 
-const rayscope::kernel::Kernels rayscope::kernel::kPortableKernels = {closestHit, anyHit, closestHits,
-                                                                      anyHits};
+const rayscope::kernel::Kernels rayscope::kernel::kPortableKernels = {closestHit, anyHit, closestHitsInTurn,
+                                                                      anyHitsInTurn};

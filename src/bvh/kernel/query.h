@@ -4,23 +4,30 @@
 
 namespace rayscope::kernel {
 
-/// Six planes in the layout of a BinaryNode: lower x, y, z, –, upper x, y, z, –.
-using BoxPlanes = const float*;
-
 /// Whether the ray meets the box between its tMin and `bound`; `entry` is where. See intersect_box.h.
-RAYSCOPE_INLINE bool intersectBox(BoxPlanes box, const BoxRay& ray, float bound, float& entry) {
+RAYSCOPE_INLINE bool intersectBox(Float4 lower, Float4 upper, const BoxRay& ray, float bound, float& entry) {
+    const Float4 near = ((ray.backward ? upper : lower) - ray.origin) * ray.nearInverse;
+    const Float4 far = ((ray.backward ? lower : upper) - ray.origin) * ray.farInverse;
     float enter = ray.tMin;
     float leave = bound;
     for (int axis = 0; axis < 3; ++axis) {
-        const int nearPlane = ray.nearPlane[axis];
-        const int farPlane = nearPlane ^ 4;
-        const float near = (box[nearPlane] - ray.origin[axis]) * ray.nearInverse[axis];
-        const float far = (box[farPlane] - ray.origin[axis]) * ray.farInverse[axis];
-        enter = near > enter ? near : enter;
-        leave = far < leave ? far : leave;
+        enter = near[axis] > enter ? near[axis] : enter;
+        leave = far[axis] < leave ? far[axis] : leave;
     }
     entry = enter;
     return enter <= leave;
+}
+
+/// Six planes in the layout of a BinaryNode: lower x, y, z, –, upper x, y, z, –.
+using BoxPlanes = const float*;
+
+/// What stands in the fourth place would be a denormal number, and slow.
+RAYSCOPE_INLINE Float4 load3(const float* from) {
+    return __builtin_bit_cast(Float4, __builtin_bit_cast(Int4, load4(from)) & Int4{-1, -1, -1, 0});
+}
+
+RAYSCOPE_INLINE bool intersectBox(BoxPlanes box, const BoxRay& ray, float bound, float& entry) {
+    return intersectBox(load3(box), load3(box + 4), ray, bound, entry);
 }
 
 /// The words of a Hit.
@@ -33,12 +40,12 @@ struct HitWords {
 /// Rounds t, and accepts it if it lies in (tMin, bound] and the ray meets the primitive's own box. Where t
 /// itself has lost digits (an origin very close to a large triangle) it may round to a value before that box;
 /// then it is moved to where the box begins.
-RAYSCOPE_INLINE bool accept(const BoxRay& ray, float tMin, double t, BoxPlanes own, float bound,
+RAYSCOPE_INLINE bool accept(const BoxRay& ray, float tMin, double t, Float4 lower, Float4 upper, float bound,
                             float& rounded) {
     rounded = static_cast<float>(t);
     if (!(rounded > tMin && rounded <= bound && rounded < kInfinity)) return false;
     float entry;
-    if (!intersectBox(own, ray, ray.tMax, entry)) return false;
+    if (!intersectBox(lower, upper, ray, ray.tMax, entry)) return false;
     if (rounded * ray.scale < entry) {
         const double boundary = entry / ray.scale;
         rounded = static_cast<float>(boundary);
@@ -47,27 +54,28 @@ RAYSCOPE_INLINE bool accept(const BoxRay& ray, float tMin, double t, BoxPlanes o
     return rounded <= bound && rounded < kInfinity;
 }
 
-RAYSCOPE_INLINE float smallest(float a, float b, float c) {
-    const float ab = b < a ? b : a;
-    return c < ab ? c : ab;
-}
-RAYSCOPE_INLINE float largest(float a, float b, float c) {
-    const float ab = b > a ? b : a;
-    return c > ab ? c : ab;
-}
+RAYSCOPE_INLINE Float4 smaller(Float4 a, Float4 b) { return b < a ? b : a; }
+RAYSCOPE_INLINE Float4 larger(Float4 a, Float4 b) { return b > a ? b : a; }
 
-/// Tests one triangle; on success `found` has t, u and v. `tMin` must not be negative.
-RAYSCOPE_INLINE bool hitsTriangle(const BoxRay& box, const ShearedRay& sheared, float tMin, const float* a,
-                                  const float* b, const float* c, float bound, HitWords& found) {
+/// A ray prepared for the exact test, its axes turned such that z comes last.
+struct ExactRay {
+    TurnedRay turned;
+    BoxRay box;
+    float tMin;
+
+    RAYSCOPE_INLINE ExactRay(Float4 origin, Float4 direction, float t0, float t1)
+        : turned(origin, direction), box(origin, direction, t0, t1), tMin(t0 > 0.0f ? t0 : 0.0f) {}
+};
+
+/// Tests one triangle, whose corners have their axes turned like the ray; on success `found` has t, u and v.
+RAYSCOPE_INLINE bool hitsTriangle(const ExactRay& ray, Float4 a, Float4 b, Float4 c, float bound,
+                                  HitWords& found) {
     TriangleHit hit;
-    if (!intersectSheared(sheared, shear(sheared, a), shear(sheared, b), shear(sheared, c), hit))
+    if (!intersectSheared(ray.turned.scaleZ, shear(ray.turned, a), shear(ray.turned, b), shear(ray.turned, c),
+                          hit))
         return false;
-    float own[8];
-    for (int axis = 0; axis < 3; ++axis) {
-        own[axis] = smallest(a[axis], b[axis], c[axis]);
-        own[axis + 4] = largest(a[axis], b[axis], c[axis]);
-    }
-    if (!accept(box, tMin, hit.t, own, bound, found.t)) return false;
+    const Float4 lower = smaller(smaller(a, b), c), upper = larger(larger(a, b), c);
+    if (!accept(ray.box, ray.tMin, hit.t, lower, upper, bound, found.t)) return false;
     found.u = static_cast<float>(hit.u);
     found.v = static_cast<float>(hit.v);
     return true;

@@ -56,21 +56,19 @@ struct BoxRay {
     Float4 origin;
     Float4 nearInverse;
     Float4 farInverse;
-    Int4 nearPlane;  ///< index of the near plane among the eight words of a BinaryNode
-    float tMin;      ///< scaled; a negative tMin counts as 0
-    float tMax;      ///< scaled
-    double scale;    ///< power of two: distance = t * scale
+    Int4 backward;  ///< −1 where the near plane is the upper one, else 0
+    float tMin;     ///< scaled; a negative tMin counts as 0
+    float tMax;     ///< scaled
+    double scale;   ///< power of two: distance = t * scale
 
-    RAYSCOPE_INLINE explicit BoxRay(RayWords ray) {
+    RAYSCOPE_INLINE explicit BoxRay(RayWords ray) : BoxRay(load4(ray), load4(ray + 3), ray[6], ray[7]) {}
+    RAYSCOPE_INLINE BoxRay(Float4 from, Float4 direction, float t0, float t1) : origin(from) {
         constexpr double kPad = 0x1p-21;  // 8u
-        const Float4 direction = load4(ray + 3);
-        origin = load4(ray);
-        nearPlane = Int4{0, 1, 2, 3} +
-                    (__builtin_bit_cast(Int4, direction) < 0 ? Int4{4, 4, 4, 4} : Int4{0, 0, 0, 0});
+        backward = __builtin_bit_cast(Int4, direction) < 0;
         const double longest = largestOf3(absolute(direction));
         scale = __builtin_bit_cast(double, __builtin_bit_cast(uint64_t, longest) & 0x7ff0000000000000u);
-        tMin = distance(ray[6] > 0.0f ? ray[6] : 0.0f);
-        tMax = distance(ray[7]);
+        tMin = distance(t0 > 0.0f ? t0 : 0.0f);
+        tMax = distance(t1);
         const Double4 inverse = scale / __builtin_convertvector(direction, Double4);
         const Float4 shorter = __builtin_convertvector(inverse * (1.0 - kPad), Float4);
         farInverse = __builtin_convertvector(inverse * (1.0 + kPad), Float4);
@@ -87,18 +85,24 @@ struct BoxRay {
 /// The axes of the space in which a ray runs along z: the longest component of its direction comes last, and
 /// the winding is kept.
 struct RayAxes {
-    int kx, ky, kz;
+    int32_t kx, ky, kz;
 
+    RayAxes() = default;
     RAYSCOPE_INLINE explicit RayAxes(RayWords ray) {
         const float* direction = ray + 3;
         const float x = __builtin_fabsf(direction[0]), y = __builtin_fabsf(direction[1]),
                     z = __builtin_fabsf(direction[2]);
         kz = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-        const int first = kz == 2 ? 0 : kz + 1;
-        const int second = first == 2 ? 0 : first + 1;
+        const int32_t first = kz == 2 ? 0 : kz + 1;
+        const int32_t second = first == 2 ? 0 : first + 1;
         const bool backward = direction[kz] < 0.0f;
         kx = backward ? second : first;
         ky = backward ? first : second;
+    }
+
+    /// Three numbers, x y z, in the order of these axes.
+    RAYSCOPE_INLINE Float4 turned(const float* from) const {
+        return Float4{from[kx], from[ky], from[kz], 0.0f};
     }
 };
 

@@ -23,7 +23,6 @@ struct StreamList {
 struct StreamRay {
     FastRay fast;
     FastShear shear;
-    bool isSheared;  ///< only rays that come to a leaf need to be
 };
 
 /// A subtree will be visited soon, but not next.
@@ -67,21 +66,27 @@ struct Stream {
     }
 
     RAYSCOPE_INLINE void visitLeaf(ChildRef leaf, const uint32_t* list, uint32_t count) {
+        leaf < kSphereTag ? visitBlock(leaf, list, count)
+                          : visitSphere(tree.spheres[leaf & kSphereIndexMask], list, count);
+    }
+    [[gnu::noinline]] void visitBlock(ChildRef leaf, const uint32_t* list, uint32_t count) {
+        const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = list[i];
             StreamRay& r = prepared[ray];
-            if (leaf < kSphereTag) {
-                if (!r.isSheared) {
-                    r.shear.prepare(words(ray), r.fast.scale);
-                    r.isSheared = true;
-                }
-                if (candidates(tree.blocks[leaf & kBlockIndexMask], leaf, r.shear, r.fast.tMin,
-                               r.fast.bound) == 0)
-                    continue;
-            }
             if (kAny && r.fast.bound < 0.0f) continue;
+            r.shear.prepareOnce(words(ray), r.fast.scale);
+            const unsigned possible = candidates(block, leaf, r.shear, r.fast.tMin, r.fast.bound);
+            if (possible == 0) continue;
             Search search = searchOf(ray);
-            if (kernel::visitLeaf<kAny>(tree, r.shear, leaf, search)) keep(ray, search);
+            if (testTriangles<kAny>(block, possible, r.shear, search)) keep(ray, search);
+        }
+    }
+    RAYSCOPE_INLINE void visitSphere(const SphereRecord& sphere, const uint32_t* list, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            if (kAny && prepared[list[i]].fast.bound < 0.0f) continue;
+            Search search = searchOf(list[i]);
+            if (testSphere(sphere, search)) keep(list[i], search);
         }
     }
 
@@ -94,9 +99,9 @@ struct Stream {
             Search search = searchOf(ray);
             const FastBoxLanes lanes(search.ray, r.fast);
             if constexpr (kAny) {
-                if (walkToAnyHit(tree, ref, lanes, r.shear, r.isSheared, search)) keep(ray, search);
+                if (walkToAnyHit(tree, ref, lanes, r.shear, search)) keep(ray, search);
             } else {
-                walkToClosestHit(tree, ref, lanes, r.shear, r.isSheared, search);
+                walkToClosestHit(tree, ref, lanes, r.shear, search);
                 keep(ray, search);
             }
         }
@@ -193,7 +198,7 @@ RAYSCOPE_INLINE uint32_t prepare(Stream<kAny>& stream, uint32_t count) {
             }
             continue;
         }
-        r.isSheared = false;
+        r.shear.isReady = false;
         if constexpr (!kAny) stream.best[i].t = ray[7];
         stream.lists[length++] = i;
     }
@@ -201,11 +206,8 @@ RAYSCOPE_INLINE uint32_t prepare(Stream<kAny>& stream, uint32_t count) {
 }
 
 void closestHits(const WideTreeView& tree, const float* rays, HitWords* hits, size_t count) {
+    if (count < kFewRays) return closestHitsInTurn(tree, rays, hits, count);
     for (size_t i = 0; i < count; ++i) hits[i] = {kInfinity, kNoPrimitive, 0.0f, 0.0f};
-    if (count < kFewRays) {
-        for (size_t i = 0; i < count; ++i) closestHit(tree, rays + 8 * i, hits[i]);
-        return;
-    }
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;
         Stream<false> stream(tree, rays + 8 * begin, hits + begin, nullptr);
@@ -216,11 +218,8 @@ void closestHits(const WideTreeView& tree, const float* rays, HitWords* hits, si
 }
 
 void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count) {
+    if (count < kFewRays) return anyHitsInTurn(tree, rays, occluded, count);
     for (size_t i = 0; i < count; ++i) occluded[i] = 0;
-    if (count < kFewRays) {
-        for (size_t i = 0; i < count; ++i) occluded[i] = anyHit(tree, rays + 8 * i);
-        return;
-    }
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;
         Stream<true> stream(tree, rays + 8 * begin, nullptr, occluded + begin);

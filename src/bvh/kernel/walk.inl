@@ -36,34 +36,48 @@ constexpr bool watches = true;
 template <>
 constexpr bool watches<NoWatcher> = false;
 
-/// Tests what a leaf holds. Returns whether anything was hit.
+/// Tests a sphere. Returns whether it was hit.
+template <class Watcher = NoWatcher>
+RAYSCOPE_INLINE bool testSphere(const SphereRecord& record, Search& search, Watcher watcher = {}) {
+    HitWords found{};
+    const bool isHit = hitsSphere(search.ray, record.sphere, search.best.t, found);
+    if constexpr (watches<Watcher>) watcher.tested(record.primitive, isHit, found, search);
+    if (!isHit) return false;
+    found.primitive = record.primitive;
+    search.keepCloser(found);
+    return true;
+}
+
+/// Tests the triangles of a block whose bit is set; there is at least one. Returns whether any was hit.
 template <bool kAny, class Watcher = NoWatcher>
-RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, const FastShear& shear, ChildRef leaf,
-                               Search& search, Watcher watcher = {}) {
-    HitWords found;
-    if (leaf >= kSphereTag) {
-        const SphereRecord& record = tree.spheres[leaf & kSphereIndexMask];
-        const bool isHit = hitsSphere(search.ray, record.sphere, search.best.t, found);
-        if constexpr (watches<Watcher>) watcher.tested(record.primitive, isHit, found, search);
-        if (!isHit) return false;
-        found.primitive = record.primitive;
-        search.keepCloser(found);
-        return true;
-    }
-    const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
+RAYSCOPE_INLINE bool testTriangles(const TriangleBlock& block, unsigned possible, const FastShear& shear,
+                                   Search& search, Watcher watcher = {}) {
+    const BlockRay ray(search.ray, shear);
+    HitWords found{};
     bool any = false;
-    const unsigned possible = candidates(block, leaf, shear, search.tMin, search.bound);
-    if constexpr (watches<Watcher>) watcher.filtered(block, leaf, possible, search);
-    for (unsigned mask = possible; mask != 0; mask &= mask - 1) {
-        const int lane = __builtin_ctz(mask);
-        const bool isHit = testTriangle(search.ray, block, lane, search.best.t, found);
+    do {
+        const int lane = __builtin_ctz(possible);
+        possible &= possible - 1;
+        const bool isHit = ray.hits(block, lane, search.best.t, found);
         if constexpr (watches<Watcher>) watcher.tested(block.primitive[lane], isHit, found, search);
         if (!isHit) continue;
         if constexpr (kAny) return true;
         search.keepCloser(found);
         any = true;
-    }
+    } while (possible != 0);
     return any;
+}
+
+/// Tests what a leaf holds. Returns whether anything was hit.
+template <bool kAny, class Watcher = NoWatcher>
+RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, FastShear& shear, ChildRef leaf, Search& search,
+                               Watcher watcher = {}) {
+    if (leaf >= kSphereTag) return testSphere(tree.spheres[leaf & kSphereIndexMask], search, watcher);
+    shear.prepareOnce(search.ray, static_cast<float>(search.scale));
+    const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
+    const unsigned possible = candidates(block, leaf, shear, search.tMin, search.bound);
+    if constexpr (watches<Watcher>) watcher.filtered(block, leaf, possible, search);
+    return possible != 0 && testTriangles<kAny>(block, possible, shear, search, watcher);
 }
 
 struct Waiting {
@@ -72,7 +86,7 @@ struct Waiting {
 };
 constexpr int kStackSize = (kWidth - 1) * kMostWideLevels + kWidth;
 
-/// The near child of several first; the others wait.
+/// The nearest child of several first; the others wait in order, the farthest lowest.
 template <class Watcher>
 RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes entry, Waiting* stack,
                                       int& waiting, Watcher watcher) {
@@ -80,31 +94,32 @@ RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes
     entry.store(entries);
     int lane = __builtin_ctz(mask);
     Waiting nearest{node.child[lane], entries[lane]};
+    const int lowest = waiting;
     for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
         lane = __builtin_ctz(mask);
         const Waiting other{node.child[lane], entries[lane]};
         const bool nearer = other.entry < nearest.entry;
-        stack[waiting++] = nearer ? nearest : other;
-        if constexpr (watches<Watcher>) watcher.waits(stack[waiting - 1].ref);
+        const Waiting farther = nearer ? nearest : other;
         nearest = nearer ? other : nearest;
+        int place = waiting++;
+        for (; place > lowest && stack[place - 1].entry < farther.entry; --place)
+            stack[place] = stack[place - 1];
+        stack[place] = farther;
     }
+    if constexpr (watches<Watcher>)
+        for (int place = lowest; place < waiting; ++place) watcher.waits(stack[place].ref);
     return nearest.ref;
 }
 
 template <class BoxLanes, class Watcher = NoWatcher>
 RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                      FastShear& shear, bool& isSheared, Search& search,
-                                      Watcher watcher = {}) {
+                                      FastShear& shear, Search& search, Watcher watcher = {}) {
     Waiting stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
     while (true) {
         if constexpr (watches<Watcher>) watcher.entered(ref, search);
         if (ref & kTagMask) {
-            if (!isSheared) {
-                shear.prepare(search.ray, static_cast<float>(search.scale));
-                isSheared = true;
-            }
             visitLeaf<false>(tree, shear, ref, search, watcher);
         } else {
             const WideNode& node = tree.nodes[ref];
@@ -127,17 +142,13 @@ RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, c
 
 template <class BoxLanes, class Watcher = NoWatcher>
 RAYSCOPE_INLINE bool walkToAnyHit(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                  FastShear& shear, bool& isSheared, Search& search, Watcher watcher = {}) {
+                                  FastShear& shear, Search& search, Watcher watcher = {}) {
     ChildRef stack[kStackSize];
     int waiting = 0;
     ChildRef ref = from;
     while (true) {
         if constexpr (watches<Watcher>) watcher.entered(ref, search);
         if (ref & kTagMask) {
-            if (!isSheared) {
-                shear.prepare(search.ray, static_cast<float>(search.scale));
-                isSheared = true;
-            }
             if (visitLeaf<true>(tree, shear, ref, search, watcher)) return true;
         } else {
             const WideNode& node = tree.nodes[ref];
@@ -174,8 +185,7 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {
         FastShear shear{};
-        bool isSheared = false;
-        walkToClosestHit(tree, tree.root, lanes, shear, isSheared, search);
+        walkToClosestHit(tree, tree.root, lanes, shear, search);
         found = search.best.primitive != kNoPrimitive;
         if (found) hit = search.best;
     });
@@ -187,10 +197,23 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     bool found;
     prepared(tree, ray, [&](const auto& lanes, Search& search) {
         FastShear shear{};
-        bool isSheared = false;
-        found = walkToAnyHit(tree, tree.root, lanes, shear, isSheared, search);
+        found = walkToAnyHit(tree, tree.root, lanes, shear, search);
     });
     return found;
+}
+
+/// The same for many rays, one after the other.
+[[maybe_unused]] void closestHitsInTurn(const WideTreeView& tree, const float* rays, HitWords* hits,
+                                        size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        hits[i] = {kInfinity, kNoPrimitive, 0.0f, 0.0f};
+        closestHit(tree, rays + 8 * i, hits[i]);
+    }
+}
+
+[[maybe_unused]] void anyHitsInTurn(const WideTreeView& tree, const float* rays, uint8_t* occluded,
+                                    size_t count) {
+    for (size_t i = 0; i < count; ++i) occluded[i] = anyHit(tree, rays + 8 * i);
 }
 
 }  // namespace

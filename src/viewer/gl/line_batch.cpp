@@ -3,7 +3,7 @@
 namespace rayscope::viewer {
 
 namespace {
-/// One line as the vertex shader reads it.
+/// One line as the vertex shader reads it: once per rectangle, or once per end.
 struct Instance {
     glm::vec3 from, to;
     glm::vec4 color;
@@ -20,7 +20,6 @@ LineBatch::LineBatch() {
         glEnableVertexAttribArray(index);
         glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Instance),
                               reinterpret_cast<const void*>(offset));
-        glVertexAttribDivisor(index, 1);
     };
     attribute(0, 3, offsetof(Instance, from));
     attribute(1, 3, offsetof(Instance, to));
@@ -34,27 +33,41 @@ LineBatch::~LineBatch() {
     glDeleteBuffers(1, &buffer_);
 }
 
-void LineBatch::upload(const OverlayLines& lines) {
+void LineBatch::upload(const OverlayLines& lines, bool fine) {
+    fine_ = fine;
     std::vector<Instance> instances;
-    instances.reserve(lines.size());
+    instances.reserve(lines.size() * (fine ? 2 : 1));
     for (const OverlayLine& line : lines)
-        instances.push_back({line.from, line.to, line.color, line.width, static_cast<float>(line.style)});
+        for (int end = 0; end < (fine ? 2 : 1); ++end)
+            instances.push_back({line.from, line.to, line.color, line.width, static_cast<float>(line.style)});
     count_ = static_cast<GLsizei>(instances.size());
+    glBindVertexArray(vertexArray_);
+    for (const GLuint attribute : {0u, 1u, 2u, 3u}) glVertexAttribDivisor(attribute, fine ? 0 : 1);
+    glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
                  instances.data(), GL_DYNAMIC_DRAW);
 }
 
-void LineBatch::draw(const glm::mat4& viewProjection, glm::vec2 viewport, float scale, float opacity) {
+void LineBatch::draw(const LineLook& look) {
     if (count_ == 0) return;
     shader_.use();
-    shader_.set("viewProjection", viewProjection);
-    shader_.set("viewport", viewport);
-    shader_.set("scale", scale);
-    shader_.set("opacity", opacity);
+    shader_.set("viewProjection", look.viewProjection);
+    shader_.set("viewport", look.viewport);
+    shader_.set("scale", look.scale);
+    shader_.set("fine", fine_ ? 1 : 0);
+    shader_.set("sceneDepth", 0);
+    shader_.set("depthKnown", look.sceneDepth != 0 ? 1 : 0);
+    shader_.set("hiddenOpacity", look.hiddenOpacity);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, look.sceneDepth);
     glBindVertexArray(vertexArray_);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+    if (fine_)
+        glDrawArrays(GL_LINES, 0, count_);
+    else
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
     glBindVertexArray(0);
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 }  // namespace rayscope::viewer

@@ -7,8 +7,17 @@
 
 namespace rayscope::viewer {
 
+/// How lines are drawn.
+struct LineLook {
+    glm::mat4 viewProjection{1.0f};
+    glm::vec2 viewport{1.0f};    ///< in pixels
+    float scale = 1.0f;          ///< multiplies widths
+    GLuint sceneDepth = 0;       ///< a texture with the depths of the picture; 0: nothing hides lines
+    float hiddenOpacity = 1.0f;  ///< of what lies behind surfaces
+};
+
 /// Draws overlay lines as rectangles that face the screen: core profiles promise no line wider than one
-/// pixel.
+/// pixel. What is hidden is found in the shader, so that each line is drawn once.
 class LineBatch {
   public:
     LineBatch();
@@ -16,15 +25,16 @@ class LineBatch {
     LineBatch(const LineBatch&) = delete;
     LineBatch& operator=(const LineBatch&) = delete;
 
-    void upload(const OverlayLines& lines);
+    /// `fine` lines are one pixel wide: quicker, where there are many.
+    void upload(const OverlayLines& lines, bool fine = false);
 
-    /// `viewport` in pixels; `scale` multiplies widths, `opacity` all colours.
-    void draw(const glm::mat4& viewProjection, glm::vec2 viewport, float scale, float opacity);
+    void draw(const LineLook& look);
 
   private:
     Shader shader_{"line"};
     GLuint vertexArray_ = 0, buffer_ = 0;
     GLsizei count_ = 0;
+    bool fine_ = false;
 };
 
 }  // namespace rayscope::viewer

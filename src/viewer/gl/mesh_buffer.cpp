@@ -58,10 +58,24 @@ MeshBuffer::~MeshBuffer() {
     glDeleteBuffers(4, buffers_);
 }
 
-void MeshBuffer::draw(const Range& range) const {
+std::size_t MeshBuffer::draw(std::uint32_t slot) const {
+    const Range* range = rangeOf(slot);
+    if (range == nullptr) return 0;
     glBindVertexArray(vertexArray_);
-    glDrawElements(GL_TRIANGLES, range.indexCount, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(range.firstIndex * sizeof(GLuint)));
+    glDrawElements(GL_TRIANGLES, range->indexCount, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(range->firstIndex * sizeof(GLuint)));
+    return trianglesOf(slot);
+}
+
+std::size_t MeshBuffer::trianglesOf(std::uint32_t slot) const {
+    const Range* range = rangeOf(slot);
+    return range ? static_cast<std::size_t>(range->indexCount) / 3 : 0;
+}
+
+const MeshBuffer::Range* MeshBuffer::rangeOf(std::uint32_t slot) const {
+    const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+                                    [slot](const Range& range) { return range.slot == slot; });
+    return found != ranges_.end() ? &*found : nullptr;
 }
 
 MeshData unitSphereMesh() {

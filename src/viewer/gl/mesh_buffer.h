@@ -22,12 +22,16 @@ class MeshBuffer {
         std::size_t firstIndex = 0;
     };
     std::span<const Range> ranges() const { return ranges_; }
-    void draw(const Range& range) const;
+    /// Draws the triangles of a slot, if it has any. Returns their number.
+    std::size_t draw(std::uint32_t slot) const;
+    std::size_t trianglesOf(std::uint32_t slot) const;
 
     bool hasNormals() const { return hasNormals_; }
     bool hasTexCoords() const { return hasTexCoords_; }
 
   private:
+    const Range* rangeOf(std::uint32_t slot) const;
+
     GLuint vertexArray_ = 0;
     GLuint buffers_[4] = {};  // positions, normals, texture coordinates, indices
     std::vector<Range> ranges_;

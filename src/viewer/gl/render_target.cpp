@@ -4,11 +4,41 @@
 
 namespace rayscope::viewer {
 
+namespace {
+
+GLuint texture(int width, int height, GLint internalFormat, GLenum format, GLenum type) {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    glBindTexture(GL_TEXTURE_2D, id);
+    glTexImage2D(GL_TEXTURE_2D, 0, internalFormat, width, height, 0, format, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    return id;
+}
+
+GLuint framebuffer(GLuint color, GLuint depth) {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    glBindFramebuffer(GL_FRAMEBUFFER, id);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    if (depth != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    return id;
+}
+
+bool isComplete(GLuint framebuffer) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+}  // namespace
+
 void RenderTarget::release() {
     if (framebuffer_ == 0) return;
     glDeleteFramebuffers(1, &framebuffer_);
+    glDeleteFramebuffers(1, &colorOnly_);
     glDeleteTextures(1, &color_);
-    glDeleteRenderbuffers(1, &depth_);
+    glDeleteTextures(1, &depth_);
     framebuffer_ = 0;
 }
 
@@ -17,19 +47,11 @@ bool RenderTarget::resize(int width, int height) {
     release();
     width_ = width;
     height_ = height;
-    glGenTextures(1, &color_);
-    glBindTexture(GL_TEXTURE_2D, color_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glGenRenderbuffers(1, &depth_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-    glGenFramebuffers(1, &framebuffer_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_, 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    color_ = texture(width, height, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+    depth_ = texture(width, height, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
+    framebuffer_ = framebuffer(color_, depth_);
+    colorOnly_ = framebuffer(color_, 0);
+    const bool complete = isComplete(framebuffer_) && isComplete(colorOnly_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (!complete) throw std::runtime_error("the graphics driver refuses an off-screen picture");
     return true;
@@ -40,10 +62,23 @@ void RenderTarget::bind() const {
     glViewport(0, 0, width_, height_);
 }
 
-void RenderTarget::copyToWindow(int x, int y) const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+void RenderTarget::bindColorOnly() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, colorOnly_);
+    glViewport(0, 0, width_, height_);
+}
+
+void RenderTarget::copyTo(const RenderTarget& other) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, colorOnly_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.colorOnly_);
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    other.bind();
+}
+
+void RenderTarget::copyToWindow(int x, int y, int width, int height) const {
+    const GLenum filter = width == width_ && height == height_ ? GL_NEAREST : GL_LINEAR;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, colorOnly_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, width_, height_, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, filter);
     unbind();
 }
 

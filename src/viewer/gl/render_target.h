@@ -16,15 +16,22 @@ class RenderTarget {
     bool resize(int width, int height);
     /// All drawing goes here, over the whole target.
     void bind() const;
+    /// The same without the depth buffer, which can be read as depthTexture() meanwhile.
+    void bindColorOnly() const;
+    GLuint depthTexture() const { return depth_; }
     /// Drawing goes to the window again.
     static void unbind() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
-    /// Pixel by pixel, with the lower left corner at (x, y).
-    void copyToWindow(int x, int y) const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+    /// To a rectangle of the window with the lower left corner at (x, y): pixel by pixel, or enlarged.
+    void copyToWindow(int x, int y, int width, int height) const;
+    /// The colours of all pixels, to another target of the same size, which becomes the bound one.
+    void copyTo(const RenderTarget& other) const;
 
   private:
     void release();
 
-    GLuint framebuffer_ = 0, color_ = 0, depth_ = 0;
+    GLuint framebuffer_ = 0, colorOnly_ = 0, color_ = 0, depth_ = 0;
     int width_ = 0, height_ = 0;
 };
 

@@ -77,18 +77,21 @@ double smallestWhole(const std::vector<VisibleBox>& visible, std::size_t mostWho
 
 }  // namespace
 
-OverlayLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
-    OverlayLines lines;
+BoxLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
+    BoxLines drawn;
     Spots spots(frame);
     const std::vector<VisibleBox> visible = visibleBoxes(boxes, frame);
     const double whole = smallestWhole(visible, mostWhole);
     for (const auto& [box, pixel, size] : visible) {
-        if (size >= whole)
-            appendBox(lines, box->lower, box->upper, box->color, box->style, box->width);
-        else if (reaches(frame, pixel, 0.0) && spots.take(pixel))
-            lines.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
+        if (size >= kSmallestBox) ++drawn.large;
+        if (size >= whole) {
+            appendBox(drawn.lines, box->lower, box->upper, box->color, box->style, box->width);
+            ++drawn.whole;
+        } else if (reaches(frame, pixel, 0.0) && spots.take(pixel)) {
+            drawn.lines.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
+        }
     }
-    return lines;
+    return drawn;
 }
 
 }  // namespace rayscope::viewer

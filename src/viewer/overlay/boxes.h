@@ -13,9 +13,15 @@ struct OverlayBox {
 };
 using OverlayBoxes = std::vector<OverlayBox>;
 
+struct BoxLines {
+    OverlayLines lines;
+    std::size_t large = 0;  ///< boxes of some pixels in the picture …
+    std::size_t whole = 0;  ///< … and how many of them have all their edges
+};
+
 /// Boxes as they can be told apart from where the camera stands: those of some pixels have twelve edges, but
 /// no more than the `mostWhole` largest; of the others one per spot of the picture is drawn, as a stroke;
 /// those outside the picture are left out. So the number of lines is bounded, whatever the number of boxes.
-OverlayLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
+BoxLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
 
 }  // namespace rayscope::viewer

@@ -117,15 +117,9 @@ double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
 /// The distance in pixels from the cursor to a line of the scene, as far as that is before the camera.
 std::optional<double> distanceOnScreen(const ViewFrame& frame, glm::dvec3 a, glm::dvec3 b,
                                        glm::dvec2 cursor) {
-    const double nearest = 1e-3 * (glm::distance(frame.eye, a) + glm::distance(frame.eye, b));
-    const double depthA = glm::dot(a - frame.eye, frame.forward) - nearest;
-    const double depthB = glm::dot(b - frame.eye, frame.forward) - nearest;
-    if (depthA <= 0.0 && depthB <= 0.0) return std::nullopt;
-    if (depthA < 0.0) a = glm::mix(a, b, depthA / (depthA - depthB));
-    if (depthB < 0.0) b = glm::mix(b, a, depthB / (depthB - depthA));
-    const auto onScreenA = frame.project(a), onScreenB = frame.project(b);
-    if (!onScreenA || !onScreenB) return std::nullopt;
-    return distanceToSegment(cursor, *onScreenA, *onScreenB);
+    const auto segment = frame.projectSegment(a, b);
+    if (!segment) return std::nullopt;
+    return distanceToSegment(cursor, (*segment)[0], (*segment)[1]);
 }
 
 }  // namespace

@@ -51,8 +51,10 @@ void drawFigures(const Comparison& comparison) {
         "Structural similarity of the luminance on a display; 1 for equal pictures.");
     row("FLIP", fmt::format("{:.6f}", figures->flip),
         "Mean difference that a person would see on a display; 0 for equal pictures.");
-    dimText(comparison.figuresAreFinal() ? "of the complete picture B against A"
-                                         : "so far; B is not complete yet");
+    if (comparison.figuresAreFinal())
+        dimText("of the complete picture B against A");
+    else
+        dimText(comparison.busy() ? "so far; measuring ..." : "so far; B is not complete yet");
 }
 
 void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
@@ -96,12 +98,7 @@ void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     const Comparison::View& view = comparison.view;
     const auto mark = [&](const char* words, float x, bool leftOf) {
-        const ImVec2 extent = ImGui::CalcTextSize(words);
-        const float pad = scaled(5.0f), left = leftOf ? x - extent.x - 2.0f * pad : x;
-        const float top = origin.y + scaled(8.0f);
-        draw.AddRectFilled({left, top}, {left + extent.x + 2.0f * pad, top + extent.y + pad},
-                           IM_COL32(15, 17, 20, 200), scaled(3.0f));
-        draw.AddText({left + pad, top + 0.5f * pad}, IM_COL32(235, 237, 240, 255), words);
+        pictureLabel(words, {x, origin.y + scaled(8.0f)}, leftOf);
     };
     draw.PushClipRect({origin.x, origin.y}, {origin.x + size.x, origin.y + size.y});
     const float x = origin.x + size.x * view.divider, gap = scaled(8.0f);

@@ -31,6 +31,9 @@ void drawGoalPanel(Workspace& workspace);
 /// The divider and the names of compared pictures, over the picture.
 void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 size);
 
+/// What the picture lacks while it moves, in its lower left corner.
+void drawDetailNote(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size);
+
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {
   public:

@@ -15,6 +15,18 @@ namespace {
 
 ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
 
+/// So many samples can be told apart; of more, only the chosen one is outlined.
+constexpr std::size_t kMostCircles = 256;
+
+void drawDot(ImDrawList& draw, ImVec2 center, ImU32 color, bool chosen, bool amongMany) {
+    const float radius = scaled(chosen ? 4.5f : 3.0f), half = scaled(1.0f);
+    if (amongMany && !chosen)
+        return draw.AddRectFilled({center.x - half, center.y - half}, {center.x + half, center.y + half},
+                                  color);
+    draw.AddCircleFilled(center, radius, color);
+    draw.AddCircle(center, radius, chosen ? IM_COL32(255, 255, 255, 255) : IM_COL32(130, 134, 142, 255));
+}
+
 /// The pixel as a square with a dot per sample in its colour; over the grid that jittered samples keep to.
 void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -34,10 +46,8 @@ void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
         const glm::vec2 place = glm::vec2(shot.pixel.positions[i]) * side;
         const ImVec2 center{at.x + place.x, at.y + place.y};
         const bool chosen = static_cast<int>(i) == shot.tree().name.index;
-        draw.AddCircleFilled(center, scaled(chosen ? 4.5f : 3.0f),
-                             toU32(displayColor(Rgb(shot.pixel.values[i]))));
-        draw.AddCircle(center, scaled(chosen ? 4.5f : 3.0f),
-                       chosen ? IM_COL32(255, 255, 255, 255) : IM_COL32(130, 134, 142, 255));
+        drawDot(draw, center, toU32(displayColor(Rgb(shot.pixel.values[i]))), chosen,
+                shot.pixel.positions.size() > kMostCircles);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const float distance = std::hypot(mouse.x - center.x, mouse.y - center.y);
         if (distance < reach) {
@@ -67,7 +77,13 @@ void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float 
         const double share = std::isfinite(value) ? std::clamp(value / highest, 0.0, 1.0) : 1.0;
         return at.y + height * static_cast<float>(1.0 - share);
     };
-    for (int i = 0; i < count; ++i) {
+    // Where samples are closer than pixels, the brightest of its neighbours stands for them.
+    const int stride = std::max(1, count / std::max(1, static_cast<int>(width)));
+    for (int first = 0; first < count; first += stride) {
+        int i = first;
+        for (int other = first; other < std::min(count, first + stride); ++other)
+            if (!(s.luminance[static_cast<std::size_t>(other)] <= s.luminance[static_cast<std::size_t>(i)]))
+                i = other;
         const double value = s.luminance[static_cast<std::size_t>(i)];
         ImU32 color = toU32(displayColor(Rgb(shot.pixel.values[static_cast<std::size_t>(i)])));
         if (!std::isfinite(value)) color = IM_COL32(255, 0, 255, 255);
@@ -77,8 +93,8 @@ void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float 
     for (const std::size_t i : s.outliers)
         draw.AddRect({xOf(static_cast<double>(i)), yOf(s.luminance[i])},
                      {xOf(static_cast<double>(i) + 1.0), at.y + height}, IM_COL32(240, 165, 30, 255));
-    for (int i = 1; i < count; ++i)
-        draw.AddLine({xOf(i - 0.5), yOf(s.runningMean[static_cast<std::size_t>(i) - 1])},
+    for (int i = stride; i < count; i += stride)
+        draw.AddLine({xOf(i - stride + 0.5), yOf(s.runningMean[static_cast<std::size_t>(i - stride)])},
                      {xOf(i + 0.5), yOf(s.runningMean[static_cast<std::size_t>(i)])},
                      IM_COL32(90, 180, 235, 255), scaled(1.5f));
     if (!ImGui::IsItemHovered() || count == 0) return;

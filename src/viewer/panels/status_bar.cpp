@@ -133,7 +133,7 @@ void drawProgress(const Workspace& workspace, const Progress& progress) {
     // From the first moment on there is something to be seen.
     const float done =
         std::max(scaled(10.0f), ImGui::GetWindowWidth() * static_cast<float>(doneShare(workspace)));
-    if (workspace.render.busy() || status.state == RenderState::Paused)
+    if (workspace.render.busy() || workspace.comparison.busy() || status.state == RenderState::Paused)
         ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + done, at.y + scaled(2.0f)},
                                                   ImGui::GetColorU32(ImGuiCol_PlotHistogram));
 }
@@ -144,6 +144,13 @@ bool isFresh(const Notice& notice) {
 }
 
 }  // namespace
+
+void drawDetailNote(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size) {
+    const std::string words = drawnText(counts);
+    if (words.empty()) return;
+    const float height = ImGui::GetFontSize() + scaled(12.0f);
+    pictureLabel(("drawn: " + words).c_str(), {origin.x + scaled(8.0f), origin.y + size.y - height});
+}
 
 void drawStatusBar(Workspace& workspace, float height) {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();

@@ -63,6 +63,15 @@ bool vectorRow(const char* label, glm::vec3& value, float speed) {
     return edited;
 }
 
+void pictureLabel(const char* words, ImVec2 place, bool leftOf) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const ImVec2 extent = ImGui::CalcTextSize(words);
+    const float pad = scaled(5.0f), left = leftOf ? place.x - extent.x - 2.0f * pad : place.x;
+    draw.AddRectFilled({left, place.y}, {left + extent.x + 2.0f * pad, place.y + extent.y + pad},
+                       IM_COL32(15, 17, 20, 200), scaled(3.0f));
+    draw.AddText({left + pad, place.y + 0.5f * pad}, IM_COL32(235, 237, 240, 255), words);
+}
+
 bool choiceButton(const char* label, bool chosen, float width) {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     const bool pressed = ImGui::Button(label, {width, 0.0f});

@@ -27,6 +27,9 @@ void tooltip(std::string_view words);
 bool colorRow(const char* label, Rgb& color);
 bool vectorRow(const char* label, glm::vec3& value, float speed);
 
+/// Words on a dark ground over the picture, to the right or to the left of a place.
+void pictureLabel(const char* words, ImVec2 place, bool leftOf = false);
+
 /// A button that looks pressed when it stands for the present choice.
 bool choiceButton(const char* label, bool chosen, float width);
 

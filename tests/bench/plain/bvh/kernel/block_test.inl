@@ -28,7 +28,8 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, c
                                     float tMin, float bound) {
     const auto corner = [&](int i) -> Lanes3 {
         const auto& rows = block.corner[i];
-        return {Lanes::load(rows[ray.kx]), Lanes::load(rows[ray.ky]), Lanes::load(rows[ray.kz])};
+        return {Lanes::load(rows[ray.axes.kx]), Lanes::load(rows[ray.axes.ky]),
+                Lanes::load(rows[ray.axes.kz])};
     };
     const Lanes3 direction{Lanes::all(ray.shearX), Lanes::all(ray.shearY), Lanes::all(1.0f)};
     const Lanes3 origin{Lanes::all(ray.origin[0]), Lanes::all(ray.origin[1]), Lanes::all(ray.origin[2])};
@@ -44,28 +45,33 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, c
 }
 
 /// One triangle again, for its t and weights.
-RAYSCOPE_INLINE bool testTriangle(RayWords ray, const TriangleBlock& block, int lane, float bound,
-                                  HitWords& found) {
-    float a[3], edge1[3], edge2[3], s[3], p[3], q[3];
-    for (int i = 0; i < 3; ++i) {
-        a[i] = block.corner[0][i][lane];
-        edge1[i] = block.corner[1][i][lane] - a[i];
-        edge2[i] = block.corner[2][i][lane] - a[i];
-        s[i] = ray[i] - a[i];
+struct BlockRay {
+    RayWords ray;
+
+    RAYSCOPE_INLINE BlockRay(RayWords words, const FastShear&) : ray(words) {}
+
+    RAYSCOPE_INLINE bool hits(const TriangleBlock& block, int lane, float bound, HitWords& found) const {
+        float a[3], edge1[3], edge2[3], s[3], p[3], q[3];
+        for (int i = 0; i < 3; ++i) {
+            a[i] = block.corner[0][i][lane];
+            edge1[i] = block.corner[1][i][lane] - a[i];
+            edge2[i] = block.corner[2][i][lane] - a[i];
+            s[i] = ray[i] - a[i];
+        }
+        const float* d = ray + 3;
+        for (int i = 0; i < 3; ++i) {
+            const int j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
+            p[i] = d[j] * edge2[k] - d[k] * edge2[j];
+            q[i] = s[j] * edge1[k] - s[k] * edge1[j];
+        }
+        const float inverse = 1.0f / (edge1[0] * p[0] + edge1[1] * p[1] + edge1[2] * p[2]);
+        found.t = (edge2[0] * q[0] + edge2[1] * q[1] + edge2[2] * q[2]) * inverse;
+        found.u = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) * inverse;
+        found.v = (d[0] * q[0] + d[1] * q[1] + d[2] * q[2]) * inverse;
+        found.primitive = block.primitive[lane];
+        return found.t > ray[6] && found.t <= bound;
     }
-    const float* d = ray + 3;
-    for (int i = 0; i < 3; ++i) {
-        const int j = i == 2 ? 0 : i + 1, k = j == 2 ? 0 : j + 1;
-        p[i] = d[j] * edge2[k] - d[k] * edge2[j];
-        q[i] = s[j] * edge1[k] - s[k] * edge1[j];
-    }
-    const float inverse = 1.0f / (edge1[0] * p[0] + edge1[1] * p[1] + edge1[2] * p[2]);
-    found.t = (edge2[0] * q[0] + edge2[1] * q[1] + edge2[2] * q[2]) * inverse;
-    found.u = (s[0] * p[0] + s[1] * p[1] + s[2] * p[2]) * inverse;
-    found.v = (d[0] * q[0] + d[1] * q[1] + d[2] * q[2]) * inverse;
-    found.primitive = block.primitive[lane];
-    return found.t > ray[6] && found.t <= bound;
-}
+};
 
 }  // namespace
 }  // namespace rayscope::kernel
