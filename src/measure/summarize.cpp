@@ -139,8 +139,7 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
             result.breakEvens.push_back(breakEvenOf(i, runs[i], runs.front()));
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (result.points[i].role == TradeRole::Preset && result.points[i].runs >= 2)
-            result.dial.push_back(
-                {result.points[i].level, i, excessTime(result, i)});
+            result.dial.push_back({result.points[i].level, i, excessTime(result, i)});
     findNeeds(result, scene);
     remark(result);
 }
