@@ -19,7 +19,7 @@ struct AccelInput {
 
 struct BuildSettings {
     BvhBuilder builder = BvhBuilder::SahBinned;
-    int bins = 32;                       ///< candidate planes per axis of SahBinned, 2 … 4096
+    int bins = 32;                       ///< candidate planes per axis of SahBinned and High, 2 … 4096
     int maxLevel = 64;                   ///< deepest level of the binary tree, the root is level 0; 0 … 64
     int leafSize = 4;                    ///< most primitives in a leaf above the deepest level, ≥ 1
     BvhLayout layout = BvhLayout::Wide;  ///< what rays walk
@@ -38,6 +38,8 @@ struct AccelSummary {
     std::size_t wideNodes = 0, triangleBlocks = 0;
     Isa isa = Isa::Auto;  ///< of the kernels that answer queries; Auto: the binary tree is walked
     std::uint32_t droppedPrimitives = 0;  ///< left out because of NaN or infinite coordinates
+    /// The surface area heuristic's cost of what rays walk, relative to when it was built; 1 unless refitted.
+    double costGrowth = 1.0;
 };
 
 /// A bounding volume hierarchy over triangles and spheres. Immutable after build(); all queries may run
@@ -58,6 +60,13 @@ class Accel {
     /// instruction set, and std::length_error for more than 2^31 primitives. Primitives with NaN or infinite
     /// coordinates are left out and never hit.
     static Accel build(const AccelInput& input, const BuildSettings& settings = {});
+
+    /// The same hierarchy around vertices and spheres that have moved: a fraction of the time of build(), the
+    /// same answers, but more work per ray the farther neighbours have moved apart; see summary().costGrowth.
+    /// Builds anew, with the same settings, if other primitives than before have NaN or infinite coordinates.
+    /// `moved` may be the same memory with new values. Throws std::invalid_argument if it does not have as
+    /// many triangles and spheres, or like build().
+    Accel refit(const AccelInput& moved, std::stop_token stop = {}) const;
 
     /// Finds the hit with the smallest t in (tMin, tMax]. Returns false, and leaves `hit` at its default, on
     /// a miss.

@@ -15,7 +15,7 @@ enum class SamplePattern { Independent, Jittered, Sobol };
 enum class LensShape { Disk, Square, Hexagon };
 enum class BloomFilter { Box, Gaussian };
 enum class BloomStage { Thresholded, Filtered, Added };
-enum class BvhBuilder { Median, Sah, SahBinned };
+enum class BvhBuilder { Median, Sah, SahBinned, High };
 enum class BvhLayout { Binary, Wide };
 enum class Isa { Auto, Scalar, Sse2, Avx2, Avx512 };
 
@@ -61,6 +61,7 @@ struct Settings {
     int bvhBins = 32;
     int bvhMaxLevel = 64;
     int bvhLeafSize = 4;
+    float bvhRefit = 1.2f;
     BvhLayout bvhLayout = BvhLayout::Wide;
     Isa isa = Isa::Auto;
 
@@ -78,6 +79,11 @@ struct Settings {
 
     bool operator==(const Settings&) const = default;
 };
+
+/// Whether Settings::bvhBins says something to a builder.
+constexpr bool usesBins(BvhBuilder builder) {
+    return builder == BvhBuilder::SahBinned || builder == BvhBuilder::High;
+}
 
 /// How much of the work a change of settings throws away, from nothing to everything.
 enum class Invalidates { Nothing, Display, Film, Accel };

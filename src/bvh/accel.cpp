@@ -1,10 +1,14 @@
 #include <rayscope/accel.h>
 
 #include <cassert>
+#include <stdexcept>
 
 #include "bvh/build.h"
 #include "bvh/isa.h"
 #include "bvh/packed_primitives.h"
+#include "bvh/primitive_refs.h"
+#include "bvh/refit.h"
+#include "bvh/statistics.h"
 #include "bvh/traverse.h"
 #include "bvh/wide_tree.h"
 
@@ -17,6 +21,10 @@ struct Accel::State {
     WideTree wide;
     const kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
     AccelSummary summary;
+    BuildSettings settings;
+    double costWhenBuilt = 0.0;  ///< 0: refitted never
+
+    double cost() const { return kernels ? searchCost(wide) : statisticsOf(tree).sahCost; }
 };
 
 Accel::Accel() = default;
@@ -29,6 +37,8 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     accel.state_ = std::make_unique<State>();
     State& state = *accel.state_;
     state.input = input;
+    state.settings = settings;
+    state.settings.stop = {};
     const kernel::Kernels& kernels = kernelsFor(settings.isa);
     state.tree = buildBinaryTree(input, settings);
     state.summary = {.binaryNodes = state.tree.nodes.size(),
@@ -44,6 +54,43 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     state.kernels = &kernels;
     state.summary.isa = settings.isa == Isa::Auto ? bestIsa() : settings.isa;
     if (!settings.keepBinaryTree) state.tree = {};
+    return accel;
+}
+
+Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
+    const AccelInput& before = input();
+    if (moved.triangles.size() != before.triangles.size() || moved.spheres.size() != before.spheres.size())
+        throw std::invalid_argument("only as many triangles and spheres as before can be refitted");
+    Accel accel;
+    if (!state_) return accel;
+    const auto buildAnew = [&] {
+        BuildSettings settings = state_->settings;
+        settings.stop = stop;
+        return build(moved, settings);
+    };
+    checkIndices(moved, stop);
+    const std::uint32_t dropped = state_->summary.droppedPrimitives;
+    if (dropped > 0 && countUnhittable(moved, stop) != dropped) return buildAnew();
+    accel.state_ = std::make_unique<State>();
+    State& state = *accel.state_;
+    state.input = moved;
+    state.settings = state_->settings;
+    state.kernels = state_->kernels;
+    state.summary = state_->summary;
+    state.costWhenBuilt = state_->costWhenBuilt > 0.0 ? state_->costWhenBuilt : state_->cost();
+    if (!state_->tree.nodes.empty()) {
+        std::optional<BinaryTree> tree = refitted(state_->tree, moved, stop);
+        if (!tree) return buildAnew();
+        state.tree = std::move(*tree);
+    }
+    if (state.kernels) {
+        std::optional<WideTree> wide = refitted(state_->wide, moved, stop);
+        if (!wide) return buildAnew();
+        state.wide = std::move(*wide);
+    } else {
+        state.primitives = PackedPrimitives(moved, state.tree, stop);
+    }
+    if (state.costWhenBuilt > 0.0) state.summary.costGrowth = state.cost() / state.costWhenBuilt;
     return accel;
 }
 

@@ -12,14 +12,16 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 inline Float4 minimum(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 broadcast(float x) { return Float4{x, x, x, x}; }
+inline Int4 broadcast(std::int32_t x) { return Int4{x, x, x, x}; }
 
 struct Bounds4 {
     Float4 lower = broadcast(std::numeric_limits<float>::infinity());
     Float4 upper = broadcast(-std::numeric_limits<float>::infinity());
 
+    /// Passes over NaN.
     void extend(Float4 point) {
-        lower = minimum(lower, point);
-        upper = maximum(upper, point);
+        lower = minimum(point, lower);
+        upper = maximum(point, upper);
     }
     void extend(const Bounds4& box) {
         lower = minimum(lower, box.lower);

@@ -56,9 +56,13 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
     const std::span<PrimitiveRef> refs = collected.refs();
-    TreeSkeleton skeleton(refs.size(), settings);
+    const bool isHigh = settings.builder == BvhBuilder::High;
+    BuildSettings skeletonSettings = settings;
+    if (isHigh) skeletonSettings.leafSize = 1;  // what stands alone can be moved alone
+    TreeSkeleton skeleton(refs.size(), skeletonSettings);
+    float scale = 1.0f;
     if (!refs.empty()) {
-        const float scale = areaScale(boundsOf(refs, settings.stop).box);
+        scale = areaScale(boundsOf(refs, settings.stop).box);
         switch (settings.builder) {
             case BvhBuilder::Median:
                 buildMedian(skeleton, refs);
@@ -67,12 +71,14 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 buildSweep(skeleton, refs, skeleton.whole(), scale);
                 break;
             case BvhBuilder::SahBinned:
+            case BvhBuilder::High:
                 buildBinned(skeleton, refs, scale);
                 break;
         }
     }
     collected.storage.reset();
     BinaryTree tree = skeleton.compact();
+    if (isHigh && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
     tree.droppedPrimitives = collected.dropped;
     return tree;
 }

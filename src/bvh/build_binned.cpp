@@ -3,6 +3,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 
@@ -19,7 +20,8 @@ constexpr std::size_t kGrain = 16384;
 /// Maps centroids to equally wide bins on each axis. An axis along which all centroids are (nearly) equal has
 /// none.
 struct BinMapping {
-    BinMapping(const Bounds4& centroids, int binCount) : lowest(centroids.lower), last(binCount - 1) {
+    BinMapping(const Bounds4& centroids, int binCount)
+        : lowest(centroids.lower), last(broadcast(static_cast<float>(binCount - 1))) {
         for (int axis = 0; axis < 3; ++axis) {
             const float scale =
                 static_cast<float>(binCount) / (centroids.upper[axis] - centroids.lower[axis]);
@@ -30,13 +32,15 @@ struct BinMapping {
 
     /// On all axes.
     Int4 bins(Float4 centroid) const {
-        const Int4 bin = __builtin_convertvector((centroid - lowest) * perUnit, Int4);
-        const Int4 limit{last, last, last, last};
-        return bin < limit ? bin : limit;
+        return __builtin_convertvector(minimum((centroid - lowest) * perUnit, last), Int4);
     }
 
-    Float4 lowest, perUnit{};
-    int last;
+    /// Whether the bin on one axis is less than `bin`, which is no more than the last one.
+    bool isBefore(const PrimitiveRef& ref, int axis, float bin) const {
+        return (ref.centroid(axis) - lowest[axis]) * perUnit[axis] < bin;
+    }
+
+    Float4 lowest, perUnit{}, last;
     bool isUsable[3];
 };
 
@@ -112,6 +116,34 @@ struct Split {
     std::size_t firstRightBin = 0;
 };
 
+/// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
+/// time than filling them.
+constexpr std::size_t kFew = 4;
+
+struct Subset {
+    float cost = std::numeric_limits<float>::infinity();
+    unsigned left = 0;  ///< bit i: primitive i belongs to the left side
+};
+
+Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
+    Bounds4 box[1 << kFew];
+    float cost[1 << kFew];
+    const unsigned all = (1u << refs.size()) - 1;
+    for (unsigned set = 1; set < all; ++set) {
+        box[set] = box[set & (set - 1)];
+        box[set].extend(refs[static_cast<std::size_t>(std::countr_zero(set))].bounds());
+        cost[set] = box[set].halfArea(scale) * static_cast<float>(std::popcount(set));
+    }
+    Subset best;
+    for (unsigned left = 1; left < all; left += 2) {
+        const float sum = cost[left] + cost[all ^ left];
+        // Halves keep the tree shallow where all ways cost the same.
+        const bool isHalf = 2 * static_cast<std::size_t>(std::popcount(left)) == refs.size();
+        if (sum < best.cost || (sum == best.cost && isHalf)) best = {sum, left};
+    }
+    return best;
+}
+
 /// Moves the border from bin to bin, with the areas to its right computed before.
 Split bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float scale) {
     Buffer<float, kFewBins> buffer(bins.size());
@@ -145,12 +177,10 @@ struct BinnedBuilder {
         throwIfStopped(skeleton.settings().stop);
         if (skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
 
-        const BinMapping mapping(bounds.centroids, binCountFor(tree.size()));
-        const Split split = TreeSkeleton::mustBeHalved(tree) ? Split{} : bestSplitOf(range, mapping);
-        if (isLeafCheaper(tree, bounds, split)) return makeLeaf(tree, bounds.box);
         RangeBounds sides[2];
         const std::size_t lefts =
-            split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);
+            tree.size() <= kFew ? splitFew(tree, bounds, sides) : splitMany(tree, bounds, sides);
+        if (lefts == 0) return makeLeaf(tree, bounds.box);
         const auto children = skeleton.split(tree, bounds.box, tree.begin + lefts);
         if (tree.size() < kParallelSize) {
             build(children.first, sides[0]);
@@ -159,6 +189,30 @@ struct BinnedBuilder {
             tbb::parallel_invoke([&] { build(children.first, sides[0]); },
                                  [&] { build(children.second, sides[1]); });
         }
+    }
+
+    /// Sorts the primitives of the left child to the front; returns their number, or 0 for a leaf.
+    std::size_t splitFew(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
+        const auto range = refs.subspan(tree.begin, tree.size());
+        const Subset subset = TreeSkeleton::mustBeHalved(tree) ? Subset{} : bestSubset(range, scale);
+        if (isLeafCheaper(tree, bounds, subset.cost)) return 0;
+        if (subset.left == 0) return halve(range, bounds, sides);
+        std::size_t lefts = 0;
+        for (std::size_t i = 0; i < range.size(); ++i) {
+            const bool isLeft = subset.left >> i & 1;
+            sides[isLeft ? 0 : 1].extend(range[i]);
+            if (isLeft) std::swap(range[lefts++], range[i]);
+        }
+        return lefts;
+    }
+
+    /// The same by bins.
+    std::size_t splitMany(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
+        const auto range = refs.subspan(tree.begin, tree.size());
+        const BinMapping mapping(bounds.centroids, binCountFor(tree.size()));
+        const Split split = TreeSkeleton::mustBeHalved(tree) ? Split{} : bestSplitOf(range, mapping, sides);
+        if (isLeafCheaper(tree, bounds, split.cost)) return 0;
+        return split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);
     }
 
     /// Few primitives do not need many bins: on scanned meshes the SAH cost stays the same within 0.3 %.
@@ -172,45 +226,60 @@ struct BinnedBuilder {
         for (std::size_t i = tree.begin; i < tree.end; ++i) skeleton.slot(i) = refs[i].primitive;
     }
 
-    Split bestSplitOf(std::span<const PrimitiveRef> range, const BinMapping& mapping) const {
-        const auto binCount = static_cast<std::size_t>(mapping.last) + 1;
+    /// Sets the boxes of both sides as well.
+    Split bestSplitOf(std::span<const PrimitiveRef> range, const BinMapping& mapping,
+                      RangeBounds (&sides)[2]) const {
+        const auto binCount = static_cast<std::size_t>(mapping.last[0]) + 1;
         Buffer<Bin, 3 * kFewBins> buffer(3 * binCount);
         const Bins bins(buffer.data(), 3 * binCount);
         if (range.size() > 2 * kGrain)
             addToBinsInParallel(bins, range, mapping, skeleton.settings().stop);
         else
             addToBins(bins, range, mapping);
+        const auto binsOf = [&](int axis) {
+            return bins.subspan(static_cast<std::size_t>(axis) * binCount, binCount);
+        };
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
             if (!mapping.isUsable[axis]) continue;
-            const Split split = bestSplit(bins.subspan(static_cast<std::size_t>(axis) * binCount, binCount),
-                                          axis, range.size(), scale);
+            const Split split = bestSplit(binsOf(axis), axis, range.size(), scale);
             if (split.cost < best.cost) best = split;
         }
+        if (best.axis < 0) return best;
+        for (std::size_t i = 0; i < binCount; ++i)
+            sides[i < best.firstRightBin ? 0 : 1].box.extend(binsOf(best.axis)[i].box);
         return best;
     }
 
-    bool isLeafCheaper(const Subtree& tree, const RangeBounds& bounds, const Split& split) const {
+    bool isLeafCheaper(const Subtree& tree, const RangeBounds& bounds, float childrenCost) const {
         return tree.size() <= static_cast<std::size_t>(skeleton.settings().leafSize) &&
                leafCost(bounds.box.halfArea(scale), tree.size()) <=
-                   splitCost(bounds.box.halfArea(scale), split.cost);
+                   splitCost(bounds.box.halfArea(scale), childrenCost);
     }
 
-    /// Moves the primitives left of the border to the front, and bounds both sides on the way.
+    /// Moves the primitives left of the border to the front, and bounds the centroids of both sides on the
+    /// way. Which side comes next cannot be predicted, so there is no branch on it: a centroid that belongs
+    /// to the other side is made NaN, and comparisons pass over it.
     std::size_t partition(std::span<PrimitiveRef> range, const BinMapping& mapping, const Split& split,
                           RangeBounds (&sides)[2]) const {
-        const auto firstRightBin = static_cast<int>(split.firstRightBin);
-        const auto isLeft = [&](const PrimitiveRef& ref) {
-            return mapping.bins(ref.centroid())[split.axis] < firstRightBin;
-        };
-        std::size_t begin = 0, end = range.size();
-        while (true) {
-            while (begin < end && isLeft(range[begin])) sides[0].extend(range[begin++]);
-            while (begin < end && !isLeft(range[end - 1])) sides[1].extend(range[--end]);
-            if (begin == end) return begin;
-            std::swap(range[begin], range[end - 1]);
-            if (begin % kGrain == 0) throwIfStopped(skeleton.settings().stop);
+        const auto firstRightBin = static_cast<float>(split.firstRightBin);
+        Bounds4 left, right;
+        std::size_t lefts = 0;
+        for (std::size_t i = 0; i < range.size(); ++i) {
+            if (i % kGrain == 0) throwIfStopped(skeleton.settings().stop);
+            const PrimitiveRef ref = range[i];
+            const bool isLeft = mapping.isBefore(ref, split.axis, firstRightBin);
+            range[i] = range[lefts];
+            range[lefts] = ref;
+            lefts += isLeft;
+            const Int4 centroid = reinterpret_cast<Int4>(ref.centroid());
+            const std::int32_t onlyLeft = -static_cast<std::int32_t>(isLeft);
+            left.extend(reinterpret_cast<Float4>(centroid | ~broadcast(onlyLeft)));
+            right.extend(reinterpret_cast<Float4>(centroid | broadcast(onlyLeft)));
         }
+        sides[0].centroids = left;
+        sides[1].centroids = right;
+        return lefts;
     }
 
     /// Where no border separates the centroids, or the tree is about to become too deep.

@@ -1,5 +1,6 @@
 #pragma once
-// The three builders. Each fills the skeleton for a range of primitives.
+// The builders. Three fill the skeleton for a range of primitives; the fourth improves what another has
+// built.
 #include <span>
 
 #include "bvh/bounds.h"
@@ -43,5 +44,11 @@ void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, cons
 /// Surface area heuristic over the borders of equally wide bins between the centroids; ranges with no more
 /// primitives than bins are swept.
 void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale);
+
+/// Moves subtrees to where they make the areas of all inner nodes smaller, in rounds: good places are
+/// searched for all nodes at the same time, then taken one by one, the most valuable first (Meister, Bittner
+/// 2018). The result has leaves of up to settings.leafSize primitives and costs no more than `source` with
+/// such leaves; `source` should have leaves of one primitive and must not be empty.
+BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale);
 
 }  // namespace rayscope

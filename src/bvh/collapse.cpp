@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bvh/collapse_plan.h"
-#include "bvh/ray_query.h"
+#include "bvh/primitive_refs.h"
 #include "bvh/stop_check.h"
 #include "bvh/wide_tree.h"
 
@@ -138,20 +138,13 @@ class Collapser {
     Item makeItem(std::span<const std::uint32_t> primitives) const {
         Item item{primitives};
         for (const std::uint32_t primitive : primitives) {
-            const PrimitiveBox box = boxOfPrimitive(primitive);
+            const PrimitiveBox box = boxOfPrimitive(input_, primitive);
             for (int axis = 0; axis < 3; ++axis) {
                 item.lower[axis] = std::min(item.lower[axis], box.planes[axis]);
                 item.upper[axis] = std::max(item.upper[axis], box.planes[axis + 4]);
             }
         }
         return item;
-    }
-
-    PrimitiveBox boxOfPrimitive(std::uint32_t primitive) const {
-        if (primitive >= input_.triangles.size())
-            return boxOf(input_.spheres[primitive - input_.triangles.size()]);
-        const glm::uvec3& index = input_.triangles[primitive];
-        return boxOf(input_.vertices[index.x], input_.vertices[index.y], input_.vertices[index.z]);
     }
 
     /// Puts several items below nodes of eight. Advances `at`.

@@ -10,7 +10,6 @@
 #include <functional>
 #include <stdexcept>
 
-#include "bvh/ray_query.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope {
@@ -46,6 +45,8 @@ std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& sto
         [](std::size_t a, std::size_t b) { return std::min(a, b); });
 }
 
+}  // namespace
+
 void checkIndices(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t bad = firstBadTriangle(input, stop);
     if (bad == input.triangles.size()) return;
@@ -55,15 +56,18 @@ void checkIndices(const AccelInput& input, const std::stop_token& stop) {
                                             input.vertices.size()));
 }
 
-PrimitiveBox primitiveBox(const AccelInput& input, std::size_t primitive) {
+PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive) {
     if (primitive >= input.triangles.size()) return boxOf(input.spheres[primitive - input.triangles.size()]);
     const glm::uvec3& corner = input.triangles[primitive];
     return boxOf(input.vertices[corner.x], input.vertices[corner.y], input.vertices[corner.z]);
 }
 
-bool isFinite(const AccelInput& input, std::size_t primitive, const PrimitiveBox& box) {
+bool isHittable(const AccelInput& input, std::size_t primitive) {
     const auto finite = [](float x) { return std::isfinite(x); };
-    if (primitive >= input.triangles.size()) return std::all_of(box.planes, box.planes + 8, finite);
+    if (primitive >= input.triangles.size()) {
+        const PrimitiveBox box = boxOfPrimitive(input, primitive);
+        return std::all_of(box.planes, box.planes + 8, finite);
+    }
     // min() and max() may drop a NaN, so look at the vertices themselves.
     const glm::uvec3& corner = input.triangles[primitive];
     for (int k = 0; k < 3; ++k) {
@@ -73,12 +77,25 @@ bool isFinite(const AccelInput& input, std::size_t primitive, const PrimitiveBox
     return true;
 }
 
+std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop) {
+    return tbb::parallel_reduce(
+        Block(0, input.triangles.size() + input.spheres.size(), kGrain), std::size_t{0},
+        [&](const Block& block, std::size_t sum) {
+            throwIfStopped(stop);
+            for (std::size_t i = block.begin(); i < block.end(); ++i) sum += !isHittable(input, i);
+            return sum;
+        },
+        std::plus<>{});
+}
+
+namespace {
+
 PrimitiveRef makeRef(const AccelInput& input, std::size_t primitive) {
-    const PrimitiveBox box = primitiveBox(input, primitive);
+    const PrimitiveBox box = boxOfPrimitive(input, primitive);
     PrimitiveRef ref{};
     std::copy_n(box.planes, 3, ref.lower);
     std::copy_n(box.planes + 4, 3, ref.upper);
-    ref.primitive = isFinite(input, primitive, box) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
+    ref.primitive = isHittable(input, primitive) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
     return ref;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bvh/bounds.h"
+#include "bvh/ray_query.h"
 
 namespace rayscope {
 
@@ -20,5 +21,18 @@ struct PrimitiveRefs {
 /// Throws std::invalid_argument with the number of the first triangle that names a vertex that does not
 /// exist, and std::length_error if there are more primitives than a tree can number.
 PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop);
+
+/// Around a triangle or, numbered after all triangles, a sphere.
+PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive);
+
+/// Whether all coordinates are finite.
+bool isHittable(const AccelInput& input, std::size_t primitive);
+
+/// How many primitives are not.
+std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop);
+
+/// Throws std::invalid_argument with the number of the first triangle that names a vertex that does not
+/// exist.
+void checkIndices(const AccelInput& input, const std::stop_token& stop);
 
 }  // namespace rayscope

@@ -74,6 +74,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
             world = compiled;
             status.compileSeconds = secondsSince(start);
             status.buildSeconds = compiled->buildSeconds;
+            status.treeGrowth = compiled->treeGrowth;
         }
         prepareFilm(request);
         if (renderPasses(request, control)) outcome = RenderState::Done;

@@ -33,7 +33,7 @@ constexpr std::string_view wide(const Settings& s) {
     return unless(s.bvh && s.bvhLayout == BvhLayout::Wide, "only the wide layout has kernels to choose from");
 }
 constexpr std::string_view bins(const Settings& s) {
-    return unless(s.bvh && s.bvhBuilder == BvhBuilder::SahBinned, "only the binned SAH builder uses bins");
+    return unless(s.bvh && usesBins(s.bvhBuilder), "only sah_binned and high use bins");
 }
 constexpr std::string_view bloom(const Settings& s) { return unless(s.bloom, "bloom is off"); }
 constexpr std::string_view bloomSigma(const Settings& s) {
@@ -115,16 +115,21 @@ inline constexpr std::tuple kSettingsTable{
 
     Toggle{{"bvh", "Acceleration", "BVH", "Rays search a bounding volume hierarchy; off tests every primitive.", "", Trade::Speed},
            &Settings::bvh, Invalidates::Film},
-    Choice<BvhBuilder, 3>{{"bvh_builder", "Acceleration", "BVH builder",
-           "Median split with revolving axes, surface area heuristic over all centroids, or over bins.", "", Trade::Speed},
-           &Settings::bvhBuilder, {"median", "sah", "sah_binned"}, Invalidates::Accel, idle::bvh},
-    Range<int>{{"bvh_bins", "Acceleration", "BVH bins", "Bins per axis of the binned builder.", "bins", Trade::Speed},
+    Choice<BvhBuilder, 4>{{"bvh_builder", "Acceleration", "BVH builder",
+           "Median split with revolving axes, surface area heuristic over all centroids, or over bins; high moves subtrees of the "
+           "latter to better places, for long renders.", "", Trade::Speed},
+           &Settings::bvhBuilder, {"median", "sah", "sah_binned", "high"}, Invalidates::Accel, idle::bvh},
+    Range<int>{{"bvh_bins", "Acceleration", "BVH bins", "Bins per axis of sah_binned and high.", "bins", Trade::Speed},
            &Settings::bvhBins, 2, 4096, Invalidates::Accel, idle::bins, true},
     Range<int>{{"bvh_max_level", "Acceleration", "BVH max level", "Deepest level of the tree; the root is level 0.", "", Trade::Speed},
            &Settings::bvhMaxLevel, 0, 64, Invalidates::Accel, idle::bvh},
     Range<int>{{"bvh_leaf_size", "Acceleration", "BVH leaf size",
            "Most primitives in a leaf above the deepest level.", "primitives", Trade::Speed},
            &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, idle::bvh},
+    Range<float>{{"bvh_refit", "Acceleration", "BVH refit",
+           "Triangles that moved keep their tree until its SAH cost has grown to this many times that of when it was built; "
+           "0 builds anew for each change.", "times"},
+           &Settings::bvhRefit, 0.0f, 1000.0f, Invalidates::Accel, idle::bvh},
     Choice<BvhLayout, 2>{{"bvh_layout", "Acceleration", "BVH layout",
            "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image."},
            &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, idle::bvh},

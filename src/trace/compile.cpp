@@ -1,5 +1,6 @@
 #include "trace/compile.h"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 
@@ -17,6 +18,21 @@ BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop) {
 
 namespace {
 
+/// Refits the hierarchy of the previous body where the same triangles have moved; builds one where there is
+/// none, or where that would cost rays too much.
+std::shared_ptr<const Accel> makeAccel(const Geometry& geometry, const Body* previous,
+                                       const BuildSettings& build, float mostGrowth) {
+    const AccelInput& input = geometry.input;
+    if (mostGrowth > 0.0f && previous && previous->accel &&
+        previous->geometry->input.spheres.size() == input.spheres.size() &&
+        std::ranges::equal(previous->geometry->input.triangles, input.triangles)) {
+        Accel accel = previous->accel->refit(input, build.stop);
+        if (accel.summary().costGrowth <= static_cast<double>(mostGrowth))
+            return std::make_shared<const Accel>(std::move(accel));
+    }
+    return std::make_shared<const Accel>(Accel::build(input, build));
+}
+
 /// Shares geometry and hierarchies with the previous world as far as they are the same.
 void compileBodies(World& world, const World* previous, bool keepBinaryTrees, std::stop_token stop) {
     const Settings& settings = world.settings;
@@ -28,7 +44,9 @@ void compileBodies(World& world, const World* previous, bool keepBinaryTrees, st
     else
         geometries = makeGeometry(*world.description, settings.motionBlur);
 
-    const bool sameTrees = sameShapes && changed(previous->settings, settings) < Invalidates::Accel;
+    const bool sameBuild = previous && changed(previous->settings, settings) < Invalidates::Accel;
+    const bool sameTrees = sameShapes && sameBuild;
+    const bool sameBodies = sameBuild && previous->bodies.size() == geometries.size();
     BuildSettings build = buildSettingsOf(settings, std::move(stop));
     build.keepBinaryTree = keepBinaryTrees;
     const auto start = std::chrono::steady_clock::now();
@@ -38,10 +56,12 @@ void compileBodies(World& world, const World* previous, bool keepBinaryTrees, st
         if (sameTrees && previous->bodies[i].accel)
             body.accel = previous->bodies[i].accel;
         else if (settings.bvh)
-            body.accel = std::make_shared<const Accel>(Accel::build(body.geometry->input, build));
+            body.accel = makeAccel(*body.geometry, sameBodies ? &previous->bodies[i] : nullptr, build,
+                                   settings.bvhRefit);
         first += static_cast<std::uint32_t>(body.geometry->input.triangles.size() +
                                             body.geometry->input.spheres.size());
         world.moves |= body.geometry->motion != glm::vec3(0.0f);
+        if (body.accel) world.treeGrowth = std::max(world.treeGrowth, body.accel->summary().costGrowth);
         world.bodies.push_back(std::move(body));
     }
     world.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

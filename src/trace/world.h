@@ -62,7 +62,8 @@ class World {
     int width = 1, height = 1;
     bool moves = false;              ///< some body has a motion
     bool attenuatesShadows = false;  ///< shadow rays must look at what they cross
-    double buildSeconds = 0.0;       ///< time spent in building hierarchies for this world
+    double buildSeconds = 0.0;       ///< time spent in building or refitting hierarchies for this world
+    double treeGrowth = 1.0;         ///< what refits cost rays: most AccelSummary::costGrowth of the bodies
 
     /// The nearest hit among all bodies at the given time in [0, 1); of equal distances the smaller primitive
     /// number.

@@ -13,7 +13,8 @@
 namespace rayscope::test {
 namespace {
 
-constexpr BvhBuilder kBuilders[] = {BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned};
+constexpr BvhBuilder kBuilders[] = {BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned,
+                                    BvhBuilder::High};
 
 BuildSettings settingsOf(BvhBuilder builder, int leafSize = 4, int maxLevel = 64, int bins = 32) {
     BuildSettings settings;
@@ -124,7 +125,8 @@ TEST(Build, SurfaceAreaHeuristicSeparatesWhatIsFarApart) {
         scene.addTriangle({x, 0, 0}, {x, 1, 0}, {x, 0, 1});
     }
     scene.addTriangle({100, 0, 0}, {100, 1, 0}, {100, 0, 1});
-    for (const auto& [builder, bins] : {std::pair{BvhBuilder::Sah, 32}, {BvhBuilder::SahBinned, 4}}) {
+    for (const auto& [builder, bins] :
+         {std::pair{BvhBuilder::Sah, 32}, {BvhBuilder::SahBinned, 4}, {BvhBuilder::High, 4}}) {
         const BinaryTree tree = buildBinaryTree(scene.input(), settingsOf(builder, 1, 64, bins));
         const BinaryNode& right = tree.nodes[tree.nodes[0].first + 1];
         ASSERT_TRUE(right.isLeaf());

@@ -54,7 +54,7 @@ Accel built(const Geometry& geometry, BvhBuilder builder) {
 
 class Degenerate : public testing::TestWithParam<BvhBuilder> {
   protected:
-    /// The exact builder sorts; a tenth of the triangles tell as much about it.
+    /// The exact builder sorts, the high one searches; a tenth of the triangles tell as much about them.
     int count() const { return GetParam() == BvhBuilder::SahBinned ? kMany : kMany / 10; }
 };
 
@@ -129,10 +129,12 @@ TEST(Huge, TrianglesThatReachBehindTheOriginAreHit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Builders, Degenerate,
-                         testing::Values(BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned),
+                         testing::Values(BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned,
+                                         BvhBuilder::High),
                          [](const auto& builder) {
                              return std::string(builder.param == BvhBuilder::Median ? "Median"
                                                 : builder.param == BvhBuilder::Sah  ? "Sweep"
+                                                : builder.param == BvhBuilder::High ? "High"
                                                                                     : "Binned");
                          });
 

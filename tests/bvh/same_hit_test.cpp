@@ -33,6 +33,9 @@ std::vector<BuilderCase> builderCases() {
     add("32 bins", BvhBuilder::SahBinned, 4, 64, 32);
     add("4096 bins", BvhBuilder::SahBinned, 8, 64, 4096);
     add("level 3", BvhBuilder::SahBinned, 4, 3, 8);
+    add("high", BvhBuilder::High, 4, 64, 32);
+    add("high, leaves of 1", BvhBuilder::High, 1, 64, 32);
+    add("high, level 3", BvhBuilder::High, 8, 3, 8);
     add("level 0", BvhBuilder::Sah, 4, 0, 8);
     return cases;
 }

@@ -4,6 +4,7 @@
 
 #include "bvh/build.h"
 #include "bvh/meshes.h"
+#include "bvh/traverse.h"
 
 namespace rayscope::test {
 namespace {
@@ -47,6 +48,61 @@ TEST(Statistics, BetterBuildersCostLess) {
     EXPECT_LT(sweep, 0.9 * median);
     EXPECT_LT(binned, 0.9 * median);
     EXPECT_NEAR(binned, sweep, 0.1 * sweep);
+}
+
+/// Long, thin and diagonal: their boxes are large and overlap many others.
+Geometry needles(int count) {
+    Geometry scene;
+    Random random(5);
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 at = random.inCube();
+        scene.addTriangle(at, at + random.inCube(1.0), at + random.inCube(0.002));
+    }
+    return scene;
+}
+
+/// Nodes that rays through the scene enter, counted.
+std::size_t visits(const BinaryTree& tree, const Geometry& scene) {
+    struct Counter {
+        std::size_t nodes = 0;
+        void entered(std::uint32_t, float) { ++nodes; }
+        void skipped(std::uint32_t, float) {}
+        void missed(std::uint32_t) {}
+        void tested(std::uint32_t, bool) {}
+    } counter;
+    Random random(8);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::vec3 from = random.inCube(3.0), to = random.inCube();
+        Hit hit;
+        closestHit(tree, scene.input(), {from, to - from}, hit, counter);
+    }
+    return counter.nodes;
+}
+
+TEST(Statistics, ReinsertionSavesAreaAndVisits) {
+    for (const auto& [scene, most] :
+         {std::pair{needles(4000), 0.92}, {soup(20000, 0.1, 3), 0.97}, {icosphere(5, 0.1, 2), 0.99}}) {
+        BuildSettings settings;
+        const BinaryTree binned = buildBinaryTree(scene.input(), settings);
+        settings.builder = BvhBuilder::High;
+        const BinaryTree high = buildBinaryTree(scene.input(), settings);
+        EXPECT_LT(statisticsOf(high).sahCost, most * statisticsOf(binned).sahCost) << scene.name;
+        EXPECT_LT(visits(high, scene), visits(binned, scene)) << scene.name;
+    }
+}
+
+TEST(Statistics, ReinsertionNeverCostsMore) {
+    for (const Geometry& scene : awkwardScenes())
+        for (const int leafSize : {1, 4, 16})
+            for (const int maxLevel : {2, 64}) {
+                BuildSettings settings;
+                settings.leafSize = leafSize;
+                settings.maxLevel = maxLevel;
+                const double binned = statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
+                settings.builder = BvhBuilder::High;
+                const double high = statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
+                EXPECT_LE(high, binned * (1.0 + 1e-5)) << scene.name << " " << leafSize << " " << maxLevel;
+            }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "settings/table.h"
 #include "support/everything.h"
 #include "support/tracing.h"
+#include "trace/compile.h"
 
 namespace rayscope::test {
 namespace {
@@ -53,9 +54,16 @@ std::array<std::string, 2> endsOf(const SettingInfo& info) {
 /// Settings that decide how an image is found, not what it is.
 bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh") || key == "isa"; }
 
-/// What the tree of the first body looks like, and how it is walked.
+/// What the tree of the first body looks like, and how it is walked, after the body has been turned.
 std::vector<std::uint32_t> treeOf(const Settings& settings) {
-    const auto world = compileScene(everythingScene(), settings, kWidth, kHeight);
+    SceneDescription turned = everythingScene();
+    for (MeshInstance& mesh : turned.meshes) mesh.transform.rotate += glm::vec3(20, 30, 40);
+    const auto before = compileScene(std::move(turned), settings, kWidth, kHeight);
+    CompileRequest request;
+    request.scene = std::make_shared<const SceneDescription>(everythingScene());
+    request.camera = request.scene->cameras[0];
+    request.settings = settings;
+    const auto world = compile(request, before.get());
     if (!world->bodies[0].accel) return {};
     const BinaryTree* tree = world->bodies[0].accel->binaryTree();
     std::vector<std::uint32_t> shape = tree->primitives;

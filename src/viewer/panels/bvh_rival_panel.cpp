@@ -10,19 +10,19 @@ namespace {
 using Inspected = BvhInspector::Inspected;
 
 constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
-constexpr std::string_view kBuilders[] = {"median", "SAH", "binned SAH"};
+constexpr std::string_view kBuilders[] = {"median", "SAH", "binned SAH", "high quality"};
 
 void drawRecipe(BvhInspector& bvh, const Settings& settings) {
     BvhInspector::Recipe recipe = bvh.rivalRecipe(settings);
     labelledRow("Its builder");
     if (ImGui::BeginCombo("##builder", nameOf(recipe.builder).data())) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < static_cast<int>(std::size(kBuilders)); ++i)
             if (ImGui::Selectable(kBuilders[i].data(), static_cast<int>(recipe.builder) == i))
                 recipe.builder = static_cast<BvhBuilder>(i);
         ImGui::EndCombo();
     }
-    labelledRow("Its bins", false, "Candidate planes per axis of the binned builder.");
-    ImGui::BeginDisabled(recipe.builder != BvhBuilder::SahBinned);
+    labelledRow("Its bins", false, "Candidate planes per axis of the builders with bins.");
+    ImGui::BeginDisabled(!usesBins(recipe.builder));
     ImGui::SliderInt("##bins", &recipe.bins, 2, 4096, "%d", kClamp);
     ImGui::EndDisabled();
     labelledRow("Its leaf size", false, "Most primitives in a leaf.");
