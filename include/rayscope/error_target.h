@@ -32,7 +32,8 @@ ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const 
 struct ErrorForecast {
     int samples = 0;  ///< per pixel on average, of both halves together
     double elapsedSeconds = 0.0;
-    ErrorEstimate estimate;         ///< at the last look; error 0 before the first
+    ErrorEstimate estimate;         ///< by the looks so far; error 0 before the first
+    double samplesAtTarget = 0.0;   ///< to be expected, per pixel; 0 before the first look
     double remainingSeconds = 0.0;  ///< to the target; 0 before the first look
     double errorAtLimit = 0.0;      ///< to be expected at the time limit; 0 without one
 };

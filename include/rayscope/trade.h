@@ -3,6 +3,7 @@
 #include <rayscope/render_session.h>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -28,14 +29,24 @@ enum class TradeRole {
     Extra     ///< what the caller added
 };
 
+/// The work of one run: counted, so the same whatever the machine does, and in other runs up to the noise of
+/// the samples.
+struct TradeWork {
+    std::uint64_t samples = 0;  ///< of pixels
+    std::uint64_t rays = 0;     ///< of all kinds
+    /// Boxes of the binary tree entered, and triangles and spheres tested, by a ray on average: over the rays
+    /// of the first sample of each pixel.
+    double nodesPerRay = 0.0, testsPerRay = 0.0;
+};
+
 /// Settings that were measured, and what came out. Errors are RMSE of linear values against the reference.
 struct TradePoint {
     TradeRole role = TradeRole::Base;
     std::string name;         ///< what differs from the base, in words
     std::string knob, level;  ///< of Knob and Feature
     Settings settings;
-    int runs = 0;            ///< interleaved with those of all others, each with another seed
-    std::uint64_t rays = 0;  ///< of one run; the same in each up to noise, whatever the machine does
+    int runs = 0;  ///< interleaved with those of all others, each with another seed
+    TradeWork work;
 
     Interval seconds;       ///< median, tracing and bloom
     Interval buildSeconds;  ///< median, of hierarchies; only where they differ from the base's
@@ -131,6 +142,12 @@ struct TradeRequest {
 /// Measures for about `budgetSeconds`. Throws InputError if the scene cannot be traced. If the budget is too
 /// short, or a stop is requested, the result holds what was measured until then and says so.
 TradeResult measureTrade(const TradeRequest& request);
+
+/// The point that has these settings, as far as they matter in the scene; nothing if none was measured.
+std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings);
+
+/// How much longer a point takes than the front needs for its error: 0.1 is 10 % more; 0 on the front.
+double excessTime(const TradeResult& result, std::size_t point);
 
 /// The folder for references in the user's cache ($XDG_CACHE_HOME or ~/.cache), or "" if there is none.
 std::string referenceCacheFolder();

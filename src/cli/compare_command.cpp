@@ -3,9 +3,9 @@
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/json_number.h"
 #include "cli/commands.h"
 #include "post/develop.h"
 
@@ -20,11 +20,6 @@ struct CompareCommandOptions {
     CompareOptions measure;
     bool json = false, limited = false;
 };
-
-/// Not-a-number has no place in JSON.
-nlohmann::json numberOrNull(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
 
 nlohmann::json toJson(const ErrorMeasures& e) {
     return {{"rmse", numberOrNull(e.rmse)},

@@ -32,6 +32,7 @@ void show(ProgressStyle style, const ErrorForecast& f, double target) {
                                       {"error", f.estimate.error},
                                       {"error_upper", f.estimate.upper},
                                       {"target_error", target},
+                                      {"expected_samples", f.samplesAtTarget},
                                       {"remaining_s", f.remainingSeconds},
                                       {"error_at_limit", f.errorAtLimit}};
         fmt::print(stderr, "{}\n", event.dump());

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTile = 32;
 /// If one pixel holds more of the squared error than this, the next sample may well find another like it.
-constexpr double kLargestShare = 0.2;
+constexpr double kLargestShare = 0.5;
 
 /// The squared error of the mean of both halves in one pixel, estimated from their difference; relative to
 /// the brightness if asked for. Its expectation is the expected squared error.

@@ -3,10 +3,10 @@
 #include <rayscope/diagnostics.h>
 #include <rayscope/error_target.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "measure/error_slope.h"
+#include "measure/error_trend.h"
+#include "measure/halves.h"
 #include "measure/tile_shares.h"
 #include "measure/workers.h"
 #include "render/crash_report.h"
@@ -26,13 +26,11 @@ constexpr int kFirstLook = 4, kFirstStop = 8;
 constexpr int kPilotSamples = 8;
 /// Fewer pixels say too little about their own spread.
 constexpr int kFewestPixels = 256;
-
-/// The least of 1, 2, 3, 4, 6, 8, 12, 16 … that is no less than x: numbers at which Sobol points are
-/// balanced. Between them more samples may well give a larger error.
-int balancedCount(double x) {
-    const double power = std::exp2(std::floor(std::log2(std::clamp(x, 1.0, 1e9))));
-    return static_cast<int>(x <= power ? power : x <= 1.5 * power ? 1.5 * power : 2.0 * power);
-}
+/// The rendering is planned to end where the bound should be so far below the target that it mostly is.
+constexpr double kPlannedFor = 0.95;
+/// A rendering does not end at a look whose own bound is so many times above the target, whatever the looks
+/// before it saw: something rare may just have been met.
+constexpr double kLargestSurprise = 1.5;
 
 /// The course of one rendering: both halves grow by the same plan, between looks at their difference.
 class TargetRender {
@@ -44,25 +42,31 @@ class TargetRender {
     void pilot();
     bool extendTo(int samples);
     void look(int samples);
-    int nextLook(int samples) const;
-    double samplesNeeded(int samples) const;
-    ErrorForecast forecast(int samples) const;
+    bool reached(int samples) const;
+    void plan(int samples);
+    int expectedEnd() const;
+    double secondsPerSample() const;
+    ErrorForecast forecast() const;
     void finish(StopReason reason);
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     const ErrorTargetRequest& request_;
     Workers workers_;
     PixelBounds region_;
-    std::array<std::unique_ptr<Film>, 2> halves_;
-    std::vector<double> shares_;
+    std::unique_ptr<Halves> halves_;
     RenderCounters counters_;
-    ErrorLooks looks_;  ///< samples per half, estimate
+    ErrorTrend trend_;  ///< over samples per pixel and half
+    int planned_ = 0;   ///< samples per half before which it does not end; 0: no plan yet
     Clock::time_point start_ = Clock::now();
+    std::vector<std::pair<double, double>> timed_;  ///< samples taken, seconds, as they grew
     std::unique_ptr<Deadline> limit_;
     ErrorTargetResult result_;
 };
 
-TargetRender::TargetRender(const ErrorTargetRequest& request) : request_(request), workers_(request.threads) {
+TargetRender::TargetRender(const ErrorTargetRequest& request)
+    : request_(request),
+      workers_(request.threads),
+      trend_(request.target.metric, request.render.settings.sampler) {
     const RenderRequest& render = request.render;
     region_ = render.region.value_or(PixelBounds{0, render.width, 0, render.height});
     const ErrorMetric metric = request.target.metric;
@@ -82,13 +86,13 @@ TargetRender::TargetRender(const ErrorTargetRequest& request) : request_(request
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with a target");
     result_.world = workers_.run([&] { return compile(compiled, nullptr, request.stop); });
-    for (auto& half : halves_) half = std::make_unique<Film>(render.width, render.height, region_);
-    shares_.assign(static_cast<std::size_t>(halves_[0]->tileCount()), 1.0);
+    halves_ = std::make_unique<Halves>(render.width, render.height, region_);
 }
 
 ErrorTargetResult TargetRender::run() {
     if (request_.adaptive) pilot();
-    for (int samples = kFirstLook;; samples = nextLook(samples)) {
+    timed_.emplace_back(0.0, elapsed());
+    for (int samples = kFirstLook;; samples = sampleStepFrom(samples + 1)) {
         const int most = std::max(kFirstLook, request_.mostSamples / 2);
         samples = std::min(samples, most);
         if (!extendTo(samples)) {
@@ -96,8 +100,7 @@ ErrorTargetResult TargetRender::run() {
             break;
         }
         look(samples);
-        const ErrorEstimate& estimate = looks_.back().second;
-        if (samples >= kFirstStop && estimate.trusted && estimate.upper <= request_.target.error) {
+        if (reached(samples)) {
             finish(StopReason::Reached);
             break;
         }
@@ -112,114 +115,101 @@ ErrorTargetResult TargetRender::run() {
 /// Finds out where the noise is, with samples that enter nothing else: so the number of samples of a pixel
 /// does not depend on their values, and their mean stays without bias.
 void TargetRender::pilot() {
-    Film film(halves_[0]->width(), halves_[0]->height(), region_);
+    Film film(request_.render.width, request_.render.height, region_);
     const std::uint64_t seed = hashPair(request_.render.seed, 0x70696c6f74u);
     const bool complete = workers_.run([&] {
         return renderPass(*result_.world, seed, film, kPilotSamples, {limit_->token(), {}}, counters_);
     });
     if (complete)
-        shares_ = tileShares(film, request_.target.metric == ErrorMetric::RelMse, request_.target.worstTile);
+        halves_->share(
+            tileShares(film, request_.target.metric == ErrorMetric::RelMse, request_.target.worstTile));
 }
 
 /// Brings both halves to `samples` per pixel on average. False if it was stopped.
 bool TargetRender::extendTo(int samples) {
-    std::vector<int> targets(shares_.size());
-    for (int done = looks_.empty() ? 0 : looks_.back().first; done < samples;) {
+    for (int done = static_cast<int>(trend_.samples()); done < samples;) {
         done = nextPassTarget(done, samples, false);
-        for (std::size_t tile = 0; tile < targets.size(); ++tile)
-            targets[tile] = shares_[tile] == 1.0 ? done : std::max(2, balancedCount(shares_[tile] * done));
-        for (std::size_t half = 0; half < halves_.size(); ++half) {
-            const std::uint64_t seed =
-                half == 0 ? request_.render.seed : hashPair(request_.render.seed, half);
-            const bool complete = workers_.run([&] {
-                return renderPass(*result_.world, seed, *halves_[half], targets, {{}, limit_->token()},
-                                  counters_);
-            });
-            if (!complete) return false;
-        }
-        if (request_.progress && done < samples) request_.progress(forecast(done));
+        const bool complete = workers_.run([&] {
+            return halves_->extend(*result_.world, request_.render.seed, done, limit_->token(), counters_);
+        });
+        if (!complete) return false;
+        timed_.emplace_back(halves_->samplesTaken(), elapsed());
+        if (request_.progress && done < samples) request_.progress(forecast());
     }
     return true;
 }
 
 void TargetRender::look(int samples) {
-    looks_.emplace_back(samples,
-                        estimateError(halves_[0]->mean(), halves_[1]->mean(), region_, request_.target));
-    result_.history.push_back(forecast(samples));
+    trend_.add(samples, halves_->estimate(request_.target));
+    if (!reached(samples)) plan(samples);
+    result_.history.push_back(forecast());
     if (request_.progress) request_.progress(result_.history.back());
 }
 
-/// Samples per half that the bound should need.
-double TargetRender::samplesNeeded(int samples) const {
-    const ErrorEstimate& last = looks_.back().second;
-    double ratio = last.upper / request_.target.error;
-    if (request_.target.metric == ErrorMetric::RelMse) ratio = std::sqrt(ratio);
-    return std::max<double>(kFirstStop,
-                            samples * std::pow(ratio, 1.0 / errorSlope(looks_, request_.target.metric)));
+/// Whether the rendering may end at this look.
+bool TargetRender::reached(int samples) const {
+    const double target = request_.target.error;
+    return samples >= std::max(kFirstStop, planned_) && trend_.latest().trusted &&
+           trend_.smoothed().upper <= target && trend_.latest().upper <= kLargestSurprise * target;
 }
 
-/// Twice as many samples, or fewer if fewer should do.
-int TargetRender::nextLook(int samples) const {
-    return std::max(balancedCount(samples + 1.0),
-                    std::min(balancedCount(samplesNeeded(samples)), 2 * samples));
+/// From half of the way on the end is fixed in advance: then it does not hang on which look happens to be
+/// lucky, which would make bounds too small and forecasts wrong. If the target is missed there, a new end
+/// follows.
+void TargetRender::plan(int samples) {
+    if (samples < planned_) return;
+    planned_ = 0;
+    if (const int end = expectedEnd(); end <= 2 * samples) planned_ = end;
 }
 
-ErrorForecast TargetRender::forecast(int samples) const {
+/// Samples per half at which the target should be reached.
+int TargetRender::expectedEnd() const {
+    if (planned_ > trend_.samples()) return planned_;
+    const double more =
+        std::max(trend_.samples() + 1.0, trend_.samplesFor(kPlannedFor * request_.target.error));
+    return std::max(kFirstStop, sampleStepFrom(more));
+}
+
+/// By the later half of the samples: what was loaded and compiled before them, and what else the machine did
+/// then, says nothing about what is to come.
+double TargetRender::secondsPerSample() const {
+    const auto& [samples, seconds] = timed_.back();
+    const auto half = std::find_if(timed_.rbegin(), timed_.rend(),
+                                   [&](const auto& mark) { return mark.first <= 0.5 * samples; });
+    return half == timed_.rend() || samples <= 0.0 ? 0.0 : (seconds - half->second) / (samples - half->first);
+}
+
+ErrorForecast TargetRender::forecast() const {
+    const double taken = timed_.back().first;
     ErrorForecast f;
-    f.samples = 2 * samples;
+    f.samples = static_cast<int>(std::lround(taken));
     f.elapsedSeconds = elapsed();
-    if (looks_.empty()) return f;
-    f.estimate = looks_.back().second;
-    const double perSample = f.elapsedSeconds / samples;
-    const int needed = balancedCount(samplesNeeded(looks_.back().first));
-    f.remainingSeconds = std::max(0, needed - samples) * perSample;
-    if (request_.timeLimit > 0.0) {
-        const double power = request_.target.metric == ErrorMetric::RelMse ? 2.0 : 1.0;
-        const double atLimit = std::max(1.0, request_.timeLimit / perSample) / looks_.back().first;
-        f.errorAtLimit =
-            f.estimate.error * std::pow(atLimit, -power * errorSlope(looks_, request_.target.metric));
+    if (!trend_.any()) return f;
+    f.estimate = trend_.smoothed();
+    const int samples = static_cast<int>(trend_.samples());
+    f.samplesAtTarget = reached(samples) ? taken : std::max(taken, halves_->samplesAt(expectedEnd()));
+    f.remainingSeconds = (f.samplesAtTarget - taken) * secondsPerSample();
+    if (request_.timeLimit > 0.0 && f.estimate.error > 0.0) {
+        const double more = std::max(0.0, request_.timeLimit - f.elapsedSeconds) / secondsPerSample();
+        f.errorAtLimit = trend_.errorAt(trend_.samples() * (taken + more) / halves_->samplesAt(samples));
     }
     return f;
 }
 
-/// The mean of all samples of both halves; the halves have equal numbers of them, but for tiles that a limit
-/// ended between the two.
-RgbImage meanOfHalves(const Film& a, const Film& b) {
-    RgbImage image = a.mean();
-    const RgbImage other = b.mean();
-    Film::TileCopy copyA, copyB;
-    for (int tile = 0; tile < a.tileCount(); ++tile) {
-        const double n = a.samples(tile), m = b.samples(tile);
-        const PixelBounds bounds = a.tileBounds(tile);
-        for (int y = bounds.y0; n + m > 0.0 && y < bounds.y1; ++y)
-            for (int x = bounds.x0; x < bounds.x1; ++x)
-                image.at(x, y) =
-                    Rgb((n * glm::dvec3(image.at(x, y)) + m * glm::dvec3(other.at(x, y))) / (n + m));
-    }
-    return image;
-}
-
 void TargetRender::finish(StopReason reason) {
     result_.reason = reason;
-    result_.mean = meanOfHalves(*halves_[0], *halves_[1]);
-    if (!looks_.empty()) result_.estimate = looks_.back().second;
+    result_.mean = halves_->mean();
+    if (trend_.any()) result_.estimate = trend_.smoothed();
     result_.seconds = elapsed();
     result_.rays = counters_.rays;
     result_.nonFiniteSamples = counters_.nonFiniteSamples;
-    double pixels = 0.0;
-    for (int tile = 0; tile < halves_[0]->tileCount(); ++tile) {
-        const PixelBounds b = halves_[0]->tileBounds(tile);
-        const double area = static_cast<double>((b.x1 - b.x0) * (b.y1 - b.y0));
-        pixels += area;
-        result_.samples += area * (halves_[0]->samples(tile) + halves_[1]->samples(tile));
-    }
-    result_.samples /= pixels;
+    result_.samples = halves_->samplesTaken();
 
     const ErrorEstimate& e = result_.estimate;
     const std::string what = fmt::format("{}{}", nameOf(request_.target.metric),
                                          request_.target.worstTile ? " of the worst tile" : "");
     const std::string state =
-        looks_.empty()
+        !trend_.any()
             ? "before its error could be estimated"
             : fmt::format("at {} {:.3g}, {:.2f} % sure to be below {:.3g}{}", what, e.error,
                           100.0 * request_.target.confidence, e.upper,

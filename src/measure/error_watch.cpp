@@ -66,15 +66,13 @@ void ErrorWatch::look(Snapshot now) {
         const int height = static_cast<int>(now.sums.size()) / std::max(1, now.width);
         RgbImage first(now.width, height), second(now.width, height);
         splitHalves(before_, now, first, second);
-        looks_.emplace_back(now.completeSamples,
-                            estimateError(first, second, {0, now.width, 0, height}, target_));
+        trend_.add(now.completeSamples, estimateError(first, second, {0, now.width, 0, height}, target_));
     }
     before_ = std::move(now);
 }
 
 bool ErrorWatch::reached() const {
-    return any() && looks_.back().first >= kFewestSamples && latest().trusted &&
-           latest().upper <= target_.error;
+    return any() && trend_.samples() >= kFewestSamples && latest().trusted && latest().upper <= target_.error;
 }
 
 ErrorForecast ErrorWatch::forecast(double samples, double seconds, double timeLimit) const {
@@ -83,19 +81,16 @@ ErrorForecast ErrorWatch::forecast(double samples, double seconds, double timeLi
     f.elapsedSeconds = seconds;
     if (!any() || !(samples > 0.0)) return f;
     f.estimate = latest();
-    const double perSample = seconds / samples, seen = looks_.back().first;
+    const double perSample = seconds / samples;
     if (target_.error > 0.0) {
         // A look, which may end the rendering, comes at each doubling.
-        const double needed = std::max<double>(
-            kFewestSamples,
-            seen * std::pow(f.estimate.upper / target_.error, 1.0 / errorSlope(looks_, target_.metric)));
-        double stop = seen;
-        while (stop < needed) stop *= 2.0;
-        f.remainingSeconds = std::max(0.0, stop - samples) * perSample;
+        double stop = reached() ? trend_.samples() : 2.0 * trend_.samples();
+        while (!reached() && stop < std::max<double>(kFewestSamples, trend_.samplesFor(target_.error)))
+            stop *= 2.0;
+        f.samplesAtTarget = std::max(stop, samples);
+        f.remainingSeconds = (f.samplesAtTarget - samples) * perSample;
     }
-    if (timeLimit > 0.0)
-        f.errorAtLimit = f.estimate.error * std::pow(std::max(samples, timeLimit / perSample) / seen,
-                                                     -errorSlope(looks_, target_.metric));
+    if (timeLimit > 0.0) f.errorAtLimit = trend_.errorAt(std::max(samples, timeLimit / perSample));
     return f;
 }
 

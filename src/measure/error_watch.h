@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "measure/error_slope.h"
+#include "measure/error_trend.h"
 #include "render/film.h"
 
 namespace rayscope {
@@ -15,7 +15,8 @@ namespace rayscope {
 /// side.
 class ErrorWatch {
   public:
-    explicit ErrorWatch(ErrorTarget target = {}) : target_(target) {}
+    explicit ErrorWatch(ErrorTarget target = {}, SamplePattern sampler = SamplePattern::Sobol)
+        : target_(target), trend_(target.metric, sampler) {}
 
     /// Sums of a film at one moment.
     struct Snapshot {
@@ -32,8 +33,8 @@ class ErrorWatch {
     void look(Snapshot now);
 
     /// Looks that estimated an error.
-    bool any() const { return !looks_.empty(); }
-    const ErrorEstimate& latest() const { return looks_.back().second; }
+    bool any() const { return trend_.any(); }
+    const ErrorEstimate& latest() const { return trend_.latest(); }
     /// Whether the target is reached: the upper bound lies below it, and the estimate can be trusted.
     bool reached() const;
 
@@ -43,7 +44,7 @@ class ErrorWatch {
   private:
     ErrorTarget target_;
     Snapshot before_;
-    ErrorLooks looks_;  ///< samples per pixel, estimate
+    ErrorTrend trend_;  ///< over samples per pixel
 };
 
 }  // namespace rayscope

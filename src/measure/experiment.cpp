@@ -9,6 +9,7 @@
 #include <rayscope/diagnostics.h>
 #include "measure/candidates.h"
 #include "measure/content_hash.h"
+#include "probe/aov.h"
 #include "render/film.h"
 #include "sampling/hash.h"
 
@@ -212,10 +213,25 @@ bool Experiment::measure(std::size_t index, int block, double mostSeconds) {
     if (!trial) return false;
     runs.seconds.push_back(trial->seconds);
     runs.buildSeconds.push_back(trial->buildSeconds);
-    runs.rays = trial->rays;
+    if (block == 0) runs.work = workOf(*trial);
     runs.pictures.push_back(hashOf(trial->image));
     judge(*trial, runs, block);
     return true;
+}
+
+/// The walks through the tree are counted after the clock has stopped.
+TradeWork Experiment::workOf(const Trial& trial) const {
+    constexpr Aov kCounted[] = {Aov::Nodes, Aov::Triangles, Aov::Rays};
+    const AovRequest once{*trial.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
+    const std::vector<RgbImage> counts = renderAovs(once, kCounted);
+    const auto sum = [](const RgbImage& image) {
+        double total = 0.0;
+        for (const Rgb& pixel : image.pixels) total += static_cast<double>(pixel.x);
+        return total;
+    };
+    const double rays = std::max(1.0, sum(counts[2]));
+    const auto samples = static_cast<std::uint64_t>(trial.world->settings.spp) * trial.image.pixels.size();
+    return {samples, trial.rays, sum(counts[0]) / rays, sum(counts[1]) / rays};
 }
 
 void Experiment::judge(const Trial& trial, CandidateRuns& runs, int block) {

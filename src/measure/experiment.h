@@ -15,7 +15,7 @@ struct CandidateRuns {
     std::vector<double> common, unshared;  ///< of blocks (0, 1), (2, 3) …: squared bias, squared noise
     std::vector<std::uint64_t> pictures;   ///< hash of each picture
     RgbImage previous;                     ///< of the block before, until its pair is there
-    std::uint64_t rays = 0;
+    TradeWork work;
     bool dropped = false;
 };
 
@@ -33,6 +33,7 @@ class Experiment {
     void firstBlock();
     void laterBlocks();
     bool measure(std::size_t index, int block, double mostSeconds);
+    TradeWork workOf(const Trial& trial) const;
     void judge(const Trial& trial, CandidateRuns& runs, int block);
     CompileRequest compileRequest(const Settings& settings) const;
     double elapsed() const;

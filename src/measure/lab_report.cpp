@@ -4,16 +4,14 @@
 #include <rayscope/lab.h>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "base/json_number.h"
 
 namespace rayscope {
 
 namespace {
 
 nlohmann::json toJson(const LabCounts& c) {
-    const auto number = [](double x) {
-        return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr);
-    };
     return {{"aimed", c.aimed},
             {"leaks", c.leaks},
             {"double_hits", c.doubleHits},
@@ -21,8 +19,8 @@ nlohmann::json toJson(const LabCounts& c) {
             {"false_hits", c.falseHits},
             {"second_surfaces", c.plates},
             {"lost_surfaces", c.lost},
-            {"t_error_over_bound", number(c.tRatio)},
-            {"weight_error_over_bound", number(c.weightRatio)},
+            {"t_error_over_bound", numberOrNull(c.tRatio)},
+            {"weight_error_over_bound", numberOrNull(c.weightRatio)},
             {"sound", c.sound()}};
 }
 

@@ -65,6 +65,21 @@ double excessOverFront(const std::vector<TradePoint>& points, const std::vector<
     return 0.0;
 }
 
+double excessTime(const TradeResult& result, std::size_t point) {
+    return excessOverFront(result.points, result.front, result.points[point]);
+}
+
+std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings) {
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        const TradePoint& point = result.points[i];
+        if (point.runs == 0 || point.role == TradeRole::Control) continue;
+        Settings same = settings;
+        for (const std::string& key : result.withoutEffect) assign(same, key, textOf(point.settings, key));
+        if (same.spp == point.settings.spp && changed(same, point.settings) <= Invalidates::Display) return i;
+    }
+    return std::nullopt;
+}
+
 std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
                                     const std::vector<std::size_t>& front) {
     std::vector<TradeAdvice> advice;

@@ -31,7 +31,7 @@ void summarizePoint(TradePoint& point, const CandidateRuns& runs, const Candidat
                     double referenceError) {
     point.runs = static_cast<int>(runs.seconds.size());
     if (point.runs == 0) return;
-    point.rays = runs.rays;
+    point.work = runs.work;
     point.seconds = medianInterval(runs.seconds);
     point.buildSeconds = medianInterval(runs.buildSeconds);
     point.error = rootOf(meanInterval(runs.squaredErrors));
@@ -77,8 +77,8 @@ TradeBreakEven breakEvenOf(std::size_t index, const CandidateRuns& runs, const C
     std::vector<double> builds, savings, evens;
     for (std::size_t b = 0; b < std::min(runs.seconds.size(), base.seconds.size()); ++b) {
         builds.push_back(runs.buildSeconds[b] - base.buildSeconds[b]);
-        savings.push_back(base.seconds[b] / static_cast<double>(base.rays) -
-                          runs.seconds[b] / static_cast<double>(runs.rays));
+        savings.push_back(base.seconds[b] / static_cast<double>(base.work.rays) -
+                          runs.seconds[b] / static_cast<double>(runs.work.rays));
         evens.push_back(builds.back() / savings.back());
     }
     const Interval dearer = meanInterval(builds), saved = meanInterval(savings);
@@ -140,7 +140,7 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (result.points[i].role == TradeRole::Preset && result.points[i].runs >= 2)
             result.dial.push_back(
-                {result.points[i].level, i, excessOverFront(result.points, result.front, result.points[i])});
+                {result.points[i].level, i, excessTime(result, i)});
     findNeeds(result, scene);
     remark(result);
 }

@@ -238,7 +238,7 @@ std::string breakEvens(const TradeResult& r) {
         "picture of "
         "the base has {:.3g} rays.</p>\n<div class='card'><table><tr><th>setting</th><th class='n'>build, "
         "s</th><th>verdict</th></tr>\n",
-        withInterval(r.points.front().buildSeconds), static_cast<double>(r.points.front().rays));
+        withInterval(r.points.front().buildSeconds), static_cast<double>(r.points.front().work.rays));
     for (const TradeBreakEven& b : r.breakEvens)
         table += fmt::format("<tr><td>{}</td><td class='n'>{}</td><td>{}</td></tr>\n",
                              escaped(r.points[b.point].name), withInterval(r.points[b.point].buildSeconds),
@@ -250,15 +250,19 @@ std::string allPoints(const TradeResult& r) {
     std::string table =
         "<h2>All measurements</h2>\n<details><summary>Show</summary><div "
         "class='card'><table><tr><th>settings</th>"
-        "<th class='n'>runs</th><th class='n'>rays</th><th class='n'>seconds</th><th class='n'>RMSE</th><th "
+        "<th class='n'>runs</th><th class='n'>samples</th><th class='n'>rays</th><th class='n'>boxes / "
+        "ray</th>"
+        "<th class='n'>tests / ray</th><th class='n'>seconds</th><th class='n'>RMSE</th><th "
         "class='n'>FLIP</th><th>dominated by</th></tr>\n";
     for (const TradePoint& p : r.points)
         if (p.runs > 0)
             table += fmt::format(
                 "<tr><td class='{}'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td>"
-                "<td class='n'>{}</td><td class='n'>{}</td><td>{}</td></tr>\n",
-                classOf(p), escaped(p.name), p.runs, p.rays, withInterval(p.seconds), withInterval(p.error),
-                withInterval(p.flip), escaped(p.dominatedBy));
+                "<td class='n'>{:.2f}</td><td class='n'>{:.2f}</td><td class='n'>{}</td><td class='n'>{}</td>"
+                "<td class='n'>{}</td><td>{}</td></tr>\n",
+                classOf(p), escaped(p.name), p.runs, p.work.samples, p.work.rays, p.work.nodesPerRay,
+                p.work.testsPerRay, withInterval(p.seconds), withInterval(p.error), withInterval(p.flip),
+                escaped(p.dominatedBy));
     table += "</table></div></details>\n";
     if (!r.notMeasured.empty())
         table += fmt::format("<p class='soft'>{} more settings did not fit into the budget.</p>\n",

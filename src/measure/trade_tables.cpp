@@ -4,7 +4,8 @@
 #include <rayscope/trade.h>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "base/json_number.h"
 
 namespace rayscope {
 
@@ -12,12 +13,9 @@ namespace {
 
 constexpr const char* kRoles[] = {"base", "control", "yours", "knob", "joint", "feature", "preset", "extra"};
 
-nlohmann::json number(double value) {
-    return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
 nlohmann::json toJson(const Interval& i) {
-    return {{"value", number(i.value)}, {"lower", number(i.lower)}, {"upper", number(i.upper)}};
+    return {
+        {"value", numberOrNull(i.value)}, {"lower", numberOrNull(i.lower)}, {"upper", numberOrNull(i.upper)}};
 }
 
 nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
@@ -28,7 +26,10 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
             {"knob", p.knob},
             {"level", p.level},
             {"runs", p.runs},
-            {"rays", p.rays},
+            {"samples", p.work.samples},
+            {"rays", p.work.rays},
+            {"nodes_per_ray", p.work.nodesPerRay},
+            {"tests_per_ray", p.work.testsPerRay},
             {"seconds", toJson(p.seconds)},
             {"build_seconds", toJson(p.buildSeconds)},
             {"rmse", toJson(p.error)},
@@ -51,9 +52,9 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
 nlohmann::json toJson(const TradeReference& r) {
     nlohmann::json history = nlohmann::json::array();
     for (const auto& [samples, error] : r.history)
-        history.push_back({{"samples", samples}, {"rmse", number(error)}});
+        history.push_back({{"samples", samples}, {"rmse", numberOrNull(error)}});
     return {{"samples_per_half", r.samples},
-            {"rmse", number(r.error)},
+            {"rmse", numberOrNull(r.error)},
             {"seconds", r.seconds},
             {"from_cache", r.fromCache},
             {"converges", r.converges},
@@ -105,7 +106,7 @@ std::string tradeJson(const TradeResult& result) {
                                 {"complete", result.complete},
                                 {"interrupted", result.interrupted},
                                 {"reference", toJson(result.reference)},
-                                {"smallest_time_difference", number(result.smallestRatio)},
+                                {"smallest_time_difference", numberOrNull(result.smallestRatio)},
                                 {"convergence_slope", toJson(result.slope)},
                                 {"points", points},
                                 {"front", front},
@@ -120,7 +121,8 @@ std::string tradeJson(const TradeResult& result) {
 
 std::string tradeCsv(const TradeResult& result) {
     std::string table =
-        "name,role,knob,level,runs,rays,seconds,seconds_lower,seconds_upper,rmse,rmse_lower,rmse_upper,noise,"
+        "name,role,knob,level,runs,samples,rays,nodes_per_ray,tests_per_ray,seconds,seconds_lower,seconds_"
+        "upper,rmse,rmse_lower,rmse_upper,noise,"
         "noise_lower,"
         "noise_upper,bias,bias_lower,bias_upper,flip,flip_lower,flip_upper,time_ratio,time_ratio_lower,time_"
         "ratio_upper,"
@@ -128,8 +130,9 @@ std::string tradeCsv(const TradeResult& result) {
         "build_seconds_upper,judged,biased,same_picture,on_front,dominated_by\n";
     for (const TradePoint& p : result.points) {
         if (p.runs == 0) continue;
-        table += fmt::format("{},{},{},{},{},{}", quoted(p.name), kRoles[static_cast<int>(p.role)], p.knob,
-                             p.level, p.runs, p.rays);
+        table += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.6g}", quoted(p.name),
+                             kRoles[static_cast<int>(p.role)], p.knob, p.level, p.runs, p.work.samples,
+                             p.work.rays, p.work.nodesPerRay, p.work.testsPerRay);
         for (const Interval* i :
              {&p.seconds, &p.error, &p.noise, &p.bias, &p.flip, &p.timeRatio, &p.efficiency, &p.buildSeconds})
             table += fmt::format(",{:.6g},{:.6g},{:.6g}", i->value, i->lower, i->upper);

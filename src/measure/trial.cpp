@@ -32,6 +32,7 @@ std::optional<Trial> runTrial(Workers& workers, const CompileRequest& request, c
         trial.image = develop(film.mean(), request.settings, false);
         trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         trial.rays = counters.rays;
+        trial.world = std::move(world);
         return trial;
     });
 }

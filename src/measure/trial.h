@@ -1,5 +1,6 @@
 #pragma once
 #include <rayscope/image.h>
+#include <memory>
 #include <optional>
 
 #include "measure/workers.h"
@@ -13,6 +14,7 @@ struct Trial {
     double buildSeconds = 0.0;  ///< of hierarchies that the previous world could not lend
     std::uint64_t rays = 0;
     RgbImage image;  ///< developed, linear
+    std::shared_ptr<const World> world;
 };
 
 /// Renders `request.settings.spp` samples per pixel as `rayscope render` would. Nothing is returned if it

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json_number.h"
 #include "probe/names.h"
 #include "probe/traversal_log.h"
 
@@ -14,9 +14,6 @@ bool isBoxEvent(TraversalEvent event) {
     return event != TraversalEvent::Hit && event != TraversalEvent::NoHit &&
            event != TraversalEvent::Filtered;
 }
-
-/// JSON has no NaN and no infinity.
-nlohmann::json number(float x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr); }
 
 std::string stackText(const TraversalLog& log, const TraversalState& state) {
     std::string words;
@@ -83,16 +80,18 @@ std::string toJson(const TraversalLog& log) {
         advance(state, step);
         nlohmann::json entry = {{"event", nameOf(step.event)},
                                 {isBoxEvent(step.event) ? "box" : "primitive", step.number},
-                                {"t", number(step.t)},
-                                {"closest_so_far", number(state.bound)},
+                                {"t", numberOrNull(step.t)},
+                                {"closest_so_far", numberOrNull(state.bound)},
                                 {"stack", nlohmann::json::array()}};
         for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
-            entry["stack"].push_back({{"box", waiting->box}, {"t", number(waiting->t)}});
+            entry["stack"].push_back({{"box", waiting->box}, {"t", numberOrNull(waiting->t)}});
         j["steps"].push_back(std::move(entry));
     }
     if (log.hit.primitive != kNoPrimitive)
-        j["hit"] = {
-            {"primitive", log.hit.primitive}, {"t", number(log.hit.t)}, {"u", log.hit.u}, {"v", log.hit.v}};
+        j["hit"] = {{"primitive", log.hit.primitive},
+                    {"t", numberOrNull(log.hit.t)},
+                    {"u", log.hit.u},
+                    {"v", log.hit.v}};
     return j.dump(2) + "\n";
 }
 

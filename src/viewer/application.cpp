@@ -52,7 +52,7 @@ double Application::patience() const {
     const bool job = workspace_.job && workspace_.job->running();
     const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
                          job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy() ||
-                         workspace_.comparison.busy();
+                         workspace_.trade.busy() || workspace_.comparison.busy();
     return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -203,6 +203,7 @@ void Application::updateInspectors() {
         workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
 
     workspace_.lab.update();
+    workspace_.trade.update();
 
     DebugRays& rays = workspace_.rays;
     rays.updateSearch();

@@ -113,7 +113,8 @@ void RenderControl::watchError(const Wish& wish) {
         watchedFilm_ = film;
         watch_ = std::make_shared<const ErrorWatch>(
             ErrorTarget{.error = static_cast<double>(wish.goal.error),
-                        .confidence = static_cast<double>(wish.goal.confidence)});
+                        .confidence = static_cast<double>(wish.goal.confidence)},
+            wish.state.settings.sampler);
     }
     if (looking_.valid()) {
         if (looking_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;

@@ -20,6 +20,7 @@
 #include "viewer/recent_files.h"
 #include "viewer/render_control.h"
 #include "viewer/scene_loader.h"
+#include "viewer/trade_run.h"
 
 namespace rayscope::viewer {
 
@@ -61,6 +62,7 @@ struct Workspace {
     BvhInspector bvh;
     HeatMap heat;
     LabRun lab;
+    TradeRun trade;
     Comparison comparison;
     RenderGoal goal;
     bool bvhSeen = false;  ///< the panel of the hierarchy is open

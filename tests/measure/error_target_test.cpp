@@ -211,6 +211,30 @@ TEST(ErrorTarget, ForecastsTheRest) {
     EXPECT_LT(result.history[1].errorAtLimit, result.history[1].estimate.error);
 }
 
+/// By what the forecast at half of the samples was wrong, as a part of all; 0 if there was no look before.
+double forecastError(const ErrorTargetResult& result) {
+    double expected = result.samples;
+    for (const ErrorForecast& f : result.history)
+        if (2 * f.samples <= result.samples) expected = f.samplesAtTarget;
+    return expected / result.samples - 1.0;
+}
+
+TEST(ErrorTarget, ForecastsAtHalfOfTheWayAreRightWithinAQuarter) {
+    for (const auto& [scene, error] :
+         {std::pair{"builtin:cornell", 0.003}, std::pair{"builtin:cornell-area", 0.0009},
+          std::pair{"builtin:teapot", 0.002}}) {
+        ErrorTargetRequest request = requestFor(scene, 32, error);
+        int right = 0;
+        constexpr int kSeeds = 16;
+        for (int seed = 0; seed < kSeeds; ++seed) {
+            request.render.seed = static_cast<std::uint64_t>(seed);
+            right += std::abs(forecastError(renderToTarget(request))) <= 0.25;
+        }
+        // Of 90 % fewer than 12 of 16 come once in 150 times.
+        EXPECT_GE(right, 12) << scene;
+    }
+}
+
 TEST(ErrorTarget, RefusesWhatCannotBePromised) {
     ErrorTargetRequest request = requestFor("builtin:cornell", 8, 0.01);
     EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("64 pixels"));

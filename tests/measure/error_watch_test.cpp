@@ -41,7 +41,7 @@ TEST(ErrorWatch, EstimatesWhatThePictureIsOffBy) {
         extend(*world, truth, 768, 999);
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
             Film film(48, 48, {0, 48, 0, 48});
-            ErrorWatch watch(ErrorTarget{.error = 1e-9});
+            ErrorWatch watch(ErrorTarget{.error = 1e-9}, sampler);
             EXPECT_FALSE(watch.any());
             for (int samples = 1; samples <= 32; samples *= 2) {
                 extend(*world, film, samples, seed);
@@ -62,13 +62,13 @@ TEST(ErrorWatch, EstimatesWhatThePictureIsOffBy) {
 TEST(ErrorWatch, ForecastsTheTimeToTheTargetAndTheErrorAtTheLimit) {
     const auto world = worldOf("cornell-area", SamplePattern::Independent);
     Film film(48, 48, {0, 48, 0, 48});
-    ErrorWatch first(ErrorTarget{.error = 1e-9});
+    ErrorWatch first(ErrorTarget{.error = 1e-9}, SamplePattern::Independent);
     for (int samples = 1; samples <= 16; samples *= 2) {
         extend(*world, film, samples, 5);
         first.look(ErrorWatch::take(film));
     }
     // Half the error of independent samples takes four times the samples.
-    ErrorWatch watch(ErrorTarget{.error = 0.55 * first.latest().upper});
+    ErrorWatch watch(ErrorTarget{.error = 0.55 * first.latest().upper}, SamplePattern::Independent);
     Film again(48, 48, {0, 48, 0, 48});
     for (int samples = 1; samples <= 16; samples *= 2) {
         extend(*world, again, samples, 5);

@@ -76,6 +76,27 @@ TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
     EXPECT_EQ(markFront(points), (std::vector<std::size_t>{0}));
 }
 
+TEST(Pareto, FindsTheMeasurementOfSettingsAsFarAsTheyMatter) {
+    TradeResult result;
+    result.points = {point("base", 1.0, 0.10, 0.05, TradeRole::Base), point("finer", 4.0, 0.05),
+                     point("never", 4.0, 0.05)};
+    result.points[1].settings.spp = 64;
+    result.points[2].settings.spp = 128;
+    result.points[2].runs = 0;
+    result.withoutEffect = {"glossy_samples"};
+    Settings settings;
+    EXPECT_EQ(measuredPoint(result, settings), 0u);
+    settings.spp = 64;
+    settings.glossySamples = 3;
+    settings.exposure = 2.0f;
+    EXPECT_EQ(measuredPoint(result, settings), 1u);
+    settings.maxDepth = 1;
+    EXPECT_EQ(measuredPoint(result, settings), std::nullopt);
+    settings = {};
+    settings.spp = 128;
+    EXPECT_EQ(measuredPoint(result, settings), std::nullopt) << "it was not run";
+}
+
 TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
     std::vector<TradePoint> points;
     for (int i = 0; i < 12; ++i)

@@ -91,6 +91,25 @@ TEST(Trade, EffectsWithoutMatterGiveTheSamePicture) {
     EXPECT_GE(proved, 4);
 }
 
+TEST(Trade, CountsTheWorkOfEverySetting) {
+    TradeRequest request = requestFor("builtin:cornell", 16, 2.0);
+    Settings plain = request.render.settings;
+    plain.bvh = false;
+    request.extra = {{"no tree", plain}};
+    const TradeResult result = measureTrade(request);
+    const TradeWork& base = named(result, "base").work;
+    const TradeWork& again = named(result, "base once more").work;
+    const TradeWork& noTree = named(result, "no tree").work;
+    EXPECT_EQ(base.samples, static_cast<std::uint64_t>(named(result, "base").settings.spp) * 16 * 16);
+    EXPECT_GT(base.rays, base.samples) << "shadow rays and reflections, too";
+    EXPECT_EQ(base.rays, again.rays);
+    EXPECT_EQ(base.nodesPerRay, again.nodesPerRay);
+    EXPECT_EQ(base.testsPerRay, again.testsPerRay);
+    EXPECT_GT(base.nodesPerRay, 1.0);
+    EXPECT_GT(noTree.testsPerRay, 2.0 * base.testsPerRay);
+    EXPECT_EQ(noTree.samples, 4u * 16 * 16);
+}
+
 TEST(Trade, ABudgetThatIsTooShortSaysWhatWouldDo) {
     const TradeResult result = measureTrade(requestFor("builtin:cornell-area", 400, 0.1));
     EXPECT_FALSE(result.complete);
@@ -138,6 +157,8 @@ TEST(Trade, ReportsAreComplete) {
         EXPECT_TRUE(json["points"][0][key].contains("upper")) << key;
     EXPECT_EQ(json["points"][0]["settings"].size(), settingKeys().size());
     EXPECT_GT(json["reference"]["samples_per_half"], 0);
+    for (const char* key : {"samples", "rays", "nodes_per_ray", "tests_per_ray"})
+        EXPECT_GT(json["points"][0][key], 0) << key;
     const std::string csv = tradeCsv(result), html = tradeHtml(result);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), json["points"].size() + 1);
     for (const char* part :

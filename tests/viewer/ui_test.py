@@ -32,7 +32,8 @@ NODE_ARROW, NODE_CHILD = (976, 407), (1040, 425)
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 RIVAL_LEAF_SIZE, RIVAL_TABLE = (1180, 468), (954, 500, 300, 160)  # while a leaf and savings are shown
-HARD_SHADOWS = (1112, 263)
+HARD_SHADOWS = (1112, 287)
+TRADE_HEADER, TRADE_START, TRADE_BUDGET, TRADE_CHART = (1050, 215), (1106, 239), (1180, 263), (954, 277, 300, 165)
 DIAL_FASTEST, BY_ERROR, ERROR, BY_TIME, SECONDS = (1112, 114), (1112, 138), (1190, 138), (1112, 186), (1190, 186)
 MISSED_BOXES, WHY, TREE_BINARY, TREE_WIDE = (1106, 162), (1100, 114), (1140, 186), (1221, 186)  # the latter with RECORDED and WHY folded
 MODE_DIFFERENCE, FIGURES = (1219, 138), (954, 175, 300, 80)
@@ -114,7 +115,8 @@ class Viewer:
 
     def __init__(self, program, folder, *arguments):
         self.folder = folder
-        environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"), LIBGL_ALWAYS_SOFTWARE="1")
+        environment = dict(os.environ, XDG_CONFIG_HOME=str(folder / "config"), XDG_CACHE_HOME=str(folder / "cache"),
+                           LIBGL_ALWAYS_SOFTWARE="1")
         self.log = open(folder / "viewer.log", "w+")
         size = [] if "--size" in arguments else ["--size", f"{WIDTH}x{HEIGHT}"]
         self.process = subprocess.Popen([program, "view", *size, *arguments], cwd=folder,
@@ -673,6 +675,34 @@ def test_goal(viewer):
     viewer.settled_picture()
 
 
+def test_trade(viewer):
+    """The front of the scene, measured beside the window, and where the settings stand on it."""
+    def is_dial_orange(r, g, b):
+        return abs(r - 230) < 12 and abs(g - 159) < 12 and b < 25
+
+    def is_ring_white(r, g, b):
+        return min(r, g, b) > 225
+
+    viewer.click(*TAB_SETTINGS)
+    viewer.click(*TRADE_HEADER)
+    viewer.type_into(TRADE_BUDGET, "6")
+    viewer.click(*TRADE_START)
+    viewer.point(100, 600)
+    chart = wait_for("the front with positions of the dial", lambda: next(
+        (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_dial_orange) > 25), None))
+    expect(chart.count(lambda r, g, b: abs(r - 86) < 12 and abs(g - 180) < 12 and abs(b - 233) < 12) > 40,
+           "the front is a line")
+    viewer.click(*DIAL_FASTEST)
+    viewer.point(100, 600)
+    ring = wait_for("where the first position of the dial is", lambda: next(
+        (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_ring_white) > 15), None))
+    expect(ring.differing(chart) > 15, "the ring moved")
+    viewer.key("ctrl+z")
+    viewer.click(*TRADE_HEADER)
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
 def test_isolate_and_copy(viewer):
     """One ray and what belongs to it; the tree in the clipboard."""
     every = viewer.shoot((440, 340))
@@ -841,7 +871,7 @@ SESSIONS = [
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_normals_and_panes, test_bvh_boxes,
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
-    (["--set", "spp=4"], [test_compare, test_goal, test_isolate_and_copy, test_fly, test_drop]),
+    (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
     (["builtin:cornell-area", "--set", "spp=1024"], [test_moving, test_byte_budget]),
     (["builtin:spheres", "--set", "spp=1", "--set", "bloom=true", "--set", "bloom_debug=true", "--set",

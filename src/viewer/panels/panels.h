@@ -24,6 +24,7 @@ void drawRaysPanel(Workspace& workspace);
 void drawBvhPanel(Workspace& workspace);
 void drawHeatPanel(Workspace& workspace);
 void drawLabPanel(Workspace& workspace);
+void drawTradePanel(Workspace& workspace);
 void drawComparisonPanel(Workspace& workspace);
 void drawGoalPanel(Workspace& workspace);
 

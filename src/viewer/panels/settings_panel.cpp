@@ -111,6 +111,7 @@ std::vector<std::string_view> groupsOfTable() {
 void drawSettingsPanel(Workspace& workspace) {
     if (ImGui::CollapsingHeader("Speed and accuracy", ImGuiTreeNodeFlags_DefaultOpen))
         drawGoalPanel(workspace);
+    if (ImGui::CollapsingHeader("Measured on this scene")) drawTradePanel(workspace);
     static const std::vector<std::string_view> groups = groupsOfTable();
     for (const std::string_view group : groups) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;

@@ -121,6 +121,14 @@ def numbers(values, separator=", "):
     return separator.join(f"{v:.9g}" for v in values)
 
 
+def lens_of(scene):
+    """The lens for Rayscope: its radius is focal_length / (2 f_number)."""
+    if "lens" not in scene:
+        return ""
+    radius, distance = scene["lens"]
+    return f"lens = {{ f_number = 1, focal_length = {2 * radius:.9g}, focus_distance = {distance:.9g} }}\n"
+
+
 def write_rayscope(scene, folder):
     with open(folder / "scene.mtl", "w") as f:
         for name, m in scene["materials"].items():
@@ -145,10 +153,23 @@ def write_rayscope(scene, folder):
         lamp = f'type = "point"\nposition = [{numbers(light["position"])}]\ncolor = {white}\n'
     (folder / "scene.toml").write_text(
         f'version = 1\n[[camera]]\nlook_from = [{numbers(CAMERA["from"])}]\nlook_at = [{numbers(CAMERA["at"])}]\n'
-        f'fov = {CAMERA["fov"]}\n[[mesh]]\nfile = "scene.obj"\n[[light]]\n{lamp}')
+        f'fov = {CAMERA["fov"]}\n{lens_of(scene)}[[mesh]]\nfile = "scene.obj"\n[[light]]\n{lamp}')
 
 
-def write_povray(scene, folder):
+def povray_texture(material, roughness, copies):
+    """Reflections are sharp in POV-Ray; rough ones are the usual mean of `copies` textures whose normals a fine noise
+    tilts in different ways."""
+    ks = numbers(material["ks"])
+    shine = (f" phong {material['ks'][0]} phong_size {material['ns']} reflection {{ rgb <{ks}> }}" if any(material["ks"])
+             else "")
+    plain = f"pigment {{ rgb <{numbers(material['kd'])}> }} finish {{ ambient 0 diffuse 1{shine} }}"
+    if not roughness or not any(material["ks"]):
+        return f"texture {{ {plain} }}"
+    maps = " ".join(f"[1 {plain} normal {{ bumps {roughness} scale 0.0001 translate {31 * k + 7} }}]" for k in range(copies))
+    return f"texture {{ average texture_map {{ {maps} }} }}"
+
+
+def write_povray(scene, folder, blur_samples=0, copies=1):
     light = scene["light"]
     if "corner" in light:
         (u, v), corner = light["edges"], light["corner"]
@@ -159,19 +180,26 @@ def write_povray(scene, folder):
                 "jitter area_illumination on }\n")
     else:
         lamp = f"light_source {{ <{numbers(light['position'])}> rgb 1 }}\n"
+    blur = ""
+    if "lens" in scene:
+        # The aperture is a diameter; variance 0 takes all samples everywhere.
+        radius, distance = scene["lens"]
+        view = tuple(a - b for a, b in zip(CAMERA["at"], CAMERA["from"]))
+        length = math.sqrt(sum(v * v for v in view))
+        focus = tuple(o + distance * v / length for o, v in zip(CAMERA["from"], view))
+        blur = (f"aperture {2 * radius:.9g} focal_point <{numbers(focus)}> blur_samples {blur_samples} "
+                "confidence 0.999 variance 0")
     with open(folder / "scene.pov", "w") as f:
         # `right -x` makes POV-Ray's left-handed space ours.
         f.write("#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 6 }\n"
                 f"camera {{ location <{numbers(CAMERA['from'])}> right -x up y angle {CAMERA['fov']} "
-                f"look_at <{numbers(CAMERA['at'])}> }}\n" + lamp)
+                f"look_at <{numbers(CAMERA['at'])}> {blur} }}\n" + lamp)
         names = list(scene["materials"])
         f.write("mesh2 {\nvertex_vectors { %d,\n" % len(scene["vertices"]))
         f.write(",\n".join(f"<{numbers(v)}>" for v in scene["vertices"]) + " }\n")
         f.write("texture_list { %d,\n" % len(names))
         for name in names:
-            m = scene["materials"][name]
-            shine = f" phong {m['ks'][0]} phong_size {m['ns']} reflection {{ rgb <{numbers(m['ks'])}> }}" if any(m["ks"]) else ""
-            f.write(f"texture {{ pigment {{ rgb <{numbers(m['kd'])}> }} finish {{ ambient 0 diffuse 1{shine} }} }}\n")
+            f.write(povray_texture(scene["materials"][name], scene.get("roughness"), copies) + "\n")
         f.write("}\nface_indices { %d,\n" % len(scene["triangles"]))
         f.write(",\n".join(f"<{a},{b},{c}>,{names.index(name)}" for name, a, b, c in scene["triangles"]))
         f.write(" }\n}\n")
@@ -188,8 +216,8 @@ def run_rayscope(program, folder, size, settings, output):
     return total, json.loads((folder / "stats.json").read_text())["render_s"]
 
 
-def run_povray(folder, size, output):
-    command = ["povray", f"+I{folder / 'scene.pov'}", f"+O{output}", f"+W{size}", f"+H{size}", "+FP16", "-D", "-A",
+def run_povray(folder, size, output, antialiasing=("-A",)):
+    command = ["povray", f"+I{folder / 'scene.pov'}", f"+O{output}", f"+W{size}", f"+H{size}", "+FP16", "-D", *antialiasing,
                "File_Gamma=1.0", f"+WT{os.cpu_count()}"]
     start = time.perf_counter()
     result = subprocess.run(command, check=True, capture_output=True, text=True)

@@ -1,0 +1,81 @@
+// The trend of looks: its slope, what smoothing is good for, and when it foresees the target.
+#include "measure/error_trend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "measure/halves.h"
+
+namespace rayscope {
+namespace {
+
+ErrorEstimate look(double error) { return {error, 1.3 * error, true}; }
+
+TEST(ErrorTrend, KnowsTheUsualSlopeFirstAndTheTrueOneLater) {
+    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Independent),
+        sobol(ErrorMetric::Rmse, SamplePattern::Sobol);
+    EXPECT_FALSE(trend.any());
+    trend.add(4, look(1.0));
+    sobol.add(4, look(1.0));
+    EXPECT_DOUBLE_EQ(trend.slope(), 0.5);
+    EXPECT_DOUBLE_EQ(sobol.slope(), 0.8);
+    for (int samples = 5; samples <= 4096; samples = sampleStepFrom(samples + 1))
+        trend.add(samples, look(4.0 / samples));
+    EXPECT_GT(trend.slope(), 0.9);
+    EXPECT_LE(trend.slope(), 1.0);
+}
+
+TEST(ErrorTrend, ForeseesWhereAPowerLawMeetsTheTarget) {
+    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol),
+        squares(ErrorMetric::RelMse, SamplePattern::Sobol);
+    for (int samples = 4; samples <= 64; samples *= 2) {
+        const double error = std::pow(samples, -0.8);
+        trend.add(samples, look(error));
+        squares.add(samples, {error * error, 1.69 * error * error, true});
+    }
+    const double target = 1.3 * std::pow(200.0, -0.8);
+    EXPECT_NEAR(trend.samplesFor(target), 200.0, 1e-9);
+    EXPECT_NEAR(squares.samplesFor(target * target), 200.0, 1e-9);
+    EXPECT_NEAR(trend.errorAt(128.0), std::pow(128.0, -0.8), 1e-12);
+    EXPECT_NEAR(squares.errorAt(128.0), std::pow(128.0, -1.6), 1e-12);
+    EXPECT_NEAR(trend.smoothed().upper, 1.3 * std::pow(64.0, -0.8), 1e-12);
+}
+
+TEST(ErrorTrend, IsQuieterThanItsLatestLook) {
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> noise(0.0, 0.2);
+    double single = 0.0, together = 0.0;
+    for (int time = 0; time < 200; ++time) {
+        ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
+        for (int samples = 4; samples <= 128; samples = sampleStepFrom(samples + 1))
+            trend.add(samples, look(std::pow(samples, -0.8) * std::exp(noise(random))));
+        const double truth = std::pow(128.0, -0.8);
+        single += std::pow(std::log(trend.latest().error / truth), 2.0);
+        together += std::pow(std::log(trend.smoothed().error / truth), 2.0);
+    }
+    EXPECT_LT(together, 0.4 * single);
+}
+
+TEST(ErrorTrend, LooksThatSawNothingSayNothing) {
+    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
+    for (const int samples : {4, 5, 6, 7}) trend.add(samples, {});
+    EXPECT_EQ(trend.smoothed().upper, 0.0);
+    EXPECT_EQ(trend.samplesFor(0.01), 0.0);
+    trend.add(8, {0.5, 1.0, false});
+    EXPECT_DOUBLE_EQ(trend.smoothed().upper, 1.0);
+    EXPECT_FALSE(trend.smoothed().trusted);
+    EXPECT_TRUE(std::isfinite(trend.samplesFor(0.01)));
+}
+
+TEST(SampleSteps, AreQuartersOfDoublings) {
+    std::vector<int> steps;
+    for (int step = sampleStepFrom(-1.0); step <= 64; step = sampleStepFrom(step + 1)) steps.push_back(step);
+    EXPECT_EQ(steps, (std::vector<int>{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64}));
+    EXPECT_EQ(sampleStepFrom(64.01), 80);
+    EXPECT_GT(sampleStepFrom(1e300), 0);
+}
+
+}  // namespace
+}  // namespace rayscope

@@ -1,0 +1,55 @@
+#include "viewer/trade_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+
+#include "support/temporary_folder.h"
+
+namespace rayscope::viewer {
+namespace {
+
+EditState builtin(const std::string& name) {
+    Diagnostics notes;
+    return openingState(loadScene("builtin:" + name, notes), {}, {});
+}
+
+void waitFor(TradeRun& trade) {
+    while (trade.busy()) {
+        trade.update();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+}
+
+TEST(TradeRun, MeasuresWhatTheWindowShowsAndKnowsWhereItsSettingsStand) {
+    const test::TemporaryFolder folder;
+    setenv("XDG_CACHE_HOME", folder.file("cache").c_str(), 1);
+    EditState state = builtin("cornell");
+    state.settings.spp = 1;
+    TradeRun trade;
+    trade.budget = 4.0f;
+    trade.start(state, {600, 300}, 2);
+    EXPECT_TRUE(trade.busy());
+    waitFor(trade);
+    ASSERT_NE(trade.result(), nullptr) << trade.problem();
+    EXPECT_EQ(trade.result()->width, 96);
+    EXPECT_EQ(trade.result()->height, 48);
+    EXPECT_EQ(trade.scene(), state.scene.get());
+    EXPECT_TRUE(measuredPoint(*trade.result(), state.settings));
+    EXPECT_GT(trade.fraction(), 0.0);
+}
+
+TEST(TradeRun, KeepsWhatWasMeasuredUntilAStop) {
+    TradeRun trade;
+    trade.budget = 600.0f;
+    trade.start(builtin("triangle"), {100, 100}, 1);
+    while (trade.fraction() == 0.0) std::this_thread::yield();
+    trade.stop();
+    waitFor(trade);
+    ASSERT_NE(trade.result(), nullptr);
+    EXPECT_TRUE(trade.result()->interrupted);
+}
+
+}  // namespace
+}  // namespace rayscope::viewer
