@@ -29,17 +29,12 @@ TEST(SettingsWithoutEffect, AreAtMostThoseOfTheTable) {
     std::vector<std::string> remaining;
     for (const std::string_view key : settingKeys())
         if (withoutEffectOn(SceneRequirements{}, key).empty()) remaining.emplace_back(key);
-    const std::vector<std::string> expected = {"shading",       "spp",
-                                               "sampler",       "bvh",
-                                               "bvh_builder",   "bvh_bins",
-                                               "bvh_max_level", "bvh_leaf_size",
-                                               "bvh_refit",     "bvh_layout",
-                                               "isa",
-                                               "bloom",         "bloom_filter",
-                                               "bloom_sigma",   "bloom_threshold",
-                                               "bloom_size",    "bloom_scale",
-                                               "bloom_debug",   "bloom_stage",
-                                               "exposure",      "tone"};
+    const std::vector<std::string> expected = {
+        "shading",    "spp",           "sampler",       "bvh",         "bvh_builder",
+        "bvh_bins",   "bvh_max_level", "bvh_leaf_size", "bvh_refit",   "bvh_layout",
+        "isa",        "bloom",         "bloom_filter",  "bloom_sigma", "bloom_threshold",
+        "bloom_size", "bloom_scale",   "bloom_debug",   "bloom_stage", "exposure",
+        "tone"};
     EXPECT_EQ(remaining, expected);
 }
 

@@ -419,6 +419,40 @@ def test_surfaces(viewer):
     viewer.click(*TAB_SCENE)
 
 
+def is_vertex_normal(red, green, blue):
+    return 110 < red < 160 and green > 200 and 170 < blue < 220
+
+
+def test_normals_and_panes(viewer):
+    """Normals of vertices by a click on the legend; segments in the colours of the panes they meet."""
+    viewer.open_scene("builtin:monkey")
+    viewer.shoot((440, 330))
+    viewer.click(*RECORDED)
+    viewer.click(*WHY)
+    viewer.point(*ASIDE)
+    bare = viewer.settled_picture().count(is_vertex_normal)
+    viewer.click(*LEGEND_VERTEX_NORMALS)
+    viewer.point(*ASIDE)
+    wait_for("normals of vertices", lambda: viewer.settled_picture().count(is_vertex_normal) > bare + 30)
+    viewer.click(*LEGEND_VERTEX_NORMALS)
+    viewer.key("c")
+    viewer.open_scene("builtin:cornell-transparent")
+    by_kind = viewer.shoot((420, 430))
+    expect(by_kind.count(is_ray_yellow) > 100, "the camera ray is yellow")
+    viewer.click(*RAY_COLORS)
+    viewer.click(RAY_COLORS[0], RAY_COLORS[1] + 42)
+    viewer.point(*ASIDE)
+    wait_for("the colours of surfaces", lambda: viewer.settled_picture().count(is_ray_yellow) < 20)
+    viewer.click(*RAY_COLORS)
+    viewer.click(RAY_COLORS[0], RAY_COLORS[1] + 24)
+    viewer.point(*ASIDE)
+    wait_for("the colours of kinds", lambda: viewer.settled_picture().data == by_kind.data)
+    viewer.click(*WHY)
+    viewer.click(*RECORDED)
+    viewer.key("c")
+    viewer.click(*TAB_SCENE)
+
+
 def test_bvh_boxes(viewer):
     """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
     viewer.open_scene("builtin:monkey")
@@ -834,7 +868,7 @@ def test_without_display(program):
 # What a window is opened with, and what is done in it.
 SESSIONS = [
     (["--set", "spp=4"],
-     [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_bvh_boxes,
+     [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_normals_and_panes, test_bvh_boxes,
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
