@@ -35,7 +35,7 @@ struct ErrorForecast {
     ErrorEstimate estimate;         ///< by the looks so far; error 0 before the first
     double samplesAtTarget = 0.0;   ///< to be expected, per pixel; 0 before the first look
     double remainingSeconds = 0.0;  ///< to the target; 0 before the first look
-    double errorAtLimit = 0.0;      ///< to be expected at the time limit; 0 without one
+    double errorAtLimit = 0.0;      ///< to be expected at the time limit; 0 without one, or not known yet
 };
 
 enum class StopReason { Reached, TimeLimit, SampleLimit, Interrupted };

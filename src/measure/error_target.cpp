@@ -159,7 +159,7 @@ bool TargetRender::reached(int samples) const {
 void TargetRender::plan(int samples) {
     if (samples < planned_) return;
     planned_ = 0;
-    if (const int end = expectedEnd(); end <= 2 * samples) planned_ = end;
+    if (const int end = expectedEnd(); end <= 2.0 * samples) planned_ = end;
 }
 
 /// Samples per half at which the target should be reached.
@@ -188,9 +188,10 @@ ErrorForecast TargetRender::forecast() const {
     f.estimate = trend_.smoothed();
     const int samples = static_cast<int>(trend_.samples());
     f.samplesAtTarget = reached(samples) ? taken : std::max(taken, halves_->samplesAt(expectedEnd()));
-    f.remainingSeconds = (f.samplesAtTarget - taken) * secondsPerSample();
-    if (request_.timeLimit > 0.0 && f.estimate.error > 0.0) {
-        const double more = std::max(0.0, request_.timeLimit - f.elapsedSeconds) / secondsPerSample();
+    const double pace = secondsPerSample();
+    f.remainingSeconds = (f.samplesAtTarget - taken) * pace;
+    if (request_.timeLimit > 0.0 && f.estimate.error > 0.0 && pace > 0.0) {
+        const double more = std::max(0.0, request_.timeLimit - f.elapsedSeconds) / pace;
         f.errorAtLimit = trend_.errorAt(trend_.samples() * (taken + more) / halves_->samplesAt(samples));
     }
     return f;

@@ -48,11 +48,11 @@ double Halves::perPixel(const SamplesOfTile& samplesOfTile) const {
 }
 
 double Halves::samplesTaken() const {
-    return perPixel([&](int tile) { return films_[0]->samples(tile) + films_[1]->samples(tile); });
+    return perPixel([&](int tile) { return 0.0 + films_[0]->samples(tile) + films_[1]->samples(tile); });
 }
 
 double Halves::samplesAt(int samples) const {
-    return perPixel([&](int tile) { return 2 * samplesOfTile(static_cast<std::size_t>(tile), samples); });
+    return perPixel([&](int tile) { return 2.0 * samplesOfTile(static_cast<std::size_t>(tile), samples); });
 }
 
 ErrorEstimate Halves::estimate(const ErrorTarget& target) const {
