@@ -41,15 +41,20 @@ def shadows(viewer):
     take(viewer, "shadows", PICTURE)
 
 
-def levels(viewer):
+def show_boxes(viewer, level, leaf):
+    """The boxes of a level below the root, and the leaf under a pixel."""
     viewer.click(*ui.TAB_BVH)
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     viewer.key("b")
-    for _ in range(4):
+    for _ in range(level):
         viewer.key("Next")
-    viewer.point(430, 380)
+    viewer.point(*leaf)
     viewer.key("g")
+
+
+def levels(viewer):
+    show_boxes(viewer, 4, (430, 380))
     take(viewer, "levels")
 
 
@@ -154,14 +159,7 @@ def search(viewer):
 
 
 def hierarchy(viewer):
-    viewer.click(*ui.TAB_BVH)
-    viewer.point(*ui.ASIDE)
-    viewer.settled_picture()
-    viewer.key("b")
-    for _ in range(3):
-        viewer.key("Next")
-    viewer.point(460, 400)
-    viewer.key("g")
+    show_boxes(viewer, 3, (460, 400))
     viewer.click(*ui.BVH_SAVINGS)
     take(viewer, "builds")
 

@@ -19,6 +19,9 @@ struct BinaryNode {
 };
 static_assert(sizeof(BinaryNode) == 32);
 
+/// Stands for a node where there is none.
+inline constexpr std::uint32_t kNoNode = 0xffffffffu;
+
 /// A binary bounding volume hierarchy; node 0 is the root. Empty if there is nothing to hit.
 struct BinaryTree {
     std::vector<BinaryNode> nodes;

@@ -8,8 +8,6 @@
 
 namespace rayscope {
 
-inline constexpr std::uint32_t kNoNode = 0xffffffffu;
-
 /// Nodes keep their numbers when they are moved, and boxes always are those of what lies below.
 class LinkedTree {
   public:

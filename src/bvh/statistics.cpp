@@ -3,17 +3,17 @@
 namespace rayscope {
 namespace {
 
-double halfArea(const BinaryNode& node) {
-    const glm::dvec3 size = glm::dvec3(node.upper) - glm::dvec3(node.lower);
-    return size.x * (size.y + size.z) + size.y * size.z;
-}
-
 void count(std::vector<std::size_t>& histogram, std::size_t index) {
     if (histogram.size() <= index) histogram.resize(index + 1);
     ++histogram[index];
 }
 
 }  // namespace
+
+double halfArea(const BinaryNode& node) {
+    const glm::dvec3 size = glm::dvec3(node.upper) - glm::dvec3(node.lower);
+    return size.x * (size.y + size.z) + size.y * size.z;
+}
 
 TreeStatistics statisticsOf(const BinaryTree& tree) {
     TreeStatistics result;

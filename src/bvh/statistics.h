@@ -28,4 +28,7 @@ struct TreeStatistics {
 
 TreeStatistics statisticsOf(const BinaryTree& tree);
 
+/// Half the surface area of a node's box.
+double halfArea(const BinaryNode& node);
+
 }  // namespace rayscope

@@ -43,14 +43,7 @@ WideCounts countSearches(const WideTree& tree, std::span<const Ray> rays, bool a
     const auto count = [&](const auto& range, WideCounts counts) {
         const Counter counter{&counts};
         for (const Ray& ray : rays.subspan(range.begin(), range.size())) {
-            if (!kernel::isTraceable(words(ray))) continue;
-            kernel::prepared(view, words(ray), [&](const auto& lanes, Search& search) {
-                kernel::FastShear shear{};
-                if (any)
-                    kernel::walkToAnyHit(view, view.root, lanes, shear, search, counter);
-                else
-                    kernel::walkToClosestHit(view, view.root, lanes, shear, search, counter);
-            });
+            if (kernel::isTraceable(words(ray))) kernel::searchWatched(view, words(ray), any, counter);
         }
         return counts;
     };

@@ -25,11 +25,6 @@ std::vector<std::uint32_t> preorder(const BinaryTree& tree) {
 
 }  // namespace
 
-double halfArea(const BinaryNode& node) {
-    const glm::dvec3 size = glm::dvec3(node.upper) - glm::dvec3(node.lower);
-    return size.x * (size.y + size.z) + size.y * size.z;
-}
-
 std::size_t TreeIndex::leafNumber(std::uint32_t node) const {
     return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), node) - leaves.begin());
 }

@@ -8,8 +8,6 @@
 
 namespace rayscope {
 
-inline constexpr std::uint32_t kNoNode = 0xffffffffu;
-
 /// Facts about all nodes of a tree; every vector but `leaves` is indexed by node.
 struct TreeIndex {
     std::vector<std::uint32_t> parent;      ///< kNoNode for the root
@@ -33,9 +31,6 @@ std::vector<std::uint32_t> nodesAtLevel(const BinaryTree& tree, const TreeIndex&
 
 /// The primitives of a leaf, as in Hit::primitive; none for an inner node.
 std::span<const std::uint32_t> primitivesOfLeaf(const BinaryTree& tree, std::uint32_t node);
-
-/// Half the surface area of a node's box.
-double halfArea(const BinaryNode& node);
 
 /// How much the boxes of a node's two children overlap: half the area of what they share, relative to the
 /// node's. 0 for leaves and where nothing is shared; a line that meets the node enters both children at least

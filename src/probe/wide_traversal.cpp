@@ -165,15 +165,7 @@ struct Watcher {
 
 void recordWideSearch(const WideTree& tree, TraversalLog& log) {
     WideRecorder recorder(log, tree);
-    const Watcher watcher{&recorder};
-    const kernel::WideTreeView view = tree.view();
-    kernel::prepared(view, words(log.ray), [&](const auto& lanes, Search& search) {
-        kernel::FastShear shear{};
-        if (log.anyHit)
-            kernel::walkToAnyHit(view, view.root, lanes, shear, search, watcher);
-        else
-            kernel::walkToClosestHit(view, view.root, lanes, shear, search, watcher);
-    });
+    kernel::searchWatched(tree.view(), words(log.ray), log.anyHit, Watcher{&recorder});
 }
 
 }  // namespace rayscope

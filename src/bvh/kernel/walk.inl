@@ -202,6 +202,18 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     return found;
 }
 
+/// The search of closestHit() or anyHit(), watched; the watcher learns what is found.
+template <class Watcher>
+RAYSCOPE_INLINE void searchWatched(const WideTreeView& tree, RayWords ray, bool any, Watcher watcher) {
+    prepared(tree, ray, [&](const auto& lanes, Search& search) {
+        FastShear shear{};
+        if (any)
+            walkToAnyHit(tree, tree.root, lanes, shear, search, watcher);
+        else
+            walkToClosestHit(tree, tree.root, lanes, shear, search, watcher);
+    });
+}
+
 /// The same for many rays, one after the other.
 [[maybe_unused]] void closestHitsInTurn(const WideTreeView& tree, const float* rays, HitWords* hits,
                                         size_t count) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bvh/statistics.h"
 #include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
