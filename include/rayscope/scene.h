@@ -183,6 +183,11 @@ struct SceneRequirements {
 };
 SceneRequirements requirementsOf(const SceneDescription& scene);
 
+/// Whether a lens or motion blurs pixels: what applyPreset() asks.
+inline bool blursPixels(const SceneRequirements& scene, const CameraDescription& camera) {
+    return camera.lens || scene.motion;
+}
+
 /// Why the setting with this key changes nothing in this scene, or an empty text if it may change something.
 std::string_view withoutEffectOn(const SceneRequirements& scene, std::string_view setting);
 

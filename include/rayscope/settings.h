@@ -106,17 +106,20 @@ void assign(Settings& settings, std::string_view key, std::string_view value);
 /// The text that assign() would accept for the present value of `key`.
 std::string textOf(const Settings& settings, std::string_view key);
 
-/// A position on the dial from fast to accurate: values for the settings that trade, whatever the scene.
+/// A position on the dial from fast to accurate: values for the settings that trade.
 struct Preset {
     std::string_view name, meaning;
     std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key, text
+    /// These in their place where a lens or motion blurs the pixels: then what lies behind a pixel differs
+    /// more than what a light looks like from there.
+    std::vector<std::pair<std::string_view, std::string_view>> whereBlurred;
 };
 /// preview, balanced, final, reference.
 const std::vector<Preset>& presets();
 /// Throws InputError that names the nearest preset.
 const Preset& presetNamed(std::string_view name);
 /// Sets what the preset says and leaves the rest.
-void applyPreset(Settings& settings, const Preset& preset);
+void applyPreset(Settings& settings, const Preset& preset, bool blurred);
 
 /// Every key, in the order of the table.
 std::vector<std::string_view> settingKeys();

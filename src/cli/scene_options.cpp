@@ -65,11 +65,15 @@ CameraDescription chooseCamera(const SceneDescription& scene, const SceneOptions
     return camera;
 }
 
-Settings settingsFor(const SceneDescription& scene, const SceneOptions& options) {
+Settings settingsFor(const SceneDescription& scene, const CameraDescription& camera,
+                     const SceneOptions& options) {
+    const std::vector<SettingAssignment> assignments = parseAssignments(options);
     Settings settings;
     for (const SettingAssignment& assignment : scene.settings)
         assign(settings, assignment.key, assignment.value);
-    for (const SettingAssignment& assignment : parseAssignments(options))
+    if (!options.preset.empty())
+        applyPreset(settings, presetNamed(options.preset), blursPixels(requirementsOf(scene), camera));
+    for (const SettingAssignment& assignment : assignments)
         assign(settings, assignment.key, assignment.value);
     return settings;
 }
@@ -78,9 +82,7 @@ Settings settingsFor(const SceneDescription& scene, const SceneOptions& options)
 
 std::vector<SettingAssignment> parseAssignments(const SceneOptions& options) {
     std::vector<SettingAssignment> list;
-    if (!options.preset.empty())
-        for (const auto& [key, value] : presetNamed(options.preset).values)
-            list.push_back({std::string(key), std::string(value), {}});
+    if (!options.preset.empty()) presetNamed(options.preset);
     for (const std::string& text : options.assignments) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos)
@@ -104,8 +106,8 @@ RenderRequest openScene(const SceneOptions& options, bool quiet) {
         throw CLI::ValidationError("--size", "more than 2^28 pixels");
     request.width = size.x;
     request.height = size.y;
-    request.settings = settingsFor(*scene, options);
     request.camera = chooseCamera(*scene, options);
+    request.settings = settingsFor(*scene, request.camera, options);
     request.seed = options.seed;
     request.scene = std::move(scene);
     return request;

@@ -18,6 +18,7 @@ int runView(const SceneOptions& options) {
     const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
     viewer.width = size.x;
     viewer.height = size.y;
+    viewer.preset = options.preset;
     viewer.settings = parseAssignments(options);
     viewer.camera = {options.camera, optionalVector("--look-from", options.lookFrom),
                      optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),

@@ -49,10 +49,10 @@ void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, c
     }
 }
 
-void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& asked) {
+void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& asked, bool blurred) {
     for (const Preset& preset : presets()) {
         Settings settings = asked;
-        applyPreset(settings, preset);
+        applyPreset(settings, preset, blurred);
         TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
         point.level = preset.name;
         list.push_back(std::move(point));
@@ -115,7 +115,7 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
                          });
     };
     const std::size_t first = list.size();
-    addPresets(list, base, request.render.settings);
+    addPresets(list, base, request.render.settings, blursPixels(scene, request.render.camera));
     if (request.render.settings != base)
         list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
     addEffects(list, scene, base);

@@ -149,17 +149,12 @@ void Experiment::buildReference() {
     about.error = reference_->error();
     about.seconds = elapsed() - begin;
     about.nonFinitePixels = reference_->nonFinitePixels();
-    const std::size_t steps = about.history.size();
-    if (steps >= 3) {
-        const double earlier = about.history[steps - 3].second;
-        about.converges = about.error <= 0.85 * earlier;
-        if (!about.converges)
-            result_.remarks.push_back(
-                fmt::format("the reference does not converge: with four times the samples its error only "
-                            "went from {:.3g} to "
-                            "{:.3g}; rare bright samples are the usual cause",
-                            earlier, about.error));
-    }
+    about.converges = converges(about.history);
+    if (!about.converges)
+        result_.remarks.push_back(fmt::format(
+            "the reference does not converge: with four times the samples its error only went from "
+            "{:.3g} to {:.3g}; rare bright samples are the usual cause",
+            about.history[about.history.size() - 3].second, about.error));
     if (about.nonFinitePixels > 0)
         result_.remarks.push_back(
             fmt::format("{} pixels of the reference are NaN or infinite and are left out; "

@@ -39,6 +39,12 @@ glm::dvec3 difference(const RgbImage& a, const RgbImage& b, std::size_t i) {
 
 }  // namespace
 
+bool converges(const std::vector<std::pair<int, double>>& history) {
+    constexpr double kConverging = 0.85;
+    const std::size_t steps = history.size();
+    return steps < 3 || history[steps - 1].second <= kConverging * history[steps - 3].second;
+}
+
 Reference::Reference(CompileRequest request, Workers& workers, const World* previous,
                      const std::stop_token& stop)
     : request_(std::move(request)), workers_(workers) {

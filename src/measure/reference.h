@@ -44,6 +44,10 @@ class Reference {
     std::array<std::unique_ptr<Film>, 2> halves_;
 };
 
+/// Whether a reference converges whose error was `history` at doubling samples: it should have halved with
+/// four times as many. Fewer than three entries say nothing against it.
+bool converges(const std::vector<std::pair<int, double>>& history);
+
 /// The settings whose picture, with samples without end, is what `settings` ask for: reflections as deep as
 /// they go, and nothing split, which converges fastest.
 Settings referenceSettings(const Settings& settings);

@@ -131,7 +131,7 @@ inline constexpr std::tuple kSettingsTable{
            "0 builds anew for each change.", "times"},
            &Settings::bvhRefit, 0.0f, 1000.0f, Invalidates::Accel, idle::bvh},
     Choice<BvhLayout, 2>{{"bvh_layout", "Acceleration", "BVH layout",
-           "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image."},
+           "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image.", "", Trade::Speed},
            &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, idle::bvh},
     Choice<Isa, 5>{{"isa", "Acceleration", "Instruction set",
            "Kernels for the wide layout; auto takes the best that the machine has; same image."},

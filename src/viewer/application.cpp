@@ -24,7 +24,7 @@ constexpr int kFramesAfterEvent = 4;
 
 Application::Application(const ViewerOptions& options, LoadedScene first)
     : window_(options.width, options.height),
-      workspace_(openingState(std::move(*first.scene), options.settings, options.camera),
+      workspace_(openingState(std::move(*first.scene), options.settings, options.camera, options.preset),
                  std::move(first.notes), options.threads) {
     workspace_.recent.add(first.path);
     setScale(window_.contentScale());

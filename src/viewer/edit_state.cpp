@@ -31,11 +31,13 @@ CameraDescription chooseCamera(const SceneDescription& scene, const std::string&
 }  // namespace
 
 EditState openingState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
-                       const CameraOverrides& overrides) {
+                       const CameraOverrides& overrides, const std::string& preset) {
     EditState state;
-    assignAll(state.settings, scene.settings);
-    assignAll(state.settings, settings);
     state.camera = chooseCamera(scene, overrides.name);
+    assignAll(state.settings, scene.settings);
+    if (!preset.empty())
+        applyPreset(state.settings, presetNamed(preset), blursPixels(requirementsOf(scene), state.camera));
+    assignAll(state.settings, settings);
     state.camera.lookFrom = overrides.lookFrom.value_or(state.camera.lookFrom);
     state.camera.lookAt = overrides.lookAt.value_or(state.camera.lookAt);
     state.camera.up = overrides.up.value_or(state.camera.up);

@@ -16,10 +16,11 @@ struct EditState {
     bool operator==(const EditState&) const = default;
 };
 
-/// The state in which a scene opens: its own settings, then the given ones, and its first camera unless
-/// `camera` says otherwise. Throws InputError if a setting is wrong or no camera has the wanted name.
+/// The state in which a scene opens: its own settings, then the preset (if any) and the given settings, and
+/// its first camera unless `camera` says otherwise. Throws InputError if a setting is wrong or there is no
+/// preset or camera of that name.
 EditState openingState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
-                       const CameraOverrides& camera);
+                       const CameraOverrides& camera, const std::string& preset = {});
 
 /// The same scene with other lights.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);

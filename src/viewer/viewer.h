@@ -20,7 +20,8 @@ struct CameraOverrides {
 struct ViewerOptions {
     std::string scene = kDefaultScene;        ///< what loadScene() takes
     int width = 1280, height = 720;           ///< of the window, in screen coordinates
-    std::vector<SettingAssignment> settings;  ///< applied after those of the scene
+    std::string preset;                       ///< applied after the settings of the scene; empty: none
+    std::vector<SettingAssignment> settings;  ///< applied last
     CameraOverrides camera;
     int threads = 0;  ///< tracing threads; 0 leaves one core to the window
 };

@@ -14,6 +14,7 @@ using test::run;
 using test::TemporaryFolder;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Render, WritesEveryFormatFromOneRun) {
     const TemporaryFolder folder;
@@ -206,6 +207,25 @@ TEST(Render, APresetStandsBetweenTheSceneAndTheCommandLine) {
     const ProgramResult wrong = run(folder, "rayscope render s.toml --dump-settings --preset previw");
     EXPECT_EQ(wrong.exitCode, 2);
     EXPECT_THAT(wrong.err, HasSubstr("did you mean 'preview'"));
+}
+
+TEST(Render, APresetGoesByTheLensOfTheChosenCameraAndByMotion) {
+    const TemporaryFolder folder;
+    const std::string lens = "lens = { f_number = 2, focal_length = 0.1, focus_distance = 3 }\n";
+    const auto dumped = [&](const std::string& lensOfFirst, const std::string& motion,
+                            const char* more = "") {
+        const std::string camera = "[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n";
+        folder.write("s.toml", "version = 1\n" + camera + "name = \"a\"\n" + lensOfFirst + camera +
+                                   "name = \"b\"\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n" + motion);
+        return run(folder, std::string("rayscope render s.toml --dump-settings -q --preset preview ") + more)
+            .out;
+    };
+    const auto perSide = HasSubstr("parallelogram_samples = 1\n");
+    EXPECT_THAT(dumped("", ""), Not(perSide));
+    EXPECT_THAT(dumped(lens, ""), perSide);
+    EXPECT_THAT(dumped(lens, "", "--camera b"), Not(perSide));
+    EXPECT_THAT(dumped("", "motion = [1, 0, 0]\n"), perSide);
+    EXPECT_THAT(dumped(lens, "", "--set parallelogram_samples=3"), HasSubstr("parallelogram_samples = 3\n"));
 }
 
 TEST(Render, PixelBoundsRenderAPart) {

@@ -33,6 +33,38 @@ TEST(TradeCommand, WritesItsReportsAndAdvisesCommandsThatWork) {
     EXPECT_TRUE(std::filesystem::exists(folder / "advised.exr"));
 }
 
+/// The RMSE that `rayscope compare` finds between two pictures.
+double rmseBetween(const TemporaryFolder& folder, const std::string& a, const std::string& b) {
+    return nlohmann::json::parse(run(folder, "rayscope compare " + a + " " + b + " --json").out)["rmse"];
+}
+
+TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run(folder, kProgram + "builtin:cornell-area --size 24x24 --budget 4 --json");
+    const nlohmann::json report = nlohmann::json::parse(result.out);
+    run(folder,
+        "rayscope render builtin:cornell-area --size 24x24 --preset reference --spp 4096 -q -o truth.pfm");
+    for (const nlohmann::json& advice : report["advice"]) {
+        const auto point =
+            std::find_if(report["points"].begin(), report["points"].end(),
+                         [&](const nlohmann::json& p) { return p["name"] == advice["point"]; });
+        ASSERT_NE(point, report["points"].end());
+        if (!(*point)["judged"].get<bool>() || (*point)["runs"] < 6) continue;
+        const nlohmann::json& interval = (*point)["next_rmse"];
+        int within = 0;
+        for (int seed = 101; seed <= 112; ++seed) {
+            run(folder, "rayscope render builtin:cornell-area " + advice["arguments"].get<std::string>() +
+                            " -q -o again.pfm --seed " + std::to_string(seed));
+            const double error = rmseBetween(folder, "again.pfm", "truth.pfm");
+            within += error >= interval["lower"].get<double>() && error <= interval["upper"].get<double>();
+        }
+        // The interval, from a few runs itself, holds 95 % on average.
+        EXPECT_GE(within, 8) << advice["point"];
+        break;
+    }
+}
+
 TEST(TradeCommand, SaysWhenTheBudgetIsTooShort) {
     const TemporaryFolder folder;
     const ProgramResult result = run(

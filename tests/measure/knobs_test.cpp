@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "measure/candidates.h"
+#include "support/everything.h"
 
 namespace rayscope {
 namespace {
@@ -36,6 +38,42 @@ TEST(Knobs, OnlyThoseThatCanMatter) {
     Settings noBvh;
     noBvh.bvh = false;
     EXPECT_THAT(keysOf(knobsOf(needsOf("builtin:cornell-area"), noBvh)), Not(Contains("bvh_builder")));
+}
+
+/// Settings that are neither swept nor switched, and why.
+const std::map<std::string_view, std::string_view> kNoTrade{
+    {"light_sample_count", "another way to say the numbers of samples"},
+    {"reflect_when", "which materials mirror is part of the scene"},
+    {"glossy_sigma", "how rough a mirror is"},
+    {"lens_shape", "of the highlights out of focus"},
+    {"sharp_zone", "what is in focus"},
+    {"bvh_refit", "only edits meet a tree that was built before"},
+    {"isa", "auto takes the fastest kernels that the machine has"},
+    {"bloom", "whether bright parts glow"},
+    {"bloom_sigma", "the shape of the glow"},
+    {"bloom_threshold", "what glows"},
+    {"bloom_scale", "how much it glows"},
+    {"bloom_debug", "a view of the parts"},
+    {"bloom_stage", "a view of the parts"},
+    {"exposure", "how bright the picture is"},
+    {"tone", "for which screen it is"},
+};
+
+TEST(Knobs, EverySettingIsSweptOrSwitchedOrIsNoTrade) {
+    Settings everything;
+    everything.glossy = everything.bloom = true;
+    const SceneRequirements scene = requirementsOf(test::everythingScene());
+    const std::vector<Knob> knobs = knobsOf(scene, everything);
+    const std::vector<Effect> effects = effectsOf(scene, everything);
+    for (const std::string_view key : settingKeys()) {
+        const auto knob =
+            std::find_if(knobs.begin(), knobs.end(), [&](const Knob& k) { return k.key == key; });
+        const bool swept = knob != knobs.end() && knob->levels.size() >= 2;
+        const bool switched =
+            std::any_of(effects.begin(), effects.end(), [&](const Effect& e) { return e.key == key; });
+        EXPECT_NE(swept || switched, kNoTrade.contains(key)) << key;
+    }
+    for (const auto& [key, why] : kNoTrade) EXPECT_THAT(settingKeys(), Contains(key)) << why;
 }
 
 TEST(Knobs, LevelsAreThePowersOfTwoAndThePresentValue) {

@@ -64,6 +64,15 @@ TEST(Reference, KnowsItsOwnError) {
     EXPECT_NEAR(distance(early, reference.mean()) / claimed, 1.0, 0.15);
 }
 
+TEST(Reference, ConvergesIfItsErrorFalls) {
+    EXPECT_TRUE(converges({}));
+    EXPECT_TRUE(converges({{4, 0.1}, {8, 0.2}})) << "too early to say";
+    EXPECT_TRUE(converges({{4, 0.1}, {8, 0.07}, {16, 0.05}}));
+    EXPECT_FALSE(converges({{4, 0.1}, {8, 0.11}, {16, 0.09}})) << "rare bright samples";
+    EXPECT_FALSE(converges({{4, 0.1}, {8, 0.07}, {16, NAN}}));
+    EXPECT_TRUE(converges({{2, 0.1}, {4, 0.1}, {8, 0.08}, {16, 0.06}}));
+}
+
 TEST(Reference, GoesOnFromAFileBitForBit) {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("sub/r.films");

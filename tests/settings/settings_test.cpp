@@ -200,19 +200,37 @@ TEST(Settings, ScriptsFindTheNamesTheyRelyOn) {
 TEST(Presets, GoFromFastToAccurateAndLeaveTheRest) {
     Settings settings;
     settings.glossySigma = 7.0f;
-    int samples = 0;
     ASSERT_EQ(presets().size(), 4u);
-    for (const Preset& preset : presets()) {
-        Settings turned = settings;
-        applyPreset(turned, preset);
-        EXPECT_GT(turned.spp, samples) << preset.name;
-        samples = turned.spp;
-        EXPECT_EQ(turned.glossySigma, 7.0f);
-        for (const SettingInfo& info : describeSettings())
-            EXPECT_TRUE(info.trade == Trade::Noise || info.trade == Trade::Bias ||
-                        textOf(turned, info.key) == textOf(settings, info.key))
-                << preset.name << " turns " << info.key << ", which does not trade accuracy";
+    for (const bool blurred : {false, true}) {
+        int samples = 0;
+        for (const Preset& preset : presets()) {
+            Settings turned = settings;
+            applyPreset(turned, preset, blurred);
+            EXPECT_GT(turned.spp, samples) << preset.name;
+            samples = turned.spp;
+            EXPECT_EQ(turned.glossySigma, 7.0f);
+            for (const SettingInfo& info : describeSettings())
+                EXPECT_TRUE(info.trade == Trade::Noise || info.trade == Trade::Bias ||
+                            textOf(turned, info.key) == textOf(settings, info.key))
+                    << preset.name << " turns " << info.key << ", which does not trade accuracy";
+        }
     }
+}
+
+TEST(Presets, TakeOneSampleOfALightWherePixelsAreBlurred) {
+    for (const Preset& preset : presets()) {
+        Settings sharp, blurred;
+        applyPreset(sharp, preset, false);
+        applyPreset(blurred, preset, true);
+        EXPECT_EQ(blurred.parallelogramSamples, 1) << preset.name;
+        EXPECT_EQ(blurred.segmentSamples, 1) << preset.name;
+        blurred.parallelogramSamples = sharp.parallelogramSamples;
+        blurred.segmentSamples = sharp.segmentSamples;
+        EXPECT_EQ(blurred, sharp) << "and differ in nothing else";
+    }
+}
+
+TEST(Presets, AreFoundByName) {
     EXPECT_EQ(presetNamed("final").name, "final");
     EXPECT_THROW(presetNamed("finel"), InputError);
 }

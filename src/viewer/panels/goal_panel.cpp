@@ -12,25 +12,25 @@ namespace {
 constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
 
 /// The position of the dial that the settings are at; -1 between positions.
-int dialPosition(const Settings& settings) {
+int dialPosition(const Settings& settings, bool blurred) {
     const std::vector<Preset>& all = presets();
     for (std::size_t i = 0; i < all.size(); ++i) {
         Settings turned = settings;
-        applyPreset(turned, all[i]);
+        applyPreset(turned, all[i], blurred);
         if (turned == settings) return static_cast<int>(i);
     }
     return -1;
 }
 
-void drawDial(Settings& settings) {
+void drawDial(Settings& settings, bool blurred) {
     const std::vector<Preset>& all = presets();
-    int position = dialPosition(settings);
+    int position = dialPosition(settings, blurred);
     const std::string name(position < 0 ? "own settings" : all[static_cast<std::size_t>(position)].name);
     labelledRow("Fast ... accurate", position >= 0,
                 "Sets what trades speed for accuracy: preview, balanced, final or reference, as --preset "
                 "does. What the scene shows stays as it is.");
     if (ImGui::SliderInt("##dial", &position, 0, static_cast<int>(all.size()) - 1, name.c_str(), kClamp))
-        applyPreset(settings, all[static_cast<std::size_t>(position)]);
+        applyPreset(settings, all[static_cast<std::size_t>(position)], blurred);
     if (position >= 0) tooltip(all[static_cast<std::size_t>(position)].meaning);
 }
 
@@ -59,7 +59,7 @@ void drawTarget(RenderGoal& goal) {
 }  // namespace
 
 void drawGoalPanel(Workspace& workspace) {
-    drawDial(workspace.edit.settings);
+    drawDial(workspace.edit.settings, blursPixels(workspace.needs(), workspace.edit.camera));
     drawTarget(workspace.goal);
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
     labelledRow("Error now", false,

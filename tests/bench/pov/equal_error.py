@@ -1,19 +1,24 @@
 #!/usr/bin/env python3
-"""Time to equal error beside POV-Ray 3.7, on pictures whose models differ in detail: glossy reflections, depth of field.
+"""Time to equal error beside POV-Ray 3.7: an antialiased dragon, and pictures whose models differ in detail, a rough mirror
+and a lens.
 
-    tests/bench/pov/equal_error.py [--program build/release/rayscope] [--rounds 3] [--size 200] [--scene glossy|lens]
+    tests/bench/pov/equal_error.py [--program build/release/rayscope] [--rounds 3] [--size N] [--scene glossy|lens|dragon]
                                    [--keep FOLDER]
 
 Both programs render the scene with more and more samples, in turns, on all cores. The error is the RMSE of linear values,
-clipped to 0 … 1, against a picture of the same program with far more samples, since the two do not converge to the same
-one: POV-Ray has no rough mirrors, so fine noise on the normals takes their place, and it samples the lens in patterns of
-its own. `apart` says how far the converged pictures are from each other. Rayscope's time at the error of each of
-POV-Ray's pictures is interpolated between its own on logarithmic axes. Prints tables in Markdown.
+clipped to 0 … 1. The dragon's is against a picture by Rayscope with far more samples, to which both converge. Elsewhere it is
+against such a picture of the same program, since the two do not converge to the same one: POV-Ray has no rough mirrors, so
+fine noise on the normals takes their place, and it samples the lens in patterns of its own. `apart` says how far the
+converged pictures are from each other. Rayscope's time at the error of each of POV-Ray's pictures is interpolated between its
+own on logarithmic axes. Prints tables in Markdown. With --keep, converged pictures and finished runs are kept in the folder,
+and a race that was interrupted goes on.
 """
 import argparse
+import json
 import math
 import os
 import random
+import shutil
 import statistics
 import tempfile
 from pathlib import Path
@@ -28,7 +33,7 @@ def glossy():
     rough = min(m["ns"] for m in scene["materials"].values() if any(m["ks"]))
     common = ("glossy=true", "glossy_samples=2")
     scene.update({
-        "name": "Glossy Cornell box",
+        "name": "Glossy Cornell box", "size": 80,
         "light": {"position": (0.0, 0.5, 0.2)},
         "roughness": round(2.0 / (3.0 * rough * 0.3), 3),
         "rayscope": {f"{spp} spp": (f"spp={spp}", *common) for spp in (1, 4, 16, 64, 256)},
@@ -51,10 +56,25 @@ def lens():
                           (("near", (0.7, 0.2, 0.15)), ("middle", (0.6, 0.55, 0.2)), ("far", (0.2, 0.4, 0.7)),
                            ("floor", (0.5, 0.5, 0.5)))}
     scene.update({
-        "lens": (0.1, distance),
+        "lens": (0.1, distance), "size": 100,
         "rayscope": {f"{spp} spp": (f"spp={spp}",) for spp in (1, 4, 16, 64, 256)},
         "rayscope_reference": ("spp=2048",),
         "povray": {f"{n} blur samples": n for n in (7, 19, 37, 128)}, "povray_reference": 1024,
+    })
+    return scene
+
+
+def dragon():
+    """The antialiased dragon over a mirroring floor, which both programs compute alike."""
+    scene = race.dragon()
+    scene.update({
+        "size": 300,
+        "rayscope": {f"{spp} spp": (f"spp={spp}",) for spp in (1, 2, 4, 8, 16, 32)},
+        "rayscope_reference": ("spp=1024",),
+        # Adaptive with the usual thresholds, and subpixels everywhere.
+        "povray": {"1 sample": 1, "+A0.3 +R3": ("+AM1", "+A0.3", "+R3"), "+A0.1 +R3": ("+AM1", "+A0.1", "+R3"),
+                   "+AM2 +A0.1 +R3": ("+AM2", "+A0.1", "+R3"), "3 x 3": 3, "5 x 5": 5},
+        "povray_reference": None,
     })
     return scene
 
@@ -72,41 +92,74 @@ def add_ball(vertices, triangles, name, center, radius, rings=48, columns=96):
             triangles += [(name, a, b, b + columns), (name, a, b + columns, a + columns)]
 
 
-def render_povray(scene, level, folder, size):
-    """Level: samples of the lens where there is one, otherwise subpixels per side."""
+def antialiasing_of(level, through_lens):
+    """Options for a level: samples of the lens where there is one, subpixels per side, or the options themselves."""
+    if isinstance(level, tuple):
+        return level
+    if through_lens or level == 1:
+        return ("-A",)
+    # Its regular grids end at 9 per side; what subdivides itself goes on to 33.
+    return ("+AM1", "+A0.0", f"+R{level}") if level <= 9 else ("+AM2", "+A0.0", "+R5")
+
+
+def render_povray(scene, level, folder, options):
     through_lens = "lens" in scene
     race.write_povray(scene, folder, blur_samples=level if through_lens else 0, copies=4)
-    # Its regular grids end at 9 per side; what subdivides itself goes on to 33.
-    grid = ("+AM1", "+A0.0", f"+R{level}") if level <= 9 else ("+AM2", "+A0.0", "+R5")
-    antialiasing = ("-A",) if through_lens or level == 1 else grid
-    total, traced = race.run_povray(folder, size, folder / "pov.ppm", antialiasing)
-    return total, traced, race.read_ppm16(folder / "pov.ppm")
+    picture = folder / "pov.ppm"
+    _, traced = race.run_povray(folder, options.size, picture, antialiasing_of(level, through_lens))
+    return traced, picture
 
 
-def render_rayscope(options, settings, folder):
-    total, traced = race.run_rayscope(options.program, folder, options.size, settings, folder / "rayscope.pfm")
-    return total, traced, race.read_pfm(folder / "rayscope.pfm")
+def render_rayscope(scene, settings, folder, options):
+    picture = folder / "rayscope.pfm"
+    _, traced = race.run_rayscope(options.program, folder, options.size, settings, picture)
+    return traced, picture
+
+
+RENDER = {"POV-Ray": render_povray, "Rayscope": render_rayscope}
+KEY = {"POV-Ray": "povray", "Rayscope": "rayscope"}
+
+
+def read(picture):
+    return race.read_ppm16(picture) if picture.suffix == ".ppm" else race.read_pfm(picture)
+
+
+def truth_of(program, scene, folder, options):
+    """The converged picture of the program, from the folder if it is there; None where the other's is used."""
+    level = scene[KEY[program] + "_reference"]
+    if level is None:
+        return None
+    kept = folder / f"truth-{program}-{options.size}{'.ppm' if program == 'POV-Ray' else '.pfm'}"
+    if not kept.exists():
+        shutil.move(RENDER[program](scene, level, folder, options)[1], kept)
+    return read(kept)
 
 
 def measure(scene, options, folder):
     """{(program, variant): (median tracing seconds, RMSE)}, and how far the converged pictures are apart."""
     race.write_rayscope(scene, folder)
-    truths = {"POV-Ray": render_povray(scene, scene["povray_reference"], folder, options.size)[2],
-              "Rayscope": render_rayscope(options, scene["rayscope_reference"], folder)[2]}
-    order = [("POV-Ray", v) for v in scene["povray"]] + [("Rayscope", v) for v in scene["rayscope"]]
-    seconds, errors = {run: [] for run in order}, {}
+    truths = {program: truth_of(program, scene, folder, options) for program in RENDER}
+    apart = None if truths["POV-Ray"] is None else race.rmse(*truths.values())
+    truths["POV-Ray"] = truths["POV-Ray"] or truths["Rayscope"]
+    record = folder / f"runs-{options.size}.json"
+    done = json.loads(record.read_text()) if record.exists() else []
+    order = [(program, variant) for program in RENDER for variant in scene[KEY[program]]]
     random.seed(1)
-    for _ in range(options.rounds):
+    for completed in range(1, options.rounds + 1):
         random.shuffle(order)
         for program, variant in order:
-            if program == "POV-Ray":
-                _, traced, picture = render_povray(scene, scene["povray"][variant], folder, options.size)
-            else:
-                _, traced, picture = render_rayscope(options, scene["rayscope"][variant], folder)
-            seconds[program, variant].append(traced)
-            errors[program, variant] = race.rmse(picture, truths[program])
-    medians = {run: (statistics.median(times), errors[run]) for run, times in seconds.items()}
-    return medians, race.rmse(truths["POV-Ray"], truths["Rayscope"])
+            if sum(run[:2] == [program, variant] for run in done) >= completed:
+                continue
+            level = scene[KEY[program]][variant]
+            traced, picture = RENDER[program](scene, level, folder, options)
+            done.append([program, variant, traced, race.rmse(read(picture), truths[program])])
+            record.write_text(json.dumps(done))
+    figures = {}
+    for program in RENDER:
+        for variant in scene[KEY[program]]:
+            runs = [run[2:] for run in done if run[:2] == [program, variant]]
+            figures[program, variant] = tuple(statistics.median(column) for column in zip(*runs))
+    return figures, apart
 
 
 def seconds_at(error, runs):
@@ -119,11 +172,12 @@ def seconds_at(error, runs):
 
 
 def report(scene, options, folder):
+    options.size = options.asked_size or scene["size"]
     medians, apart = measure(scene, options, folder)
     ours = [figures for (program, _), figures in medians.items() if program == "Rayscope"]
     print(f"\n{scene['name']}, {options.size} x {options.size}, {os.cpu_count()} threads, medians of {options.rounds} "
-          f"interleaved runs; converged pictures {apart:.4f} apart\n")
-    print("| program | tracing, s | RMSE to its own | Rayscope at that error, s | times faster |\n|---|---|---|---|---|")
+          f"interleaved runs{'' if apart is None else f'; converged pictures {apart:.4f} apart'}\n")
+    print("| program | tracing, s | RMSE | Rayscope at that error, s | times faster |\n|---|---|---|---|---|")
     for (program, variant), (seconds, error) in medians.items():
         same = seconds_at(error, ours) if program == "POV-Ray" else None
         ratio = f"{same:.3f} | {seconds / same:.1f}" if same else "– | –"
@@ -134,12 +188,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(race.ROOT / "build/release/rayscope"))
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--size", type=int, default=200)
+    parser.add_argument("--size", dest="asked_size", type=int, help="absent: 80 to 300, so that each race takes minutes")
     parser.add_argument("--keep", type=Path, help="folder for scenes and pictures; absent: a temporary one")
-    parser.add_argument("--scene", choices=("glossy", "lens"), help="absent: both")
+    parser.add_argument("--scene", choices=("glossy", "lens", "dragon"), help="absent: the first two")
     options = parser.parse_args()
-    scenes = {"glossy": glossy, "lens": lens}
-    for make in [scenes[options.scene]] if options.scene else scenes.values():
+    scenes = {"glossy": glossy, "lens": lens, "dragon": dragon}
+    for make in [scenes[options.scene]] if options.scene else [glossy, lens]:
         with tempfile.TemporaryDirectory() as temporary:
             folder = options.keep / make.__name__ if options.keep else Path(temporary)
             folder.mkdir(parents=True, exist_ok=True)
