@@ -1,5 +1,7 @@
 #include "viewer/panels/widgets.h"
 
+#include <algorithm>
+
 #include "viewer/theme.h"
 
 namespace rayscope::viewer {
@@ -31,6 +33,17 @@ bool labelledRow(std::string_view label, bool emphasised, std::string_view help)
     ImGui::SameLine(start + kShare * width);
     ImGui::SetNextItemWidth((1.0f - kShare) * width);
     return reset;
+}
+
+void valueRow(std::string_view label, std::string_view words, std::string_view help) {
+    const float labelEnd =
+        ImGui::GetCursorPosX() + ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    labelledRow(label, false, help);
+    const float width = ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+    const float leftmost = labelEnd + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetCursorPosX(std::max(leftmost, std::min(ImGui::GetCursorPosX(), right - width)));
+    text(words);
 }
 
 void tooltip(std::string_view words) {

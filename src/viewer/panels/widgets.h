@@ -21,6 +21,9 @@ void wrappedText(std::string_view words);
 /// right part. Returns whether the label was double-clicked.
 bool labelledRow(std::string_view label, bool emphasised = false, std::string_view help = {});
 
+/// A row of words: in the right part, or, where they are too long for it, as far to the left as it takes.
+void valueRow(std::string_view label, std::string_view words, std::string_view help = {});
+
 /// Words in a box of readable width beside what the cursor is on, also if that is disabled.
 void tooltip(std::string_view words);
 
