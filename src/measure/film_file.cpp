@@ -56,7 +56,7 @@ void takeFilm(std::string_view& bytes, Film& film) {
         film.read(tile, copy);
         take(bytes, &copy.samples, 1);
         take(bytes, copy.pixels.data(), copy.pixels.size());
-        film.commit(tile, copy);
+        film.commit(tile, std::move(copy));
     }
 }
 

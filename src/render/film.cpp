@@ -32,10 +32,10 @@ void Film::read(int tile, TileCopy& copy) const {
     copy.version = from.version;
 }
 
-void Film::commit(int tile, const TileCopy& copy) {
+void Film::commit(int tile, TileCopy&& copy) {
     Tile& to = *tiles_[static_cast<std::size_t>(tile)];
     const std::scoped_lock guard(to.lock);
-    to.pixels = copy.pixels;
+    to.pixels.swap(copy.pixels);
     to.samples = copy.samples;
     ++to.version;
 }

@@ -40,7 +40,7 @@ class Film {
         std::uint32_t version = 0;  ///< grows with each commit
     };
     void read(int tile, TileCopy& copy) const;
-    void commit(int tile, const TileCopy& copy);
+    void commit(int tile, TileCopy&& copy);  ///< takes its pixels
     std::uint32_t version(int tile) const;
     int samples(int tile) const;
 

@@ -19,6 +19,12 @@ constexpr std::uint64_t hashPair(std::uint64_t a, std::uint64_t b) {
     return mix(mix(a + 0x9e3779b97f4a7c15u) ^ (b + 0x632be59bd9b4e019u));
 }
 
+/// The number that belongs to `b` in the family of a well-mixed `key`: a sequence of SplitMix64 that starts
+/// there, entered anywhere.
+constexpr std::uint64_t derivedKey(std::uint64_t key, std::uint64_t b) {
+    return mix(key + (b + 1) * 0x9e3779b97f4a7c15u);
+}
+
 /// The upper 24 bits as a float in [0, 1): every value is exact and none rounds up to 1.
 constexpr float toUnitFloat(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 

@@ -73,19 +73,24 @@ SobolBlock blockOf(Dim dim, PathKey vertex, std::uint32_t which, int n) {
     return {0, false};
 }
 
+/// A coordinate of a point of the Sobol sequence, scrambled.
+float coordinate(std::uint32_t reversedNumber, int dimension, std::uint32_t seed) {
+    return toUnitFloat(reverseBits(owenScrambleReversed(sobolReversed(reversedNumber, dimension), seed)));
+}
+
 }  // namespace
 
 SamplePoints SampleStream::points(Dim dim, PathKey vertex, std::uint32_t which, int n) const {
     SamplePoints points;
     points.pattern_ = pattern_;
-    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 32) | which;
-    points.key_ = hashPair(hashPair(pixelKey_, vertex.value), place);
+    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 29) + which;
+    points.key_ = derivedKey(pixelKey_, (static_cast<std::uint64_t>(vertex.value) << 32) + place);
     points.index_ = index_;
     points.samplesPerPixel_ = samplesPerPixel_;
     points.n_ = n;
     if (pattern_ != SamplePattern::Sobol) return points;
     const SobolBlock block = blockOf(dim, vertex, which, n);
-    points.shuffle_ = static_cast<std::uint32_t>(block.sharesIndex ? mix(pixelKey_) : mix(points.key_));
+    points.shuffle_ = static_cast<std::uint32_t>(block.sharesIndex ? pixelKey_ : mix(points.key_));
     points.dimension_ = block.dimension;
     return points;
 }
@@ -119,11 +124,6 @@ std::uint32_t SamplePoints::shuffled(int k) const {
     const auto number =
         static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n_) + static_cast<std::uint32_t>(k);
     return owenScrambleReversed(reverseBits(number), shuffle_);
-}
-
-/// A coordinate of that point, scrambled.
-float SamplePoints::coordinate(std::uint32_t shuffled, int dimension, std::uint32_t seed) {
-    return toUnitFloat(reverseBits(owenScrambleReversed(sobolReversed(shuffled, dimension), seed)));
 }
 
 glm::vec2 SamplePoints::get2D(int k) const {

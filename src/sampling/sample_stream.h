@@ -32,13 +32,12 @@ class SamplePoints {
     glm::vec2 independent(std::uint64_t key, int k) const;
     glm::vec2 jittered(int k) const;
     std::uint32_t shuffled(int k) const;
-    static float coordinate(std::uint32_t shuffled, int dimension, std::uint32_t seed);
 
-    SamplePattern pattern_;
-    std::uint64_t key_;  ///< of everything that names the points but k
+    SamplePattern pattern_ = SamplePattern::Independent;
+    std::uint64_t key_ = 0;  ///< of everything that names the points but k
     std::uint32_t shuffle_ = 0;
     int dimension_ = 0;  ///< of the Sobol sequence
-    int index_, samplesPerPixel_, n_;
+    int index_ = 0, samplesPerPixel_ = 1, n_ = 1;
 };
 
 /// The random numbers of one sample, as a pure function of (seed, pixel, sample index, vertex, dimension).

@@ -16,22 +16,24 @@ Camera::Camera(const CameraDescription& description, int width, int height) : wi
     up_ = glm::cross(right_, forward_);
     tanHalfY_ = std::tan(static_cast<double>(description.fov) * std::numbers::pi / 360.0);
     tanHalfX_ = tanHalfY_ * width / height;
+    pixelSize_ = {2.0 * tanHalfX_ / width, 2.0 * tanHalfY_ / height};
     if (description.lens) {
         const Lens& lens = *description.lens;
         lensRadius_ = static_cast<double>(lens.focalLength) / (2.0 * static_cast<double>(lens.fNumber));
         focusDistance_ = static_cast<double>(lens.focusDistance);
+        inverseFocusDistance_ = 1.0 / focusDistance_;
     }
 }
 
 glm::dvec2 Camera::onImagePlane(const glm::dvec2& pixel) const {
-    return {(2.0 * pixel.x / width_ - 1.0) * tanHalfX_, (1.0 - 2.0 * pixel.y / height_) * tanHalfY_};
+    return {pixel.x * pixelSize_.x - tanHalfX_, tanHalfY_ - pixel.y * pixelSize_.y};
 }
 
 Ray Camera::pinholeRay(const glm::dvec2& pixel) const { return lensRay(pixel, glm::dvec2(0.0)); }
 
 Ray Camera::lensRay(const glm::dvec2& pixel, const glm::dvec2& aperture) const {
     const glm::dvec2 lens = lensRadius_ * aperture;
-    const glm::dvec2 plane = onImagePlane(pixel) - lens / focusDistance_;
+    const glm::dvec2 plane = onImagePlane(pixel) - lens * inverseFocusDistance_;
     const glm::dvec3 direction = glm::normalize(forward_ + plane.x * right_ + plane.y * up_);
     return {glm::vec3(position_ + lens.x * right_ + lens.y * up_), glm::vec3(direction)};
 }

@@ -35,7 +35,8 @@ class Camera {
 
     glm::dvec3 position_{0.0}, right_{1.0, 0.0, 0.0}, up_{0.0, 1.0, 0.0}, forward_{0.0, 0.0, -1.0};
     double tanHalfX_ = 1.0, tanHalfY_ = 1.0;
-    double lensRadius_ = 0.0, focusDistance_ = 1.0;
+    glm::dvec2 pixelSize_{2.0};  ///< on the image plane at distance 1
+    double lensRadius_ = 0.0, focusDistance_ = 1.0, inverseFocusDistance_ = 1.0;
     int width_ = 1, height_ = 1;
 };
 

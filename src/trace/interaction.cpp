@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bvh/intersect_sphere.h"
 #include "bvh/intersect_triangle.h"
@@ -12,6 +13,14 @@ namespace rayscope {
 namespace {
 
 bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// For vectors that were computed from floats by sums and at most one product: their squares neither overflow
+/// nor vanish in double. Zero stays zero; what is not finite becomes zero.
+glm::dvec3 normalizeOfFloats(const glm::dvec3& v) {
+    const double square = glm::dot(v, v);
+    return square > 0.0 && square < std::numeric_limits<double>::infinity() ? v * (1.0 / std::sqrt(square))
+                                                                            : glm::dvec3(0.0);
+}
 
 /// Scaled before it is normalised, so that neither huge nor tiny vectors over- or underflow. Zero stays zero.
 glm::dvec3 safeNormalize(const glm::dvec3& v) {
@@ -93,8 +102,8 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     at.position = weights.x * triangle.p[0] + weights.y * triangle.p[1] + weights.z * triangle.p[2];
     at.magnitude =
         glm::max(glm::max(glm::abs(triangle.p[0]), glm::abs(triangle.p[1])), glm::abs(triangle.p[2]));
-    at.geometricNormal = safeNormalize(glm::cross(safeNormalize(triangle.p[1] - triangle.p[0]),
-                                                  safeNormalize(triangle.p[2] - triangle.p[0])));
+    at.geometricNormal =
+        normalizeOfFloats(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]));
     at.normal = at.geometricNormal;
     if (world.settings.normalInterpolation) interpolateNormal(at, name, triangle, weights);
     lookUpTexture(at, world, name, triangle, weights);
@@ -132,9 +141,10 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
     at.object = name.range->object;
     at.material = world.materialOf(name);
     at.kd = world.materials[at.material].kd;
-    at.toViewer = -safeNormalize(glm::dvec3(ray.direction));
-    at.coneWidth =
-        cone.width + cone.spread * static_cast<double>(hit.t) * glm::length(glm::dvec3(ray.direction));
+    const glm::dvec3 direction(ray.direction);
+    const double length = glm::length(direction);
+    at.toViewer = -direction / length;
+    at.coneWidth = cone.width + cone.spread * static_cast<double>(hit.t) * length;
 
     const glm::dvec3 moved = static_cast<double>(time) * glm::dvec3(name.body->geometry->motion);
     Ray atRest = ray;

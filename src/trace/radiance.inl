@@ -1,7 +1,8 @@
 #pragma once
 // The tracer: Whitted's recursion with distributed light, gloss and lens sampling (Whitted 1980; Cook, Porter
-// and Carpenter 1984). Every term carries its throughput and is added to one sum, so the radiance of a sample
-// is the left fold of its terms, in the order in which they are found.
+// and Carpenter 1984). Every term carries its throughput, and the radiance of a sample is the left fold of
+// its terms, in the order in which they are found: at once in a TermSum, or in a TermQueue when the shadow
+// rays of many samples have been answered together.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,27 +13,32 @@
 #include "sampling/sample_stream.h"
 #include "sampling/warp.h"
 #include "shading/environment_lookup.h"
+#include "trace/camera_sample.h"
 #include "trace/radiance.h"
 #include "trace/shadow_ray.h"
+#include "trace/term_sum.h"
 
 namespace rayscope {
 
-constexpr int kLightGroup = 64;  ///< most shadow rays asked for at once
+constexpr int kRayGroup = 64;  ///< most rays from one point that are searched at once
 
-/// What a position on a light would add, before it is known whether anything is in the way.
-struct LightTerm {
-    LightConnection connection;
-    glm::dvec3 reflected{0.0};
-    bool needsShadow = false;
-};
+struct LightTerm;
 
-template <PathObserver O>
+template <PathObserver O, class Terms>
 class Tracer {
   public:
-    Tracer(const World& world, const SampleStream& stream, O& observer)
-        : world_(world), settings_(world.settings), stream_(stream), observer_(observer) {}
+    Tracer(const World& world, const SampleStream& stream, const CameraSample& sample, O& observer,
+           Terms& terms)
+        : world_(world),
+          settings_(world.settings),
+          stream_(stream),
+          sample_(sample),
+          observer_(observer),
+          terms_(terms) {}
 
-    SampleResult traceSample(const SampleName& name);
+    /// Each returns the number of rays. The second knows the camera ray and what it meets.
+    std::uint64_t traceSample();
+    std::uint64_t traceSample(const Ray& camera, const Hit& hit);
 
   private:
     /// Position in the path tree beside the segment itself.
@@ -42,93 +48,140 @@ class Tracer {
             false;  ///< an earlier vertex split into several rays: take one sample of everything from here
     };
 
-    void traceCamera(const glm::dvec2& pixel, const glm::dvec2& aperture, double weight, PathKey key);
-    void trace(Segment segment, Branch branch);
+    void traceLens();
+    void traceCamera(const Ray& ray, double weight, PathKey key, const Hit* known = nullptr);
+    void trace(Segment segment, Branch branch, const Hit* known = nullptr);
+    bool closestHit(const Ray& ray, Hit& hit);
+    void closestHits(std::span<const Ray> rays, std::span<Hit> hits);
     void shade(const Segment& segment, const Interaction& at, const Branch& branch,
                const glm::dvec3& throughput);
-    void shadeByLight(std::size_t light, const Interaction& at, const Branch& branch,
-                      const glm::dvec3& throughput);
     void reflect(const Segment& segment, const Interaction& at, const Branch& branch,
                  const glm::dvec3& throughput);
     void reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
                        const glm::dvec3& direction);
     template <int kGroup>
+    void reflectGlossy(int n, const Segment& mirrored, const Interaction& at, const Branch& branch,
+                       const glm::dvec3& direction);
+    bool inSharpZone();
+    glm::dvec3 mirrorDirection(const Interaction& at) const;
+
+    void shadeByLight(std::size_t light, const Interaction& at, const Branch& branch,
+                      const glm::dvec3& throughput);
+    template <int kGroup>
     void shadeByLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                       const glm::dvec3& throughput);
-    LightTerm connect(std::size_t light, int sample, const Interaction& at, const glm::vec3& from,
-                      const glm::vec2& u) const;
+    void queueLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
+                    const glm::dvec3& throughput);
+    SamplePoints pointsOn(std::size_t light, const Branch& branch, int n) const;
+    LightTerm connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+                      const SamplePoints& points) const;
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& ray);
-    bool inSharpZone(const glm::dvec2& pixel);
-    glm::dvec3 mirrorDirection(const Interaction& at) const;
+
     void add(const glm::dvec3& term) {
-        sum_ += term;
+        terms_.add(term);
         observer_.added(term);
     }
 
     const World& world_;
     const Settings& settings_;
     const SampleStream& stream_;
+    const CameraSample& sample_;
     O& observer_;
-    RgbSum sum_{0.0};
+    Terms& terms_;
     std::uint64_t rays_ = 0;
-    float time_ = 0.0f;
 };
 
-template <PathObserver O>
-SampleResult Tracer<O>::traceSample(const SampleName& name) {
-    const glm::dvec2 pixel = glm::dvec2(name.x, name.y) + glm::dvec2(stream_.get2D(Dim::Pixel));
-    if (world_.moves) time_ = stream_.get1D(Dim::Time);
-    if (!world_.camera.hasLens() || inSharpZone(pixel)) {
-        traceCamera(pixel, glm::dvec2(0.0), 1.0, PathKey{});
-        return {sum_, rays_};
-    }
-    // Split the pixel sample into rays through the lens; a single one keeps the root's key and its joint
-    // pattern.
+template <PathObserver O, class Terms>
+std::uint64_t Tracer<O, Terms>::traceSample() {
+    if (hasSingleCameraRays(world_))
+        traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, PathKey{});
+    else if (inSharpZone())
+        traceCamera(world_.camera.pinholeRay(sample_.pixel), 1.0, PathKey{});
+    else
+        traceLens();
+    return rays_;
+}
+
+template <PathObserver O, class Terms>
+std::uint64_t Tracer<O, Terms>::traceSample(const Ray& camera, const Hit& hit) {
+    ++rays_;
+    traceCamera(camera, 1.0, PathKey{}, &hit);
+    return rays_;
+}
+
+/// Splits the sample into rays through the lens; a single one keeps the root's key and its joint pattern.
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::traceLens() {
     const int n = settings_.lensSamples;
-    for (int k = 0; k < n; ++k) {
-        const glm::vec2 u = stream_.get2D(Dim::Lens, {}, 0, k, n);
-        const PathKey key = n == 1 ? PathKey{} : PathKey{}.child(static_cast<std::uint32_t>(k));
-        traceCamera(pixel, sampleAperture(settings_.lensShape, u), 1.0 / n, key);
+    std::array<Ray, kRayGroup> rays;
+    std::array<Hit, kRayGroup> hits;
+    for (int first = 0; first < n; first += kRayGroup) {
+        const int count = std::min(kRayGroup, n - first);
+        for (int k = 0; k < count; ++k) {
+            const glm::vec2 u = stream_.get2D(Dim::Lens, {}, 0, first + k, n);
+            rays[static_cast<std::size_t>(k)] =
+                world_.camera.lensRay(sample_.pixel, sampleAperture(settings_.lensShape, u));
+        }
+        closestHits({rays.data(), static_cast<std::size_t>(count)}, hits);
+        for (int k = 0; k < count; ++k) {
+            const PathKey key = n == 1 ? PathKey{} : PathKey{}.child(static_cast<std::uint32_t>(first + k));
+            const auto i = static_cast<std::size_t>(k);
+            traceCamera(rays[i], 1.0 / n, key, &hits[i]);
+        }
     }
-    return {sum_, rays_};
 }
 
 /// Whether the central ray of the pixel meets a surface near enough to the plane of focus to be left sharp.
-template <PathObserver O>
-bool Tracer<O>::inSharpZone(const glm::dvec2& pixel) {
+template <PathObserver O, class Terms>
+bool Tracer<O, Terms>::inSharpZone() {
     if (!(settings_.sharpZone > 0.0f)) return false;
-    const Ray ray = world_.camera.pinholeRay(pixel);
+    const Ray ray = world_.camera.pinholeRay(sample_.pixel);
     Hit hit;
-    ++rays_;
-    if (!world_.closestHit(ray, time_, hit)) return false;
+    if (!closestHit(ray, hit)) return false;
     const glm::dvec3 point = glm::dvec3(ray.origin) + static_cast<double>(hit.t) * glm::dvec3(ray.direction);
     return std::abs(world_.camera.depthOf(point) - world_.camera.focusDistance()) <=
            static_cast<double>(settings_.sharpZone);
 }
 
-template <PathObserver O>
-void Tracer<O>::traceCamera(const glm::dvec2& pixel, const glm::dvec2& aperture, double weight, PathKey key) {
-    Segment segment;
-    segment.ray = world_.camera.lensRay(pixel, aperture);
-    segment.throughput = glm::dvec3(weight);
-    segment.cone = {0.0, world_.camera.pixelAngle()};
-    trace(segment, {key, false});
+template <PathObserver O, class Terms>
+bool Tracer<O, Terms>::closestHit(const Ray& ray, Hit& hit) {
+    ++rays_;
+    return world_.closestHit(ray, sample_.time, hit);
 }
 
-/// Follows a ray through any number of transparent layers; reflections branch off by recursion.
-template <PathObserver O>
-void Tracer<O>::trace(Segment segment, Branch branch) {
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::closestHits(std::span<const Ray> rays, std::span<Hit> hits) {
+    rays_ += rays.size();
+    world_.closestHits(rays, sample_.time, hits.first(rays.size()));
+}
+
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, PathKey key, const Hit* known) {
+    Segment segment;
+    segment.ray = ray;
+    segment.throughput = glm::dvec3(weight);
+    segment.cone = {0.0, world_.camera.pixelAngle()};
+    trace(segment, {key, false}, known);
+}
+
+/// Follows a ray through any number of transparent layers; reflections branch off by recursion. What the ray
+/// meets first may be known.
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::trace(Segment segment, Branch branch, const Hit* known) {
     for (std::uint32_t layer = 0;; ++layer) {
         observer_.segment(segment);
         Hit hit;
-        ++rays_;
-        if (!world_.closestHit(segment.ray, time_, hit)) {
+        if (known && layer == 0)
+            hit = *known;
+        else
+            closestHit(segment.ray, hit);
+        if (hit.primitive == kNoPrimitive) {
             if (world_.environment)
                 add(segment.throughput * lookup(*world_.environment, glm::dvec3(segment.ray.direction)));
             return observer_.ended(segment, RayEnd::Missed);
         }
-        const Interaction at = interactionAt(world_, segment.ray, time_, segment.cone, hit);
+        const Interaction at = interactionAt(world_, segment.ray, sample_.time, segment.cone, hit);
         observer_.hit(at);
 
         const double opacity = world_.materials[at.material].opacity;
@@ -148,9 +201,9 @@ void Tracer<O>::trace(Segment segment, Branch branch) {
 }
 
 /// The colour of a surface: its lights or its plain colour, or the reflection map, and its mirror image.
-template <PathObserver O>
-void Tracer<O>::shade(const Segment& segment, const Interaction& at, const Branch& branch,
-                      const glm::dvec3& throughput) {
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, const Branch& branch,
+                             const glm::dvec3& throughput) {
     if (settings_.reflectionMap && world_.environment) {
         add(throughput * lookup(*world_.environment, mirrorDirection(at)));
         return observer_.ended(segment, RayEnd::Absorbed);
@@ -161,178 +214,16 @@ void Tracer<O>::shade(const Segment& segment, const Interaction& at, const Branc
     reflect(segment, at, branch, throughput);
 }
 
-/// The mean over the light of visible · phong. With shading off the surface shows its diffuse colour wherever
-/// light gets: the mean over the lights of visible · kd.
-template <PathObserver O>
-void Tracer<O>::shadeByLight(std::size_t index, const Interaction& at, const Branch& branch,
-                             const glm::dvec3& throughput) {
-    const int n = branch.split ? 1 : world_.lights[index].grid.count();
-    if (n == 1)
-        shadeByLight<1>(index, n, at, branch, throughput);
-    else
-        shadeByLight<kLightGroup>(index, n, at, branch, throughput);
-}
-
-/// Asks for shadow rays in groups; terms are added in the order of the samples.
-template <PathObserver O>
-template <int kGroup>
-void Tracer<O>::shadeByLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
-                             const glm::dvec3& throughput) {
-    const CompiledLight& compiled = world_.lights[index];
-    const SamplePoints points = stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
-    const glm::vec3 from = at.originOutside();
-    std::array<LightTerm, kGroup> terms;
-    std::array<Ray, kGroup> shadows;
-    std::array<double, kGroup> visible;
-    for (int first = 0; first < n; first += kGroup) {
-        const int count = std::min(kGroup, n - first);
-        std::size_t asked = 0;
-        for (int k = 0; k < count; ++k) {
-            glm::vec2 u(0.0f);
-            if (compiled.dimensions == 1) u.x = points.get1D(first + k);
-            if (compiled.dimensions == 2) u = points.get2D(first + k);
-            LightTerm& term = terms[static_cast<std::size_t>(k)];
-            term = connect(index, first + k, at, from, u);
-            if (term.needsShadow)
-                shadows[asked++] = shadowRay(term.connection.from, term.connection.at.position);
-        }
-        transmittances({shadows.data(), asked}, {visible.data(), asked});
-        asked = 0;
-        for (int k = 0; k < count; ++k) {
-            LightTerm& term = terms[static_cast<std::size_t>(k)];
-            const double seen = term.needsShadow ? visible[asked++] : 1.0;
-            if (term.needsShadow)
-                term.connection.visibility = seen == 1.0  ? Visibility::Visible
-                                             : seen > 0.0 ? Visibility::Attenuated
-                                                          : Visibility::Blocked;
-            const glm::dvec3 value = throughput * term.reflected * seen / static_cast<double>(n);
-            observer_.lightSampled(term.connection, value);
-            if (value != glm::dvec3(0.0)) add(value);
-        }
-    }
-}
-
-/// Connects a point `from` just outside a surface with a position on a light; what it would reflect if
-/// nothing were in the way.
-template <PathObserver O>
-LightTerm Tracer<O>::connect(std::size_t index, int sample, const Interaction& at, const glm::vec3& from,
-                             const glm::vec2& u) const {
-    const CompiledLight& compiled = world_.lights[index];
-    LightTerm term;
-    term.connection = {static_cast<int>(index), sample, from, sampleLight(compiled.light, u)};
-    if (settings_.shading) {
-        const SurfaceMaterial& material = world_.materials[at.material];
-        const glm::dvec3 toLight = term.connection.at.position - glm::dvec3(from);
-        const double distance = glm::length(toLight);
-        if (distance > 0.0)
-            term.reflected = term.connection.at.color * phong({at.kd, material.ks, material.shininess},
-                                                              at.normal, toLight / distance, at.toViewer);
-        if (compiled.light.falloff == Falloff::InverseSquare)
-            term.reflected /= std::max(distance * distance, 0x1p-126);
-    } else {
-        term.reflected = at.kd / static_cast<double>(world_.lights.size());
-    }
-    const bool facesAway = term.reflected == glm::dvec3(0.0);
-    if (facesAway) term.connection.visibility = Visibility::FacingAway;
-    term.needsShadow = compiled.castsShadows && !facesAway;
-    return term;
-}
-
-template <PathObserver O>
-void Tracer<O>::transmittances(std::span<const Ray> shadows, std::span<double> visible) {
-    if (world_.attenuatesShadows) {
-        for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = transmittance(shadows[i]);
-        return;
-    }
-    std::array<std::uint8_t, kLightGroup> occluded;
-    world_.anyHits(shadows, time_, {occluded.data(), shadows.size()});
-    rays_ += shadows.size();
-    for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = occluded[i] ? 0.0 : 1.0;
-}
-
-/// The fraction of light that gets along a shadow ray through whatever it crosses.
-template <PathObserver O>
-double Tracer<O>::transmittance(const Ray& shadow) {
-    double passed = 1.0;
-    Ray ray = shadow;
-    const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);
-    Hit hit;
-    while (passed >= 0x1p-64) {
-        ++rays_;
-        if (!world_.closestHit(ray, time_, hit)) return passed;
-        const Interaction at = interactionAt(world_, ray, time_, {}, hit);
-        passed *= 1.0 - world_.materials[at.material].opacity;
-        // Go on from behind the surface to the same end.
-        ray.origin = at.originBehind();
-        const glm::dvec3 rest = end - glm::dvec3(ray.origin);
-        const double done = 1.0 - glm::dot(rest, glm::dvec3(shadow.direction)) /
-                                      glm::dot(glm::dvec3(shadow.direction), glm::dvec3(shadow.direction));
-        if (!(done < static_cast<double>(shadow.tMax))) return passed;
-        ray.tMax = static_cast<float>(static_cast<double>(shadow.tMax) - done);
-    }
-    return 0.0;
-}
-
-/// The mirrored viewing direction; about the geometric normal where the shading normal would send it below
-/// ground.
-template <PathObserver O>
-glm::dvec3 Tracer<O>::mirrorDirection(const Interaction& at) const {
-    const glm::dvec3 direction = mirror(-at.toViewer, at.normal);
-    if (glm::dot(direction, at.geometricNormal) > 0.0) return glm::normalize(direction);
-    return glm::normalize(mirror(-at.toViewer, at.geometricNormal));
-}
-
-template <PathObserver O>
-void Tracer<O>::reflect(const Segment& segment, const Interaction& at, const Branch& branch,
-                        const glm::dvec3& throughput) {
-    const SurfaceMaterial& material = world_.materials[at.material];
-    if (!material.reflects) return observer_.ended(segment, RayEnd::Absorbed);
-    if (segment.depth >= settings_.maxDepth) return observer_.ended(segment, RayEnd::DepthLimit);
-
-    const glm::dvec3 direction = mirrorDirection(at);
-    Segment mirrored;
-    mirrored.kind = RayKind::Reflection;
-    mirrored.depth = segment.depth + 1;
-    mirrored.throughput = throughput * material.ks;
-    mirrored.cone = {at.coneWidth, segment.cone.spread};
-    mirrored.ray = {at.originOutside(), glm::vec3(direction)};
-    observer_.ended(segment, RayEnd::Reflected);
-    if (settings_.glossy && settings_.glossySigma > 0.0f)
-        return reflectGlossy(mirrored, at, branch, direction);
-    trace(mirrored, {branch.key.child(1), branch.split});
-}
-
-/// Rays through a square that stands at distance 0.3 along the reflection, displaced in its plane by normal
-/// deviates of standard deviation sigma / (3 shininess). Rays below the surface count as zero.
-template <PathObserver O>
-void Tracer<O>::reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
-                              const glm::dvec3& direction) {
-    const Frame frame = frameAround(direction);
-    const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
-    const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
-    const int n = branch.split ? 1 : settings_.glossySamples;
-    const SamplePoints points = stream_.points(Dim::Glossy, branch.key, 0, n);
-    for (int k = 0; k < n; ++k) {
-        const glm::vec2 u = points.get2D(k);
-        const glm::dvec3 displaced =
-            0.3 * direction + side * (normalDeviate(u.x) * frame.u + normalDeviate(u.y) * frame.v);
-        Segment ray = mirrored;
-        ray.kind = RayKind::Glossy;
-        ray.throughput /= static_cast<double>(n);
-        ray.ray.direction = glm::vec3(glm::normalize(displaced));
-        if (!(glm::dot(displaced, at.geometricNormal) > 0.0)) {
-            observer_.segment(ray);
-            observer_.ended(ray, RayEnd::BelowSurface);
-            continue;
-        }
-        trace(ray, {branch.key.child(static_cast<std::uint32_t>(k) + 2), branch.split || n > 1});
-    }
-}
-
 template <PathObserver O>
 SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer) {
     const SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp);
-    return Tracer<O>(world, stream, observer).traceSample(name);
+    const CameraSample sample(world, stream, name);
+    TermSum terms;
+    const std::uint64_t rays = Tracer<O, TermSum>(world, stream, sample, observer, terms).traceSample();
+    return {terms.sum, rays};
 }
 
 }  // namespace rayscope
+
+#include "trace/direct_light.inl"
+#include "trace/reflection.inl"

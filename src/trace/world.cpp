@@ -25,7 +25,7 @@ bool anyHitInBody(const Body& body, bool useBvh, const Ray& ray) {
 }  // namespace
 
 bool World::closestHit(const Ray& ray, float time, Hit& hit) const {
-    if (!moves) return !bodies.empty() && closestHitInBody(bodies[0], settings.bvh, ray, hit);
+    if (!moves && !bodies.empty()) return closestHitInBody(bodies[0], settings.bvh, ray, hit);
     hit = Hit{};
     for (const Body& body : bodies) {
         Hit candidate;
@@ -42,6 +42,11 @@ bool World::anyHit(const Ray& ray, float time) const {
     for (const Body& body : bodies)
         if (anyHitInBody(body, settings.bvh, atRest(ray, body, time))) return true;
     return false;
+}
+
+void World::closestHits(std::span<const Ray> rays, float time, std::span<Hit> hits) const {
+    if (!moves && settings.bvh && !bodies.empty()) return bodies[0].accel->closestHits(rays, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], time, hits[i]);
 }
 
 void World::anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const {

@@ -69,8 +69,12 @@ class World {
     /// number.
     bool closestHit(const Ray& ray, float time, Hit& hit) const;
     bool anyHit(const Ray& ray, float time) const;
-    /// The same answers for many rays at once.
+    /// The same answers for many rays at once; a ray that hits nothing gets a Hit without a primitive.
+    void closestHits(std::span<const Ray> rays, float time, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
+
+    /// Whether a shadow ray is one question of yes or no, the same at all times.
+    bool shadowsCanWait() const { return !attenuatesShadows && !moves; }
 
     PrimitiveName nameOf(std::uint32_t primitive) const;
     std::uint32_t materialOf(const PrimitiveName& name) const;

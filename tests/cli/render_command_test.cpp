@@ -12,6 +12,7 @@ namespace {
 using test::ProgramResult;
 using test::run;
 using test::TemporaryFolder;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 TEST(Render, WritesEveryFormatFromOneRun) {
@@ -151,12 +152,14 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
     const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
     EXPECT_EQ(result.exitCode, 5) << result.err;
     EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --spp 1 --pixel "));
-    EXPECT_THAT(result.err, HasSubstr("in the first, its 2 terms add up to (3.5"));
+    EXPECT_THAT(
+        result.err,
+        ContainsRegex("in the first, its 2 terms add up to .[3-9].*e.38 0 0., more than a float holds"));
     // The command that is named repeats it.
     const std::string command = result.err.substr(result.err.find("rayscope probe"));
     const ProgramResult probe = run(folder, command.substr(0, command.find('\n')));
     EXPECT_EQ(probe.exitCode, 0) << probe.err;
-    EXPECT_THAT(probe.out, HasSubstr("radiance (3.5379e+38"));
+    EXPECT_THAT(probe.out, ContainsRegex("radiance .[3-9].*e.38 0 0."));
     EXPECT_TRUE(std::filesystem::exists(folder / "a.exr"));
 }
 

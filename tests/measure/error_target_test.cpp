@@ -107,7 +107,7 @@ TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
             pixel.squaredLuminance = tile == 0 ? 1.0 : 0.25;
         }
         copy.samples = 4;
-        film.commit(tile, copy);
+        film.commit(tile, std::move(copy));
     }
     const std::vector<double> shares = tileShares(film, false, false);
     EXPECT_GT(shares[0], shares[1]);

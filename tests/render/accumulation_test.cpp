@@ -29,7 +29,7 @@ TEST(Accumulation, OfAHundredMillionSamplesIsExactToTheLastPlace) {
     }
     copy.pixels[0].radiance = sum;
     copy.samples = static_cast<int>(kSamples);
-    film.commit(0, copy);
+    film.commit(0, std::move(copy));
 
     const Rgb mean = film.mean().at(0, 0);
     const double n = static_cast<double>(kSamples), truth = static_cast<double>(exact) * 0x1p-24 / n;

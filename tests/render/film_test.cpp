@@ -28,7 +28,7 @@ TEST(Film, GivesBackWhatWasCommitted) {
     EXPECT_EQ(copy.pixels.size(), 8u * 32u);
     copy.pixels[8 * 3 + 2].radiance = RgbSum(6.0, 3.0, 1.5);
     copy.samples = 3;
-    film.commit(1, copy);
+    film.commit(1, std::move(copy));
     int samples = 0;
     EXPECT_EQ(film.sums(34, 3, samples).radiance, RgbSum(6.0, 3.0, 1.5));
     EXPECT_EQ(samples, 3);

@@ -1,0 +1,24 @@
+#pragma once
+#include <rayscope/path.h>
+
+#include "sampling/sample_stream.h"
+#include "trace/world.h"
+
+namespace rayscope {
+
+/// Where and when a sample looks.
+struct CameraSample {
+    glm::dvec2 pixel;
+    float time;  ///< of the shutter, 0 if nothing moves
+
+    CameraSample(const World& world, const SampleStream& stream, const SampleName& name)
+        : pixel(glm::dvec2(name.x, name.y) + glm::dvec2(stream.get2D(Dim::Pixel))),
+          time(world.moves ? stream.get1D(Dim::Time) : 0.0f) {}
+};
+
+/// Whether each sample of a world is one camera ray that depends on nothing else.
+bool hasSingleCameraRays(const World& world);
+/// That ray.
+Ray singleCameraRay(const World& world, const SampleStream& stream, const CameraSample& sample);
+
+}  // namespace rayscope

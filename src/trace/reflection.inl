@@ -1,0 +1,88 @@
+#pragma once
+// How surfaces reflect one another. An end of radiance.inl.
+#include "trace/radiance.inl"
+
+namespace rayscope {
+
+/// The mirrored viewing direction; about the geometric normal where the shading normal would send it below
+/// ground.
+template <PathObserver O, class Terms>
+glm::dvec3 Tracer<O, Terms>::mirrorDirection(const Interaction& at) const {
+    const glm::dvec3 direction = mirror(-at.toViewer, at.normal);
+    if (glm::dot(direction, at.geometricNormal) > 0.0) return glm::normalize(direction);
+    return glm::normalize(mirror(-at.toViewer, at.geometricNormal));
+}
+
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::reflect(const Segment& segment, const Interaction& at, const Branch& branch,
+                               const glm::dvec3& throughput) {
+    const SurfaceMaterial& material = world_.materials[at.material];
+    if (!material.reflects) return observer_.ended(segment, RayEnd::Absorbed);
+    if (segment.depth >= settings_.maxDepth) return observer_.ended(segment, RayEnd::DepthLimit);
+
+    const glm::dvec3 direction = mirrorDirection(at);
+    Segment mirrored;
+    mirrored.kind = RayKind::Reflection;
+    mirrored.depth = segment.depth + 1;
+    mirrored.throughput = throughput * material.ks;
+    mirrored.cone = {at.coneWidth, segment.cone.spread};
+    mirrored.ray = {at.originOutside(), glm::vec3(direction)};
+    observer_.ended(segment, RayEnd::Reflected);
+    if (settings_.glossy && settings_.glossySigma > 0.0f)
+        return reflectGlossy(mirrored, at, branch, direction);
+    trace(mirrored, {branch.key.child(1), branch.split});
+}
+
+/// Rays through a square that stands at distance 0.3 along the reflection, displaced in its plane by normal
+/// deviates of standard deviation sigma / (3 shininess). Rays below the surface count as zero.
+template <PathObserver O, class Terms>
+void Tracer<O, Terms>::reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
+                                     const glm::dvec3& direction) {
+    const int n = branch.split ? 1 : settings_.glossySamples;
+    if (n == 1)
+        reflectGlossy<1>(n, mirrored, at, branch, direction);
+    else
+        reflectGlossy<kRayGroup>(n, mirrored, at, branch, direction);
+}
+
+template <PathObserver O, class Terms>
+template <int kGroup>
+void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Interaction& at,
+                                     const Branch& branch, const glm::dvec3& direction) {
+    const Frame frame = frameAround(direction);
+    const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
+    const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
+    const SamplePoints points = stream_.points(Dim::Glossy, branch.key, 0, n);
+    Segment glossy = mirrored;
+    glossy.kind = RayKind::Glossy;
+    glossy.throughput /= static_cast<double>(n);
+    std::array<Ray, kGroup> rays, above;
+    std::array<Hit, kGroup> hits;
+    std::array<bool, kGroup> isAbove;
+    for (int first = 0; first < n; first += kGroup) {
+        const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
+        std::size_t searched = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const glm::vec2 u = points.get2D(first + static_cast<int>(k));
+            const glm::dvec3 displaced =
+                0.3 * direction + side * (normalDeviate(u.x) * frame.u + normalDeviate(u.y) * frame.v);
+            rays[k] = {mirrored.ray.origin, glm::vec3(glm::normalize(displaced))};
+            isAbove[k] = glm::dot(displaced, at.geometricNormal) > 0.0;
+            if (isAbove[k]) above[searched++] = rays[k];
+        }
+        closestHits({above.data(), searched}, hits);
+        searched = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            glossy.ray = rays[k];
+            const auto number = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(k);
+            if (isAbove[k]) {
+                trace(glossy, {branch.key.child(number + 2), branch.split || n > 1}, &hits[searched++]);
+            } else {
+                observer_.segment(glossy);
+                observer_.ended(glossy, RayEnd::BelowSurface);
+            }
+        }
+    }
+}
+
+}  // namespace rayscope

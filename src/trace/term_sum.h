@@ -1,0 +1,14 @@
+#pragma once
+#include <rayscope/vector.h>
+
+namespace rayscope {
+
+/// The radiance of one sample, each term added as it is found.
+struct TermSum {
+    static constexpr bool kAsksLater = false;
+
+    RgbSum sum{0.0};
+    void add(const glm::dvec3& term) { sum += term; }
+};
+
+}  // namespace rayscope
