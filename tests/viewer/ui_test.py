@@ -688,18 +688,24 @@ def test_trade(viewer):
     def is_dial_orange(r, g, b):
         return abs(r - 230) < 12 and abs(g - 159) < 12 and b < 25
 
+    def is_front_blue(r, g, b):
+        return abs(r - 86) < 12 and abs(g - 180) < 12 and abs(b - 233) < 12
+
     def is_ring_white(r, g, b):
         return min(r, g, b) > 225
 
     viewer.click(*TAB_SETTINGS)
     viewer.click(*TRADE_HEADER)
-    viewer.type_into(TRADE_BUDGET, "6")
-    viewer.click(*TRADE_START)
-    viewer.point(100, 600)
-    chart = wait_for("the front with positions of the dial", lambda: next(
-        (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_dial_orange) > 25), None))
-    expect(chart.count(lambda r, g, b: abs(r - 86) < 12 and abs(g - 180) < 12 and abs(b - 233) < 12) > 40,
-           "the front is a line")
+    # In the first budget a busy machine may measure too little for a line.
+    for budget in "6", "24":
+        viewer.type_into(TRADE_BUDGET, budget)
+        viewer.click(*TRADE_START)
+        viewer.point(100, 600)
+        chart = wait_for("the front with positions of the dial", lambda: next(
+            (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_dial_orange) > 25), None))
+        if chart.count(is_front_blue) > 40:
+            break
+    expect(chart.count(is_front_blue) > 40, "the front is a line")
     viewer.click(*DIAL_FASTEST)
     viewer.point(100, 600)
     ring = wait_for("where the first position of the dial is", lambda: next(

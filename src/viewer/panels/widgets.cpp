@@ -85,6 +85,11 @@ void pictureLabel(const char* words, ImVec2 place, bool leftOf) {
     draw.AddText({left + pad, place.y + 0.5f * pad}, IM_COL32(235, 237, 240, 255), words);
 }
 
+bool stoppableProgress(double fraction) {
+    ImGui::ProgressBar(static_cast<float>(fraction), {-1.0f, 0.0f});
+    return ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f});
+}
+
 bool choiceButton(const char* label, bool chosen, float width) {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     const bool pressed = ImGui::Button(label, {width, 0.0f});

@@ -33,6 +33,9 @@ bool vectorRow(const char* label, glm::vec3& value, float speed);
 /// Words on a dark ground over the picture, to the right or to the left of a place.
 void pictureLabel(const char* words, ImVec2 place, bool leftOf = false);
 
+/// How far something is (0 … 1) that takes long, and a button to stop it. Returns whether it was pressed.
+bool stoppableProgress(double fraction);
+
 /// A button that looks pressed when it stands for the present choice.
 bool choiceButton(const char* label, bool chosen, float width);
 
