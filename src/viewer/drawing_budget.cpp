@@ -20,7 +20,7 @@ DrawingBudget drawingBudget(bool software, bool moving) {
     // Measured with Mesa's llvmpipe on two cores: each of these takes at most some 8 of the 33 ms of a frame.
     budget.triangles = 8000;
     budget.boxes = 10000;
-    budget.linePixels = 4e6;
+    budget.linePixels = 6e6;
     budget.mostWideLines = 100;
     budget.divisor = 2;
     return budget;
