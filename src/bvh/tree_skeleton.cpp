@@ -1,5 +1,7 @@
 #include "bvh/tree_skeleton.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -41,44 +43,106 @@ bool TreeSkeleton::mustBeHalved(const Subtree& tree) {
     return static_cast<int>(std::bit_width(tree.size())) >= kMaxTreeLevel - tree.level;
 }
 
-std::size_t TreeSkeleton::countNodes() const {
-    std::vector<std::uint32_t> stack{0};
-    std::size_t count = 0;
-    while (!stack.empty()) {
-        if (count++ % kStopInterval == 0) throwIfStopped(settings_.stop);
-        const BinaryNode& node = nodes_[stack.back()];
-        stack.pop_back();
-        if (!node.isLeaf()) stack.insert(stack.end(), {node.first + 1, node.first});
+/// Copies a skeleton's nodes to the front. In the upper levels several threads work on it, so there the sizes
+/// of subtrees have to be known beforehand.
+class TreeSkeleton::Compaction {
+  public:
+    explicit Compaction(const TreeSkeleton& from) : from_(from), sizes_(std::size_t{2} << kParallelLevels) {
+        if (from_.count_ == 0) return;
+        tree_.nodes.resize(sizeOf({0, 0, 1}));
+        tree_.levels = place({0, 0, 1}, 0, 1);
     }
-    return count;
-}
+    BinaryTree& result() { return tree_; }
 
-BinaryTree TreeSkeleton::compact() {
-    BinaryTree tree;
-    if (count_ > 0) {
-        tree.nodes.reserve(countNodes());
-        tree.nodes.push_back(nodes_[0]);
-    }
-    struct Waiting {
+  private:
+    static constexpr int kParallelLevels = 6;
+
+    /// A node of the skeleton; `path` is 1 for the root, 2 p and 2 p + 1 for the children of p.
+    struct Root {
         std::uint32_t node;
         int level;
+        std::size_t path;
+
+        bool isShared() const { return level < kParallelLevels; }
+        Root child(std::uint32_t at, unsigned which) const {
+            return {at + which, level + 1, 2 * path + which};
+        }
     };
-    std::vector<Waiting> stack;
-    if (count_ > 0) stack.push_back({0, 0});
-    while (!stack.empty()) {
-        const auto [number, level] = stack.back();
-        stack.pop_back();
-        tree.levels = std::max(tree.levels, level + 1);
-        BinaryNode& node = tree.nodes[number];
-        if (node.isLeaf()) continue;
-        const auto children = static_cast<std::uint32_t>(tree.nodes.size());
-        if (children % kStopInterval == 1) throwIfStopped(settings_.stop);
-        const std::uint32_t place = std::exchange(node.first, children);
-        tree.nodes.push_back(nodes_[place]);
-        tree.nodes.push_back(nodes_[place + 1]);
-        stack.push_back({children + 1, level + 1});
-        stack.push_back({children, level + 1});
+
+    /// The number of nodes below and including a root.
+    std::size_t sizeOf(const Root& root) {
+        const BinaryNode& node = from_.nodes_[root.node];
+        std::size_t size = 1;
+        if (!node.isLeaf() && root.isShared()) {
+            std::size_t left = 0, right = 0;
+            tbb::parallel_invoke([&] { left = sizeOf(root.child(node.first, 0)); },
+                                 [&] { right = sizeOf(root.child(node.first, 1)); });
+            size += left + right;
+        } else if (!node.isLeaf()) {
+            size = countFrom(root.node);
+        }
+        if (root.path < sizes_.size()) sizes_[root.path] = size;
+        return size;
     }
+
+    std::size_t countFrom(std::uint32_t root) const {
+        std::vector<std::uint32_t> stack{root};
+        std::size_t count = 0;
+        while (!stack.empty()) {
+            if (count++ % kStopInterval == 0) throwIfStopped(from_.settings_.stop);
+            const BinaryNode& node = from_.nodes_[stack.back()];
+            stack.pop_back();
+            if (!node.isLeaf()) stack.insert(stack.end(), {node.first + 1, node.first});
+        }
+        return count;
+    }
+
+    /// Puts a root at `at` and the rest from `below` on. Returns the levels of the whole tree down to there.
+    int place(const Root& root, std::size_t at, std::size_t below) {
+        const BinaryNode& node = tree_.nodes[at] = from_.nodes_[root.node];
+        if (node.isLeaf()) return root.level + 1;
+        if (!root.isShared()) return placeAlone(at, below, root.level);
+        const Root left = root.child(node.first, 0), right = root.child(node.first, 1);
+        tree_.nodes[at].first = static_cast<std::uint32_t>(below);
+        const std::size_t belowRight = below + 2 + sizes_[left.path] - 1;
+        int levels[2];
+        tbb::parallel_invoke([&] { levels[0] = place(left, below, below + 2); },
+                             [&] { levels[1] = place(right, below + 1, belowRight); });
+        return std::max(levels[0], levels[1]);
+    }
+
+    int placeAlone(std::size_t root, std::size_t below, int rootLevel) {
+        struct Waiting {
+            std::size_t node;
+            int level;
+        };
+        std::vector<Waiting> stack{{root, rootLevel}};
+        int levels = 0;
+        std::size_t placed = 0;
+        while (!stack.empty()) {
+            const auto [number, level] = stack.back();
+            stack.pop_back();
+            levels = std::max(levels, level + 1);
+            BinaryNode& node = tree_.nodes[number];
+            if (node.isLeaf()) continue;
+            if (placed++ % kStopInterval == 0) throwIfStopped(from_.settings_.stop);
+            const std::uint32_t place = std::exchange(node.first, static_cast<std::uint32_t>(below));
+            tree_.nodes[below] = from_.nodes_[place];
+            tree_.nodes[below + 1] = from_.nodes_[place + 1];
+            stack.push_back({below + 1, level + 1});
+            stack.push_back({below, level + 1});
+            below += 2;
+        }
+        return levels;
+    }
+
+    const TreeSkeleton& from_;
+    std::vector<std::size_t> sizes_;  ///< by path
+    BinaryTree tree_;
+};
+
+BinaryTree TreeSkeleton::compact() {
+    BinaryTree tree = std::move(Compaction(*this).result());
     tree.primitives = std::move(primitives_);
     nodes_.reset();
     return tree;

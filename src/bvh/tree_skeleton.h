@@ -50,7 +50,7 @@ class TreeSkeleton {
     BinaryTree compact();
 
   private:
-    std::size_t countNodes() const;
+    class Compaction;
 
     std::size_t count_;
     BuildSettings settings_;

@@ -25,16 +25,9 @@ Camera::Camera(const CameraDescription& description, int width, int height) : wi
     }
 }
 
-glm::dvec2 Camera::onImagePlane(const glm::dvec2& pixel) const {
-    return {pixel.x * pixelSize_.x - tanHalfX_, tanHalfY_ - pixel.y * pixelSize_.y};
-}
-
-Ray Camera::pinholeRay(const glm::dvec2& pixel) const { return lensRay(pixel, glm::dvec2(0.0)); }
-
 Ray Camera::lensRay(const glm::dvec2& pixel, const glm::dvec2& aperture) const {
     const glm::dvec2 lens = lensRadius_ * aperture;
-    const glm::dvec2 plane = onImagePlane(pixel) - lens * inverseFocusDistance_;
-    const glm::dvec3 direction = glm::normalize(forward_ + plane.x * right_ + plane.y * up_);
+    const glm::dvec3 direction = towards(onImagePlane(pixel) - lens * inverseFocusDistance_);
     return {glm::vec3(position_ + lens.x * right_ + lens.y * up_), glm::vec3(direction)};
 }
 

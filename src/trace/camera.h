@@ -13,7 +13,9 @@ class Camera {
 
     /// The ray through the pixel coordinates (x to the right, y downwards, pixel centres at half-integers)
     /// and the centre of the lens. Its direction has unit length.
-    Ray pinholeRay(const glm::dvec2& pixel) const;
+    Ray pinholeRay(const glm::dvec2& pixel) const {
+        return {glm::vec3(position_), glm::vec3(towards(onImagePlane(pixel)))};
+    }
 
     /// The ray that starts at a point of the aperture (in units of its radius) and meets the pinhole ray at
     /// the plane of focus. At the centre of the aperture, bit for bit the pinhole ray.
@@ -31,7 +33,13 @@ class Camera {
     double pixelAngle() const { return 2.0 * tanHalfY_ / height_; }
 
   private:
-    glm::dvec2 onImagePlane(const glm::dvec2& pixel) const;
+    glm::dvec2 onImagePlane(const glm::dvec2& pixel) const {
+        return {pixel.x * pixelSize_.x - tanHalfX_, tanHalfY_ - pixel.y * pixelSize_.y};
+    }
+    /// Unit direction through a point of the image plane at distance 1.
+    glm::dvec3 towards(const glm::dvec2& plane) const {
+        return glm::normalize(forward_ + plane.x * right_ + plane.y * up_);
+    }
 
     glm::dvec3 position_{0.0}, right_{1.0, 0.0, 0.0}, up_{0.0, 1.0, 0.0}, forward_{0.0, 0.0, -1.0};
     double tanHalfX_ = 1.0, tanHalfY_ = 1.0;
