@@ -1,6 +1,5 @@
 #version 330 core
-// Spans a screen-aligned rectangle of the wanted width over the segment from..to; or draws the segment itself,
-// one pixel wide.
+// Spans a screen-aligned rectangle of the wanted width over the segment from..to.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 color;
@@ -9,7 +8,6 @@ layout(location = 3) in vec2 widthAndStyle;
 uniform mat4 viewProjection;
 uniform vec2 viewport;
 uniform float scale;
-uniform bool fine;
 
 noperspective out float along;   // pixels from the start of the line
 noperspective out float across;  // pixels from its middle
@@ -41,13 +39,6 @@ void main() {
     direction = pixels > 0.0 ? direction / pixels : vec2(1.0, 0.0);
     vec2 normal = vec2(-direction.y, direction.x);
 
-    if (fine) {
-        bool second = (gl_VertexID & 1) != 0;
-        halfWidth = 0.5;
-        along = second ? pixels : 0.0;
-        gl_Position = second ? end : start;
-        return;
-    }
     bool atEnd = (gl_VertexID & 2) != 0;
     float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
     float reach = halfWidth + 1.0;  // one pixel more for the soft edge

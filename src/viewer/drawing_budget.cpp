@@ -17,12 +17,12 @@ bool isSoftwareRenderer(std::string_view name) {
 DrawingBudget drawingBudget(bool software, bool moving) {
     DrawingBudget budget;
     if (!software || !moving) return budget;
-    // Measured with Mesa's llvmpipe on two cores: each of these takes about 8 of the 33 ms of a frame.
+    // Measured with Mesa's llvmpipe on two cores: each of these takes at most some 8 of the 33 ms of a frame.
     budget.triangles = 8000;
-    budget.boxes = 1000;
-    budget.linePixels = 4e5;
+    budget.boxes = 10000;
+    budget.linePixels = 6e6;
+    budget.mostWideLines = 100;
     budget.divisor = 2;
-    budget.fineLines = true;
     return budget;
 }
 

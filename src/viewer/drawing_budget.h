@@ -12,8 +12,9 @@ struct DrawingBudget {
     std::size_t triangles = std::numeric_limits<std::size_t>::max();  ///< of all meshes and spheres
     std::size_t boxes = 20000;                                        ///< that are drawn whole
     double linePixels = std::numeric_limits<double>::infinity();      ///< see drawingCost()
-    int divisor = 1;         ///< pixels of the view per pixel that is drawn, in both directions
-    bool fineLines = false;  ///< many lines may be one pixel wide, to draw more of them
+    /// More lines than this are painted, one pixel wide, instead of drawn.
+    std::size_t mostWideLines = std::numeric_limits<std::size_t>::max();
+    int divisor = 1;  ///< pixels of the view per pixel that is drawn, in both directions
 
     bool operator==(const DrawingBudget&) const = default;
 };

@@ -106,16 +106,41 @@ void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, con
         look.sceneDepth = target_.depthTexture();
         look.hiddenOpacity = kHiddenOpacity;
     }
+    if (drawing.painted) paintLines(drawing, look);
     target_.bindColorOnly();
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    sceneLines_.upload(drawing.lines, drawing.fine);
-    sceneLines_.draw(look);
+    if (!drawing.painted) drawLines(drawing, look);
     boldLines_.upload(drawing.boldLines);
     boldLines_.draw(look);
     drawHandles(inputs, frame, look);
     glDisable(GL_BLEND);
+}
+
+void Picture::drawLines(SceneOverlays::Drawing& drawing, const LineLook& look) {
+    OverlayLines lines;
+    lines.reserve(12 * drawing.boxes.size() + drawing.lines.size());
+    for (const OverlayBox& box : drawing.boxes)
+        appendBox(lines, box.lower, box.upper, box.color, box.style, box.width);
+    lines.insert(lines.end(), drawing.lines.begin(), drawing.lines.end());
+    sceneLines_.upload(lines);
+    sceneLines_.draw(look);
+}
+
+void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look) {
+    canvas_.width = target_.width();
+    canvas_.height = target_.height();
+    target_.readColors(canvas_.pixels);
+    if (look.sceneDepth != 0)
+        target_.readDepths(canvas_.depth);
+    else
+        canvas_.depth.clear();
+    const float unit = look.scale * static_cast<float>(canvas_.width) / look.viewport.x;
+    const PaintLook paint{look.viewProjection, unit, look.hiddenOpacity};
+    paintBoxes(canvas_, drawing.boxes, paint);
+    viewer::paintLines(canvas_, drawing.lines, paint);
+    target_.writeColors(canvas_.pixels);
 }
 
 /// The handles of the selected light, before everything.

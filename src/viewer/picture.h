@@ -4,6 +4,7 @@
 #include "viewer/gl/line_batch.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/light_handles.h"
+#include "viewer/overlay/line_painter.h"
 #include "viewer/raster_view.h"
 #include "viewer/scene_overlays.h"
 #include "viewer/traced_view.h"
@@ -54,6 +55,8 @@ class Picture {
     Inputs inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const;
     bool resize(const Inputs& inputs);
     void redraw(const Workspace& workspace, const Inputs& inputs);
+    void drawLines(SceneOverlays::Drawing& drawing, const LineLook& look);
+    void paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look);
     void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
     void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look);
 
@@ -63,6 +66,7 @@ class Picture {
     TracedView traced_;
     SceneOverlays overlays_;
     LineBatch sceneLines_, boldLines_;
+    PaintCanvas canvas_;  ///< kept for its memory
     Inputs drawn_;
     DrawnCounts counts_;
     std::shared_ptr<const SceneDescription> loaded_;

@@ -1,5 +1,7 @@
 #include "viewer/scene_overlays.h"
 
+#include <algorithm>
+
 #include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 #include "viewer/overlay/line_choice.h"
@@ -11,6 +13,13 @@ namespace {
 template <class T>
 void append(std::vector<T>& all, const std::vector<T>& more) {
     all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The same view with fewer pixels.
+ViewFrame shrunk(ViewFrame frame, int divisor) {
+    frame.width = std::max(1, frame.width / divisor);
+    frame.height = std::max(1, frame.height / divisor);
+    return frame;
 }
 
 }  // namespace
@@ -94,20 +103,25 @@ SceneOverlays::Drawing SceneOverlays::draw(const Workspace& workspace, const Vie
         built_ = inputs;
         builtSize_ = sceneSize;
     }
-    const BoxLines boxes = boxLines(boxes_, frame, budget.boxes);
+    BoxChoice boxes = chooseBoxes(boxes_, shrunk(frame, budget.divisor), budget.boxes);
     const OverlayLines rays = chooseLines(lines_, frame, budget.linePixels);
     Drawing drawing;
     drawing.counts.boxes = boxes.large;
-    drawing.counts.boxesDrawn = boxes.whole;
+    drawing.counts.boxesDrawn = boxes.whole.size();
     drawing.counts.lines = lines_.size();
     drawing.counts.linesDrawn = rays.size();
-    for (const OverlayLines* part : {&boxes.lines, &rays})
-        for (const OverlayLine& line : *part)
-            (isBold(line) ? drawing.boldLines : drawing.lines).push_back(line);
+    for (const OverlayBox& box : boxes.whole)
+        if (box.width >= kBoldWidth)
+            appendBox(drawing.boldLines, box.lower, box.upper, box.color, box.style, box.width);
+    std::erase_if(boxes.whole, [](const OverlayBox& box) { return box.width >= kBoldWidth; });
+    drawing.boxes = std::move(boxes.whole);
+    append(boxes.strokes, rays);
+    for (const OverlayLine& line : boxes.strokes)
+        (isBold(line) ? drawing.boldLines : drawing.lines).push_back(line);
     append(drawing.boldLines, lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
                                          static_cast<double>(workspace.view.scale)));
-    // A wide line is drawn as two triangles, which costs about three times as much.
-    drawing.fine = budget.fineLines && 3.0 * drawingCost(drawing.lines, frame) > budget.linePixels;
+    constexpr std::size_t kEdges = 12;
+    drawing.painted = drawing.lines.size() + kEdges * drawing.boxes.size() > budget.mostWideLines;
     return drawing;
 }
 

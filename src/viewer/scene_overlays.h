@@ -24,8 +24,9 @@ class SceneOverlays {
 
     /// What there is to draw in a frame.
     struct Drawing {
-        OverlayLines lines, boldLines;  ///< the latter over the former
-        bool fine = false;              ///< `lines` are to be one pixel wide
+        OverlayBoxes boxes;
+        OverlayLines lines, boldLines;  ///< both over the boxes, the latter over the former
+        bool painted = false;           ///< `boxes` and `lines` are many: paintBoxes(), paintLines()
         DrawnCounts counts;             ///< of boxes and lines
     };
     /// `sceneSize` is the diagonal of the scene.

@@ -18,37 +18,46 @@ ViewFrame frameAt(glm::vec3 eye) {
     return viewFrame(camera, 800, 600);
 }
 
-TEST(BoxLines, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
+TEST(BoxChoice, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5})).lines.size(), 12u);
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 5000})).lines.size(), 1u);
+    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 5})).whole.size(), 1u);
+    EXPECT_TRUE(chooseBoxes(one, frameAt({0, 0, 5})).strokes.empty());
+    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 5000})).strokes.size(), 1u);
     const OverlayBoxes many(1000, one[0]);
-    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5})).lines.size(), 12000u);
-    EXPECT_EQ(boxLines(many, frameAt({0, 0, 5000})).lines.size(), 1u);
+    EXPECT_EQ(chooseBoxes(many, frameAt({0, 0, 5})).whole.size(), 1000u);
+    EXPECT_EQ(chooseBoxes(many, frameAt({0, 0, 5000})).strokes.size(), 1u);
     // With a limit the largest are whole.
     OverlayBoxes sizes;
     for (int i = 1; i <= 100; ++i) {
         const float half = 0.01f * static_cast<float>(i);
         sizes.push_back({glm::vec3(-half), glm::vec3(half)});
     }
-    EXPECT_EQ(boxLines(sizes, frameAt({0, 0, 5}), 10).lines.size(), 10u * 12u + 1u);
+    const BoxChoice ten = chooseBoxes(sizes, frameAt({0, 0, 5}), 10);
+    ASSERT_EQ(ten.whole.size(), 10u);
+    EXPECT_EQ(ten.whole.front().lower, sizes[90].lower);
+    EXPECT_EQ(ten.strokes.size(), 1u);
+    EXPECT_GT(ten.large, 80u);
 }
 
-TEST(BoxLines, LeaveOutWhatIsNotInThePicture) {
+TEST(BoxChoice, LeavesOutWhatIsNotInThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    EXPECT_TRUE(boxLines(one, frameAt({0, 0, -5})).lines.empty()) << "behind the camera";
-    EXPECT_TRUE(boxLines(one, frameAt({50, 0, 5})).lines.empty()) << "beside the picture";
-    EXPECT_EQ(boxLines(one, frameAt({0, 0, 0})).lines.size(), 12u) << "around the camera";
+    const auto seen = [&](glm::vec3 eye) {
+        const BoxChoice choice = chooseBoxes(one, frameAt(eye));
+        return choice.whole.size() + choice.strokes.size();
+    };
+    EXPECT_EQ(seen({0, 0, -5}), 0u) << "behind the camera";
+    EXPECT_EQ(seen({50, 0, 5}), 0u) << "beside the picture";
+    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 0})).whole.size(), 1u) << "around the camera";
 }
 
-TEST(BoxLines, AreBoundedByThePictureForAnyNumberOfBoxes) {
+TEST(BoxChoice, IsBoundedByThePictureForAnyNumberOfBoxes) {
     OverlayBoxes boxes;
     for (int i = 0; i < 200000; ++i) {
         const glm::vec3 place(static_cast<float>(i % 500) * 0.01f - 2.5f,
                               static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
         boxes.push_back({place, place + 0.005f});
     }
-    const std::size_t lines = boxLines(boxes, frameAt({0, 0, 5})).lines.size();
+    const std::size_t lines = chooseBoxes(boxes, frameAt({0, 0, 5})).strokes.size();
     EXPECT_GT(lines, 5000u);
     EXPECT_LE(lines, 201u * 151u);
 }

@@ -5,7 +5,6 @@ usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or Imag
 import json
 import operator
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -32,6 +31,12 @@ NODE_ARROW, NODE_CHILD = (976, 407), (1040, 425)
 SAMPLE_GRID, LAST_SAMPLE, TEXELS = (950, 150, 105, 115), (1250, 205), (950, 630, 100, 58)
 BVH_SAVINGS, BVH_MAX_LEVEL = (964, 228), (1180, 276)  # while a leaf is shown
 RIVAL_LEAF_SIZE, RIVAL_TABLE = (1180, 468), (954, 500, 300, 160)  # while a leaf and savings are shown
+# With RECORDED and WHY folded; what follows "Where it ends" is a line lower for a surface with gloss.
+MOST_DEPTH, LIGHT_CHOICE, LEAST_ADDED = (1180, 491), (1180, 515), (1180, 539)
+LEGEND_MISSED, LEGEND_REJECTED = (1030, 363), (1030, 345)
+SKIPPED_BOXES, LENS_OUTLINES, PINS = (1025, 162), (1088, 228), (950, 604, 310, 80)
+VERDICT, FIRST_EVIDENCE = (950, 120, 310, 40), (980, 615)  # of stale rays
+HEAT_QUANTITY, HEAT_COLORS = (1190, 114), (1190, 138)
 HARD_SHADOWS = (1112, 287)
 TRADE_HEADER, TRADE_START, TRADE_BUDGET, TRADE_CHART = (1050, 215), (1106, 239), (1180, 263), (954, 277, 300, 165)
 DIAL_FASTEST, BY_ERROR, ERROR, BY_TIME, SECONDS = (1112, 114), (1112, 138), (1190, 138), (1112, 186), (1190, 186)
@@ -207,7 +212,7 @@ class Viewer:
         self.do("keydown", "ctrl")
         self.click(*place)
         self.do("keyup", "ctrl")
-        self.do("type", "--delay", "40", words)
+        self.do("type", "--delay", "40", "--", words)
         self.key("Return")
 
     def scroll_to_end(self, place):
@@ -472,6 +477,9 @@ def test_bvh_boxes(viewer):
     before = viewer.settled_picture()
     viewer.key("period")
     expect(viewer.settled_picture().differing(before) > 50, "the next leaf is another one")
+    viewer.key("comma")
+    expect(viewer.settled_picture().data == before.data, "the one before is the first again")
+    viewer.key("period")
     viewer.click(*BVH_SAVINGS)
     viewer.point(*ASIDE)
     wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
@@ -680,18 +688,24 @@ def test_trade(viewer):
     def is_dial_orange(r, g, b):
         return abs(r - 230) < 12 and abs(g - 159) < 12 and b < 25
 
+    def is_front_blue(r, g, b):
+        return abs(r - 86) < 12 and abs(g - 180) < 12 and abs(b - 233) < 12
+
     def is_ring_white(r, g, b):
         return min(r, g, b) > 225
 
     viewer.click(*TAB_SETTINGS)
     viewer.click(*TRADE_HEADER)
-    viewer.type_into(TRADE_BUDGET, "6")
-    viewer.click(*TRADE_START)
-    viewer.point(100, 600)
-    chart = wait_for("the front with positions of the dial", lambda: next(
-        (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_dial_orange) > 25), None))
-    expect(chart.count(lambda r, g, b: abs(r - 86) < 12 and abs(g - 180) < 12 and abs(b - 233) < 12) > 40,
-           "the front is a line")
+    # In the first budget a busy machine may measure too little for a line.
+    for budget in "6", "24":
+        viewer.type_into(TRADE_BUDGET, budget)
+        viewer.click(*TRADE_START)
+        viewer.point(100, 600)
+        chart = wait_for("the front with positions of the dial", lambda: next(
+            (shown for shown in [viewer.capture().crop(*TRADE_CHART)] if shown.count(is_dial_orange) > 25), None))
+        if chart.count(is_front_blue) > 40:
+            break
+    expect(chart.count(is_front_blue) > 40, "the front is a line")
     viewer.click(*DIAL_FASTEST)
     viewer.point(100, 600)
     ring = wait_for("where the first position of the dial is", lambda: next(
@@ -725,6 +739,177 @@ def test_isolate_and_copy(viewer):
     viewer.key("Home")
     viewer.click(*TAB_SCENE)
     viewer.settled_picture()
+
+
+def is_missed_red(red, green, blue):
+    return 190 < red < 230 and 40 < green < 90 and blue < 60
+
+
+def is_blocked_red(red, green, blue):
+    return red > 200 and green < 75 and blue < 70
+
+
+def is_good_green(red, green, blue):
+    return 100 < red < 140 and green > 180 and 120 < blue < 160
+
+
+def is_warning_orange(red, green, blue):
+    return red > 220 and 165 < green < 215 and 60 < blue < 120
+
+
+def test_replay(viewer):
+    """Ctrl and a click record; the proof is ticked, goes stale with the camera, and stays; a ray can be picked."""
+    viewer.click(*TAB_RAYS)
+    viewer.key("Tab")
+    viewer.point(*ASIDE)
+    viewer.settled_picture()
+    viewer.do("keydown", "ctrl")
+    viewer.click(350, 399)
+    viewer.do("keyup", "ctrl")
+    wait_for("the proof", lambda: viewer.capture().crop(*VERDICT).count(is_good_green) > 150)
+    expect(viewer.capture().crop(*VERDICT).count(is_warning_orange) == 0, "fresh rays are not stale")
+    viewer.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
+    wait_for("the word stale", lambda: viewer.capture().crop(*VERDICT).count(is_warning_orange) > 80)
+    blocked = viewer.settled_picture()
+    expect(blocked.count(is_blocked_red) > 60, "the blocked shadow ray is red")
+    # A sentence names the ray that it rests on; a click on its button selects that ray.
+    viewer.click(*FIRST_EVIDENCE)
+    viewer.point(*ASIDE)
+    wait_for("the ray of the sentence", lambda: viewer.settled_picture().differing(blocked) > 30)
+    viewer.click(*ASIDE)
+    wait_for("nothing selected", lambda: viewer.settled_picture().data == blocked.data)
+    # The same by a click on the ray itself, which the table follows.
+    table = viewer.capture().crop(950, 360, 310, 110)
+    yellow = [i for i, pixel in enumerate(blocked.pixels()) if is_ray_yellow(*pixel)]
+    place = yellow[len(yellow) // 2]
+    viewer.click(place % blocked.width, PICTURE[1] + place // blocked.width)
+    viewer.point(*ASIDE)
+    wait_for("a halo", lambda: viewer.settled_picture().differing(blocked) > 100)
+    expect(viewer.capture().crop(950, 360, 310, 110).differing(table) > 100, "the row of the ray is marked")
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.key("Tab")
+    viewer.settled_picture()
+
+
+def shown(viewer):
+    viewer.point(*ASIDE)
+    return viewer.settled_picture()
+
+
+def test_filters(viewer):
+    """Rays by depth, contribution and kind; boxes that were met but skipped."""
+    every = viewer.shoot((440, 360))
+    viewer.click(*RECORDED)
+    viewer.click(*WHY)
+    expect(every.count(is_missed_red) > 60, f"a ray that misses is red ({every.count(is_missed_red)})")
+    viewer.type_into(MOST_DEPTH, "0")
+    expect(shown(viewer).count(is_missed_red) == 0, "without reflections it is not drawn")
+    expect(shown(viewer).count(is_ray_yellow) > 100, "but the camera ray is")
+    viewer.type_into(MOST_DEPTH, "16")
+    expect(shown(viewer).data == every.data, "with reflections it is")
+    viewer.click(*LEGEND_MISSED)
+    expect(shown(viewer).count(is_missed_red) == 0, "the legend hides rays that miss")
+    viewer.click(*LEGEND_MISSED)
+    viewer.type_into(LEAST_ADDED, "1")
+    expect(shown(viewer).count(is_ray_yellow) == 0, "what adds less than 1 is hidden")
+    viewer.type_into(LEAST_ADDED, "0")
+    expect(shown(viewer).data == every.data, "and comes back")
+    viewer.key("t")
+    searched = shown(viewer)
+    viewer.click(*SKIPPED_BOXES)
+    expect(searched.count(is_square_purple) > shown(viewer).count(is_square_purple) + 100, "skipped boxes are violet")
+    viewer.click(*SKIPPED_BOXES)
+    expect(shown(viewer).data == searched.data, "and come back")
+    viewer.key("t")
+    viewer.click(*WHY)
+    viewer.click(*RECORDED)
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.settled_picture()
+
+
+def test_parts_of_scenes(viewer):
+    """Shadow rays of one light, outlines of the lens, pinned pixels, glossy rays that would go below the surface."""
+    viewer.open_scene("builtin:monkey")
+    both = viewer.shoot((440, 330))
+    viewer.click(*RECORDED)
+    viewer.click(*WHY)
+    single = []
+    for light in "0", "1":
+        viewer.type_into(LIGHT_CHOICE, light)
+        single.append(shown(viewer))
+        expect(single[-1].differing(both) > 20, f"only the shadow ray to light {light}")
+    expect(single[0].data != single[1].data, "each light has its own")
+    viewer.type_into(LIGHT_CHOICE, "-1")
+    expect(shown(viewer).data == both.data, "all lights again")
+    viewer.key("c")
+    viewer.open_scene("builtin:spheres-dof")
+    lens = viewer.shoot((420, 330))
+    viewer.click(*LENS_OUTLINES)
+    # The shading normal is as green as they are.
+    expect(shown(viewer).count(is_visited_green) < 0.6 * lens.count(is_visited_green), "lens and focus go away")
+    viewer.click(*LENS_OUTLINES)
+    expect(shown(viewer).data == lens.data, "and come back")
+    pins = viewer.capture().crop(*PINS)
+    viewer.key("p")
+    wait_for("the figures of the pixel", lambda: viewer.capture().crop(*PINS).differing(pins) > 200)
+    viewer.key("c")
+    viewer.open_scene("builtin:cornell-glossy")
+    rejected = viewer.shoot((480, 330)).count(is_square_purple)
+    viewer.click(*LEGEND_REJECTED)
+    expect(shown(viewer).count(is_square_purple) < rejected - 30, "rays below the surface are dotted violet")
+    viewer.click(*LEGEND_REJECTED)
+    expect(shown(viewer).count(is_square_purple) == rejected, "and come back")
+    viewer.click(*WHY)
+    viewer.click(*RECORDED)
+    viewer.key("c")
+    viewer.key("Home")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def is_node_blue(red, green, blue):
+    return 60 < red < 110 and 160 < green < 200 and 210 < blue < 245
+
+
+def test_node_tree(viewer):
+    """A click on a node of the tree draws it, and the plot of its splits follows."""
+    viewer.open_scene("builtin:monkey")
+    viewer.click(*TAB_BVH)
+    viewer.point(*ASIDE)
+    bare = viewer.settled_picture().count(is_node_blue)
+    wait_for("the tree", lambda: viewer.capture().crop(960, 395, 250, 20).brightness() > 30)
+    plot = viewer.capture().crop(950, 580, 310, 105)
+    viewer.click(*NODE_ARROW)
+    viewer.click(*NODE_CHILD)
+    viewer.point(*ASIDE)
+    wait_for("the box of the node", lambda: viewer.settled_picture().count(is_node_blue) > bare + 300)
+    expect(viewer.settled_window().crop(950, 580, 310, 105).differing(plot) > 100, "the node has figures and a plot")
+    viewer.click(*NODE_CHILD)
+    viewer.open_scene("builtin:cornell")
+    viewer.click(*TAB_SCENE)
+    viewer.settled_picture()
+
+
+def test_heat_quantities(viewer):
+    """Each quantity and each colour map is another picture."""
+    viewer.click(*TAB_MAP)
+    viewer.key("m")
+    viewer.point(*ASIDE)
+    seen = []
+    for combo, rows in (HEAT_QUANTITY, (42, 60)), (HEAT_COLORS, (42, 60)):
+        for row in rows:
+            viewer.click(*combo)
+            viewer.click(combo[0], combo[1] + row)
+            viewer.point(*ASIDE)
+            another = wait_for("another map", lambda: next(
+                (picture for picture in [viewer.settled_picture()]
+                 if picture.data not in seen and picture.count(is_lit) > 1000), None))
+            seen.append(another.data)
+    viewer.key("m")
+    viewer.key("Tab")
+    viewer.click(*TAB_SCENE)
 
 
 def test_fly(viewer):
@@ -797,7 +982,7 @@ def test_byte_budget(viewer):
 
 
 def test_moving(viewer):
-    """While the camera moves, as many rays as software OpenGL can draw, and no secret is made of it."""
+    """While the camera moves: all of ten thousand rays, painted, and no secret is made of the coarser picture."""
     viewer.shoot((440, 480))
     viewer.click(*ALL_SAMPLES)
     viewer.point(*ASIDE)
@@ -806,9 +991,12 @@ def test_moving(viewer):
     viewer.do("mousedown", 1)
     viewer.do("mousemove", ASIDE[0] + 60, ASIDE[1])
     said = viewer.saved_property("drawn", "shift+ctrl+s")
-    lines = re.match(r"(\d+) of (\d+) lines, 1/2 of the resolution$", said)
-    expect(lines and 0 < int(lines[1]) < int(lines[2]) and int(lines[2]) > 10000, f"some of more than 10,000 lines: {said!r}")
+    expect(said == "1/2 of the resolution", f"all lines are drawn: {said!r}")
     moving = viewer.picture()
+    viewer.key("o")
+    bare = viewer.picture()
+    viewer.key("o")
+    expect(moving.differing(bare) > 3000, "the lines are seen")
     viewer.do("mouseup", 1)
     expect(viewer.settled_picture().differing(moving) > 1000, "at rest everything is drawn")
     expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is said")
@@ -872,6 +1060,7 @@ SESSIONS = [
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
+    (["--set", "spp=4"], [test_replay, test_heat_quantities, test_node_tree, test_filters, test_parts_of_scenes]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
     (["builtin:cornell-area", "--set", "spp=1024"], [test_moving, test_byte_budget]),
     (["builtin:spheres", "--set", "spp=1", "--set", "bloom=true", "--set", "bloom_debug=true", "--set",

@@ -3,7 +3,7 @@
 namespace rayscope::viewer {
 
 namespace {
-/// One line as the vertex shader reads it: once per rectangle, or once per end.
+/// One line as the vertex shader reads it, once per rectangle.
 struct Instance {
     glm::vec3 from, to;
     glm::vec4 color;
@@ -20,6 +20,7 @@ LineBatch::LineBatch() {
         glEnableVertexAttribArray(index);
         glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Instance),
                               reinterpret_cast<const void*>(offset));
+        glVertexAttribDivisor(index, 1);
     };
     attribute(0, 3, offsetof(Instance, from));
     attribute(1, 3, offsetof(Instance, to));
@@ -33,17 +34,12 @@ LineBatch::~LineBatch() {
     glDeleteBuffers(1, &buffer_);
 }
 
-void LineBatch::upload(const OverlayLines& lines, bool fine) {
-    fine_ = fine;
+void LineBatch::upload(const OverlayLines& lines) {
     std::vector<Instance> instances;
-    instances.reserve(lines.size() * (fine ? 2 : 1));
+    instances.reserve(lines.size());
     for (const OverlayLine& line : lines)
-        for (int end = 0; end < (fine ? 2 : 1); ++end)
-            instances.push_back({line.from, line.to, line.color, line.width, static_cast<float>(line.style)});
+        instances.push_back({line.from, line.to, line.color, line.width, static_cast<float>(line.style)});
     count_ = static_cast<GLsizei>(instances.size());
-    glBindVertexArray(vertexArray_);
-    for (const GLuint attribute : {0u, 1u, 2u, 3u}) glVertexAttribDivisor(attribute, fine ? 0 : 1);
-    glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, buffer_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(instances.size() * sizeof(Instance)),
                  instances.data(), GL_DYNAMIC_DRAW);
@@ -55,17 +51,13 @@ void LineBatch::draw(const LineLook& look) {
     shader_.set("viewProjection", look.viewProjection);
     shader_.set("viewport", look.viewport);
     shader_.set("scale", look.scale);
-    shader_.set("fine", fine_ ? 1 : 0);
     shader_.set("sceneDepth", 0);
     shader_.set("depthKnown", look.sceneDepth != 0 ? 1 : 0);
     shader_.set("hiddenOpacity", look.hiddenOpacity);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, look.sceneDepth);
     glBindVertexArray(vertexArray_);
-    if (fine_)
-        glDrawArrays(GL_LINES, 0, count_);
-    else
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
     glBindVertexArray(0);
     glBindTexture(GL_TEXTURE_2D, 0);
 }

@@ -25,16 +25,13 @@ class LineBatch {
     LineBatch(const LineBatch&) = delete;
     LineBatch& operator=(const LineBatch&) = delete;
 
-    /// `fine` lines are one pixel wide: quicker, where there are many.
-    void upload(const OverlayLines& lines, bool fine = false);
-
+    void upload(const OverlayLines& lines);
     void draw(const LineLook& look);
 
   private:
     Shader shader_{"line"};
     GLuint vertexArray_ = 0, buffer_ = 0;
     GLsizei count_ = 0;
-    bool fine_ = false;
 };
 
 }  // namespace rayscope::viewer

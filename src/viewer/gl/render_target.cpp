@@ -67,6 +67,28 @@ void RenderTarget::bindColorOnly() const {
     glViewport(0, 0, width_, height_);
 }
 
+void RenderTarget::readColors(std::vector<std::uint32_t>& pixels) const {
+    pixels.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels.data());
+}
+
+void RenderTarget::readDepths(std::vector<float>& depths) const {
+    depths.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+}
+
+void RenderTarget::writeColors(const std::vector<std::uint32_t>& pixels) const {
+    glBindTexture(GL_TEXTURE_2D, color_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                    pixels.data());
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
 void RenderTarget::copyTo(const RenderTarget& other) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, colorOnly_);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.colorOnly_);

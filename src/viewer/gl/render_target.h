@@ -1,5 +1,7 @@
 #pragma once
 #include <epoxy/gl.h>
+#include <cstdint>
+#include <vector>
 
 namespace rayscope::viewer {
 
@@ -27,6 +29,11 @@ class RenderTarget {
     void copyToWindow(int x, int y, int width, int height) const;
     /// The colours of all pixels, to another target of the same size, which becomes the bound one.
     void copyTo(const RenderTarget& other) const;
+
+    /// The colours of all pixels, as PaintCanvas has them, and their depths; to and from memory.
+    void readColors(std::vector<std::uint32_t>& pixels) const;
+    void readDepths(std::vector<float>& depths) const;
+    void writeColors(const std::vector<std::uint32_t>& pixels) const;
 
   private:
     void release();

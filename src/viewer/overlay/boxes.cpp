@@ -48,17 +48,23 @@ struct VisibleBox {
 
 std::vector<VisibleBox> visibleBoxes(const OverlayBoxes& boxes, const ViewFrame& frame) {
     std::vector<VisibleBox> visible;
+    visible.reserve(boxes.size());
+    const glm::dvec2 middle(0.5 * frame.width, 0.5 * frame.height);
+    const double focal = middle.y / frame.tanHalfFov;  // pixels at depth 1
     for (const OverlayBox& box : boxes) {
-        const glm::dvec3 lower(box.lower), upper(box.upper), center = 0.5 * (lower + upper);
+        const glm::dvec3 lower(box.lower), upper(box.upper);
+        const glm::dvec3 toCenter = 0.5 * (lower + upper) - frame.eye;
         const double radius = 0.5 * glm::distance(lower, upper);
-        const double depth = glm::dot(center - frame.eye, frame.forward);
+        const double depth = glm::dot(toCenter, frame.forward);
         if (depth < -radius) continue;
         if (depth <= 2.0 * radius) {
             visible.push_back({&box, glm::dvec2(0.0), std::numeric_limits<double>::infinity()});
             continue;
         }
-        const glm::dvec2 pixel = *frame.project(center);
-        const double size = 2.0 * radius / frame.unitsPerPixelAt(center);
+        const double scale = focal / depth;
+        const glm::dvec2 place(glm::dot(toCenter, frame.right), -glm::dot(toCenter, frame.up));
+        const glm::dvec2 pixel = middle + scale * place;
+        const double size = 2.0 * radius * scale;
         if (reaches(frame, pixel, size)) visible.push_back({&box, pixel, size});
     }
     return visible;
@@ -77,18 +83,18 @@ double smallestWhole(const std::vector<VisibleBox>& visible, std::size_t mostWho
 
 }  // namespace
 
-BoxLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
-    BoxLines drawn;
+BoxChoice chooseBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
+    BoxChoice drawn;
     Spots spots(frame);
     const std::vector<VisibleBox> visible = visibleBoxes(boxes, frame);
     const double whole = smallestWhole(visible, mostWhole);
+    drawn.whole.reserve(std::min(visible.size(), mostWhole));
     for (const auto& [box, pixel, size] : visible) {
         if (size >= kSmallestBox) ++drawn.large;
         if (size >= whole) {
-            appendBox(drawn.lines, box->lower, box->upper, box->color, box->style, box->width);
-            ++drawn.whole;
+            drawn.whole.push_back(*box);
         } else if (reaches(frame, pixel, 0.0) && spots.take(pixel)) {
-            drawn.lines.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
+            drawn.strokes.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
         }
     }
     return drawn;

@@ -13,15 +13,16 @@ struct OverlayBox {
 };
 using OverlayBoxes = std::vector<OverlayBox>;
 
-struct BoxLines {
-    OverlayLines lines;
-    std::size_t large = 0;  ///< boxes of some pixels in the picture …
-    std::size_t whole = 0;  ///< … and how many of them have all their edges
+struct BoxChoice {
+    OverlayBoxes whole;     ///< of which all edges are drawn
+    OverlayLines strokes;   ///< that stand for small boxes
+    std::size_t large = 0;  ///< boxes of some pixels in the picture, whether drawn whole or not
 };
 
-/// Boxes as they can be told apart from where the camera stands: those of some pixels have twelve edges, but
-/// no more than the `mostWhole` largest; of the others one per spot of the picture is drawn, as a stroke;
-/// those outside the picture are left out. So the number of lines is bounded, whatever the number of boxes.
-BoxLines boxLines(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
+/// Boxes as they can be told apart from where the camera stands, with the pixels that `frame` has: those of
+/// some pixels have twelve edges, but no more than the `mostWhole` largest; of the others one per spot of the
+/// picture is drawn, as a stroke; those outside the picture are left out. So the number of lines is bounded,
+/// whatever the number of boxes.
+BoxChoice chooseBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
 
 }  // namespace rayscope::viewer

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
 
 namespace rayscope::viewer {
 
@@ -32,11 +34,6 @@ double lengthInside(const PixelSegment& segment, const ViewFrame& frame) {
     return enter < leave ? (leave - enter) * glm::length(along) : 0.0;
 }
 
-double costOf(const OverlayLine& line, const ViewFrame& frame) {
-    const auto segment = frame.projectSegment(glm::dvec3(line.from), glm::dvec3(line.to));
-    return kCostOfALine + (segment ? lengthInside(*segment, frame) : 0.0);
-}
-
 /// Where a line appears and what it looks like, rounded.
 using Appearance = std::array<long, 6>;
 
@@ -49,6 +46,15 @@ Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
         static_cast<long>(line.style)};
 }
 
+/// Mixes the numbers as FNV-1a mixes bytes.
+struct AppearanceHash {
+    std::size_t operator()(const Appearance& appearance) const {
+        std::uint64_t hash = 14695981039346656037u;
+        for (const long part : appearance) hash = (hash ^ static_cast<std::uint64_t>(part)) * 1099511628211u;
+        return static_cast<std::size_t>(hash ^ hash >> 32);
+    }
+};
+
 /// Multiples of the golden ratio fill 0 … 1 evenly, however few are taken and whatever repeats in the list.
 double placeInOrder(std::size_t index) {
     constexpr double kGoldenRatio = 0.6180339887498949;
@@ -56,21 +62,37 @@ double placeInOrder(std::size_t index) {
     return multiple - std::floor(multiple);
 }
 
-struct Candidate {
-    std::size_t index;
-    double cost;
+/// A line as it is seen: where, if it is before the camera, and what it takes to draw it.
+struct SeenLine {
+    std::optional<PixelSegment> segment;
+    double cost = kCostOfALine;
 };
 
-/// Lines that are not bold and that are seen, one for each place.
-std::vector<Candidate> distinctLines(const OverlayLines& lines, const ViewFrame& frame) {
-    std::vector<Candidate> distinct;
-    std::set<Appearance> known;
+std::vector<SeenLine> seenLines(const OverlayLines& lines, const ViewFrame& frame) {
+    std::vector<SeenLine> seen;
+    seen.reserve(lines.size());
+    for (const OverlayLine& line : lines) {
+        SeenLine one{frame.projectSegment(glm::dvec3(line.from), glm::dvec3(line.to))};
+        if (one.segment) one.cost += lengthInside(*one.segment, frame);
+        seen.push_back(one);
+    }
+    return seen;
+}
+
+double sumOf(const std::vector<SeenLine>& seen) {
+    double cost = 0.0;
+    for (const SeenLine& line : seen) cost += line.cost;
+    return cost;
+}
+
+/// Numbers of the lines that are not bold and that lie in the picture, one for each place.
+std::vector<std::size_t> distinctLines(const OverlayLines& lines, const std::vector<SeenLine>& seen) {
+    std::vector<std::size_t> distinct;
+    std::unordered_set<Appearance, AppearanceHash> known(2 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (isBold(lines[i])) continue;
-        const auto segment = frame.projectSegment(glm::dvec3(lines[i].from), glm::dvec3(lines[i].to));
-        if (!segment || !known.insert(appearanceOf(lines[i], *segment)).second) continue;
-        const double length = lengthInside(*segment, frame);
-        if (length > 0.0) distinct.push_back({i, kCostOfALine + length});
+        const bool inPicture = seen[i].segment && seen[i].cost > kCostOfALine;
+        if (isBold(lines[i]) || !inPicture) continue;
+        if (known.insert(appearanceOf(lines[i], *seen[i].segment)).second) distinct.push_back(i);
     }
     return distinct;
 }
@@ -78,23 +100,22 @@ std::vector<Candidate> distinctLines(const OverlayLines& lines, const ViewFrame&
 }  // namespace
 
 double drawingCost(const OverlayLines& lines, const ViewFrame& frame) {
-    double cost = 0.0;
-    for (const OverlayLine& line : lines) cost += costOf(line, frame);
-    return cost;
+    return sumOf(seenLines(lines, frame));
 }
 
 OverlayLines chooseLines(const OverlayLines& lines, const ViewFrame& frame, double mostPixels) {
-    if (!std::isfinite(mostPixels) || drawingCost(lines, frame) <= mostPixels) return lines;
-    const std::vector<Candidate> candidates = distinctLines(lines, frame);
+    if (!std::isfinite(mostPixels)) return lines;
+    const std::vector<SeenLine> seen = seenLines(lines, frame);
+    if (sumOf(seen) <= mostPixels) return lines;
+    const std::vector<std::size_t> candidates = distinctLines(lines, seen);
     double all = 0.0, left = mostPixels;
-    for (const Candidate& candidate : candidates) all += candidate.cost;
-    for (const OverlayLine& line : lines)
-        if (isBold(line)) left -= costOf(line, frame);
+    for (const std::size_t i : candidates) all += seen[i].cost;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (isBold(lines[i])) left -= seen[i].cost;
     const double share = all > 0.0 ? std::max(left, 0.0) / all : 1.0;
 
     std::vector<bool> kept(lines.size());
-    for (const Candidate& candidate : candidates)
-        kept[candidate.index] = placeInOrder(candidate.index) < share;
+    for (const std::size_t i : candidates) kept[i] = placeInOrder(i) < share;
     OverlayLines chosen;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (kept[i] || isBold(lines[i])) chosen.push_back(lines[i]);

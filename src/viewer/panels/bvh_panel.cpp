@@ -72,14 +72,10 @@ void drawBuild(Workspace& workspace, const Inspected& seen) {
                 "The deepest level that is built (setting bvh_max_level); moving it builds anew.");
     ImGui::SliderInt("##max", &settings.bvhMaxLevel, 0, kMaxTreeLevel, "%d", kClamp);
     const TreeStatistics& s = seen.statistics;
-    labelledRow("Built");
-    text(fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
-    labelledRow("Nodes");
-    text(fmt::format("{}, {} are leaves", s.nodes, s.leaves));
-    labelledRow("SAH cost");
-    text(fmt::format("{:.3f}", s.sahCost));
-    labelledRow("Memory");
-    text(fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
+    valueRow("Built", fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
+    valueRow("Nodes", fmt::format("{}, {} are leaves", s.nodes, s.leaves));
+    valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));
+    valueRow("Memory", fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
 }
 
 bool isAncestor(const TreeIndex& index, std::uint32_t node, std::uint32_t below) {
@@ -113,19 +109,16 @@ void drawSelected(const Inspected& seen, std::uint32_t number) {
     if (number >= seen.tree().nodes.size()) return dimText("Click a node to see it in the picture.");
     const BinaryNode& node = seen.tree().nodes[number];
     const double rootArea = halfArea(seen.tree().nodes[0]);
-    const auto row = [](const char* label, const std::string& words) {
-        labelledRow(label);
-        text(words);
-    };
-    row("Node", fmt::format("{}, level {}", number, seen.index.level[number]));
-    row("Lower", vectorText(node.lower));
-    row("Upper", vectorText(node.upper));
-    row("Primitives", fmt::format("{}", seen.index.primitives[number]));
-    row("SAH cost", fmt::format("{:.4g} once entered", seen.index.cost[number]));
+    valueRow("Node", fmt::format("{}, level {}", number, seen.index.level[number]));
+    valueRow("Lower", vectorText(node.lower));
+    valueRow("Upper", vectorText(node.upper));
+    valueRow("Primitives", fmt::format("{}", seen.index.primitives[number]));
+    valueRow("SAH cost", fmt::format("{:.4g} once entered", seen.index.cost[number]));
     if (rootArea > 0.0)
-        row("Entered", fmt::format("by {:.3g} % of all lines", 100.0 * halfArea(node) / rootArea));
+        valueRow("Entered", fmt::format("by {:.3g} % of all lines", 100.0 * halfArea(node) / rootArea));
     if (!node.isLeaf())
-        row("Overlap", fmt::format("both children: {:.3g} %", 100.0 * childOverlap(seen.tree(), number)));
+        valueRow("Overlap",
+                 fmt::format("both children: {:.3g} %", 100.0 * childOverlap(seen.tree(), number)));
 }
 
 void drawTree(BvhInspector& bvh, const Inspected& seen) {

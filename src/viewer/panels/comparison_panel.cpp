@@ -40,17 +40,14 @@ void drawFigures(const Comparison& comparison) {
     const ErrorMeasures* figures = comparison.figures();
     if (figures == nullptr)
         return dimText(comparison.busy() ? "measuring ..." : "pictures of different sizes: no figures");
-    const auto row = [](const char* name, const std::string& value, const char* help) {
-        labelledRow(name, false, help);
-        text(value);
-    };
-    row("RMSE", fmt::format("{:.6g}", figures->rmse), "Root of the mean squared difference, linear.");
-    row("Largest", fmt::format("{:.4g} at {}, {}", figures->maximum, figures->maximumX, figures->maximumY),
-        "Largest difference of a channel, linear.");
-    row("SSIM", fmt::format("{:.6f}", figures->ssim),
-        "Structural similarity of the luminance on a display; 1 for equal pictures.");
-    row("FLIP", fmt::format("{:.6f}", figures->flip),
-        "Mean difference that a person would see on a display; 0 for equal pictures.");
+    valueRow("RMSE", fmt::format("{:.6g}", figures->rmse), "Root of the mean squared difference, linear.");
+    valueRow("Largest",
+             fmt::format("{:.4g} at {}, {}", figures->maximum, figures->maximumX, figures->maximumY),
+             "Largest difference of a channel, linear.");
+    valueRow("SSIM", fmt::format("{:.6f}", figures->ssim),
+             "Structural similarity of the luminance on a display; 1 for equal pictures.");
+    valueRow("FLIP", fmt::format("{:.6f}", figures->flip),
+             "Mean difference that a person would see on a display; 0 for equal pictures.");
     if (comparison.figuresAreFinal())
         dimText("of the complete picture B against A");
     else

@@ -9,16 +9,14 @@ namespace {
 
 void drawStart(Workspace& workspace, LabRun& lab) {
     if (lab.busy()) {
-        ImGui::ProgressBar(static_cast<float>(lab.fraction()), {-1.0f, 0.0f});
-        if (ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f})) lab.stop();
+        if (stoppableProgress(lab.fraction())) lab.stop();
         return;
     }
     if (ImGui::Button("Try this scene at the extremes", {-1.0f, 0.0f}))
         lab.start(workspace.edit.scene, workspace.edit.settings, 0);
     tooltip(
         "Scales the triangles of the scene from 2^-40 to 2^40, moves them up to 10^7 sizes away, and "
-        "compares "
-        "what rays hit there with exact arithmetic.");
+        "compares what rays hit there with exact arithmetic.");
     ImGui::Checkbox("Coarse steps", &lab.quick);
 }
 

@@ -33,45 +33,40 @@ Row rowOf(const World& world, const RayTree& tree, RaySelection ray) {
         const int level = levelOf(tree, shadow.node) + 1;
         return {std::string(static_cast<std::size_t>(level), ' ') + fmt::format("light {}", shadow.light),
                 fmt::format("#{} {}", shadow.sample, nameOf(shadow.visibility)),
-                fmt::format("{:.3g}", largest(shadow.contribution))};
+                fmt::format("{:.2g}", largest(shadow.contribution))};
     }
     const RayNode& node = tree.nodes[static_cast<std::size_t>(ray.node)];
     std::string where(nameOf(node.end));
     if (node.hit) where = fmt::format("{:.4g} {}", node.primitiveHit.t, objectName(world, node.object));
     return {std::string(static_cast<std::size_t>(levelOf(tree, ray.node)), ' ') +
                 fmt::format("{} {}", nameOf(node.kind), node.depth),
-            where, fmt::format("{:.3g}", largest(node.contribution))};
-}
-
-void row(const char* label, const std::string& words) {
-    labelledRow(label);
-    text(words);
+            where, fmt::format("{:.2g}", largest(node.contribution))};
 }
 
 void drawNode(const World& world, const RayNode& node) {
-    row("Origin", vectorText(node.ray.origin));
-    row("Direction", vectorText(node.ray.direction));
+    valueRow("Origin", vectorText(node.ray.origin));
+    valueRow("Direction", vectorText(node.ray.direction));
     if (node.hit) {
         const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
-        row("Hit", objectName(world, node.object));
-        row(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
-        row("t", fmt::format("{:.9g}", node.primitiveHit.t));
-        row("u, v", fmt::format("{:.6g}, {:.6g}", node.primitiveHit.u, node.primitiveHit.v));
-        row("Normal", vectorText(node.normal));
-        row("Opacity", fmt::format("{:.4g}", node.opacity));
+        valueRow("Hit", objectName(world, node.object));
+        valueRow(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
+        valueRow("t", fmt::format("{:.9g}", node.primitiveHit.t));
+        valueRow("u, v", fmt::format("{:.6g}, {:.6g}", node.primitiveHit.u, node.primitiveHit.v));
+        valueRow("Normal", vectorText(node.normal));
+        valueRow("Opacity", fmt::format("{:.4g}", node.opacity));
     }
-    row("Throughput", rgbText(node.throughput));
-    row("Adds", rgbText(node.contribution));
-    row("Ends", std::string(nameOf(node.end)));
+    valueRow("Throughput", rgbText(node.throughput));
+    valueRow("Adds", rgbText(node.contribution));
+    valueRow("Ends", std::string(nameOf(node.end)));
 }
 
 void drawShadowRay(const ShadowRay& ray) {
-    row("From", vectorText(ray.from));
-    row("To", vectorText(ray.to));
-    row("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
-    row("Verdict", std::string(nameOf(ray.visibility)));
-    row("Its colour", rgbText(RgbSum(ray.color)));
-    row("Adds", rgbText(ray.contribution));
+    valueRow("From", vectorText(ray.from));
+    valueRow("To", vectorText(ray.to));
+    valueRow("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
+    valueRow("Verdict", std::string(nameOf(ray.visibility)));
+    valueRow("Its colour", rgbText(RgbSum(ray.color)));
+    valueRow("Adds", rgbText(ray.contribution));
 }
 
 void drawActions(Workspace& workspace) {
@@ -112,9 +107,9 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
                                        ImGuiTableFlags_BordersOuter | ImGuiTableFlags_Resizable;
     if (ImGui::BeginTable("rays", 3, kFlags, {0.0f, scaled(110.0f)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        ImGui::TableSetupColumn("ray", ImGuiTableColumnFlags_WidthStretch, 0.42f);
-        ImGui::TableSetupColumn("t, meets", ImGuiTableColumnFlags_WidthStretch, 0.42f);
-        ImGui::TableSetupColumn("adds", ImGuiTableColumnFlags_WidthStretch, 0.16f);
+        ImGui::TableSetupColumn("ray", ImGuiTableColumnFlags_WidthStretch, 0.38f);
+        ImGui::TableSetupColumn("t, meets", ImGuiTableColumnFlags_WidthStretch, 0.43f);
+        ImGui::TableSetupColumn("adds", ImGuiTableColumnFlags_WidthStretch, 0.19f);
         ImGui::TableHeadersRow();
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(shown.size()));

@@ -115,8 +115,7 @@ void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
     if (rays.staleFor(workspace.edit, workspace.imageSize()))
         coloredText(kWarningText, "Stale: something has changed since");
     if (shot.verdict) drawVerdict(*shot.verdict);
-    labelledRow("Radiance");
-    text(rgbText(tree.radiance));
+    valueRow("Radiance", rgbText(tree.radiance));
     drawPixelSamples(workspace, shot);
     drawSamples(rays, shot);
     drawRayTable(workspace, shot);

@@ -21,8 +21,7 @@ void drawStep(const TraversalLog& log, std::size_t steps) {
     } else {
         dimText("before the first step");
     }
-    labelledRow("Hits count");
-    text(fmt::format("{:.4g} < t <= {:.6g}", log.ray.tMin, state.bound));
+    valueRow("Hits count", fmt::format("{:.4g} < t <= {:.6g}", log.ray.tMin, state.bound));
     labelledRow("Stack");
     if (state.stack.empty()) return dimText("empty");
     std::string words;

@@ -84,10 +84,8 @@ void drawSplitCurve(BvhInspector& bvh, int bins) {
     }
     ImGui::SameLine(0.0f, scaled(14.0f));
     dimText(fmt::format("from {:.4g} to {:.4g}", range.low, range.high));
-    labelledRow("Split made");
-    text(std::isnan(curve.made) ? "none: a leaf" : fmt::format("{:.5g}", curve.made));
-    labelledRow("As a leaf");
-    text(fmt::format("{:.5g}", curve.leafCost));
+    valueRow("Split made", std::isnan(curve.made) ? "none: a leaf" : fmt::format("{:.5g}", curve.made));
+    valueRow("As a leaf", fmt::format("{:.5g}", curve.leafCost));
 }
 
 }  // namespace rayscope::viewer

@@ -17,8 +17,7 @@ constexpr ImU32 kFront = IM_COL32(86, 180, 233, 255), kOther = IM_COL32(120, 124
 
 void drawStart(Workspace& workspace, TradeRun& trade) {
     if (trade.busy()) {
-        ImGui::ProgressBar(static_cast<float>(trade.fraction()), {-1.0f, 0.0f});
-        if (ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f})) trade.stop();
+        if (stoppableProgress(trade.fraction())) trade.stop();
         return;
     }
     if (ImGui::Button("Measure speed against accuracy", {-1.0f, 0.0f}))

@@ -1,5 +1,7 @@
 #include "viewer/panels/widgets.h"
 
+#include <algorithm>
+
 #include "viewer/theme.h"
 
 namespace rayscope::viewer {
@@ -31,6 +33,17 @@ bool labelledRow(std::string_view label, bool emphasised, std::string_view help)
     ImGui::SameLine(start + kShare * width);
     ImGui::SetNextItemWidth((1.0f - kShare) * width);
     return reset;
+}
+
+void valueRow(std::string_view label, std::string_view words, std::string_view help) {
+    const float labelEnd =
+        ImGui::GetCursorPosX() + ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    labelledRow(label, false, help);
+    const float width = ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+    const float leftmost = labelEnd + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetCursorPosX(std::max(leftmost, std::min(ImGui::GetCursorPosX(), right - width)));
+    text(words);
 }
 
 void tooltip(std::string_view words) {
@@ -70,6 +83,11 @@ void pictureLabel(const char* words, ImVec2 place, bool leftOf) {
     draw.AddRectFilled({left, place.y}, {left + extent.x + 2.0f * pad, place.y + extent.y + pad},
                        IM_COL32(15, 17, 20, 200), scaled(3.0f));
     draw.AddText({left + pad, place.y + 0.5f * pad}, IM_COL32(235, 237, 240, 255), words);
+}
+
+bool stoppableProgress(double fraction) {
+    ImGui::ProgressBar(static_cast<float>(fraction), {-1.0f, 0.0f});
+    return ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f});
 }
 
 bool choiceButton(const char* label, bool chosen, float width) {

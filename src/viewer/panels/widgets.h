@@ -21,6 +21,9 @@ void wrappedText(std::string_view words);
 /// right part. Returns whether the label was double-clicked.
 bool labelledRow(std::string_view label, bool emphasised = false, std::string_view help = {});
 
+/// A row of words: in the right part, or, where they are too long for it, as far to the left as it takes.
+void valueRow(std::string_view label, std::string_view words, std::string_view help = {});
+
 /// Words in a box of readable width beside what the cursor is on, also if that is disabled.
 void tooltip(std::string_view words);
 
@@ -29,6 +32,9 @@ bool vectorRow(const char* label, glm::vec3& value, float speed);
 
 /// Words on a dark ground over the picture, to the right or to the left of a place.
 void pictureLabel(const char* words, ImVec2 place, bool leftOf = false);
+
+/// How far something is (0 … 1) that takes long, and a button to stop it. Returns whether it was pressed.
+bool stoppableProgress(double fraction);
 
 /// A button that looks pressed when it stands for the present choice.
 bool choiceButton(const char* label, bool chosen, float width);
