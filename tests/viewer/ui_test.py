@@ -35,6 +35,9 @@ RIVAL_LEAF_SIZE, RIVAL_TABLE = (1180, 468), (954, 500, 300, 160)  # while a leaf
 MOST_DEPTH, LIGHT_CHOICE, LEAST_ADDED = (1180, 491), (1180, 515), (1180, 539)
 LEGEND_MISSED, LEGEND_REJECTED = (1030, 363), (1030, 345)
 SKIPPED_BOXES, LENS_OUTLINES, PINS = (1025, 162), (1088, 228), (950, 604, 310, 80)
+ENVIRONMENT_FACE = (950, 198, 310, 18)
+PINS_ALONE, FIRST_PIN = (950, 505, 320, 55), (980, 532)  # while nothing is recorded
+SEGMENT_SAMPLES, PARALLELOGRAM_SAMPLES, SHARP_ZONE = (1180, 335), (1180, 359), (1180, 257)  # the last one at the end
 VERDICT, FIRST_EVIDENCE = (950, 120, 310, 40), (980, 615)  # of stale rays
 HEAT_QUANTITY, HEAT_COLORS = (1190, 114), (1190, 138)
 HARD_SHADOWS = (1112, 287)
@@ -969,6 +972,126 @@ def test_environment_overlay(viewer):
     wait_for("the line to go", lambda: viewer.settled_picture().crop(450, 150, 490, 130).count(is_sky_blue) == 0)
 
 
+CUBE_MAP = """version = 1
+[[camera]]
+look_from = [0, 0, 3]
+look_at = [0, 0, 0]
+fov = 120
+[[sphere]]
+center = [0, 0, 0]
+radius = 0.5
+material = "mirror"
+[material.mirror]
+kd = [0.1, 0.1, 0.1]
+ks = [1, 1, 1]
+[environment]
+cube = { px = "px.png", nx = "nx.png", py = "py.png", ny = "ny.png", pz = "pz.png", nz = "nz.png" }
+"""
+
+
+def test_cube_map(viewer):
+    """A ray that leaves the scene has the colour of the face that it meets, and the panel names the face."""
+    colors = {"px": (40, 200, 240), "nx": (240, 60, 240), "py": (250, 250, 250), "ny": (90, 90, 90),
+              "pz": (240, 160, 40), "nz": (60, 220, 60)}
+    for face, color in colors.items():
+        subprocess.run(["convert", "-size", "8x8", "xc:rgb({},{},{})".format(*color), viewer.folder / f"{face}.png"],
+                       check=True)
+    (viewer.folder / "cube-map.toml").write_text(CUBE_MAP)
+    viewer.open_by_name("cube-map.toml")
+    wait_for("the cube map", lambda: "cube-map" in viewer.title())
+    viewer.click(*TAB_RAYS)
+    named = set()
+    for pixel, face in ((30, 360), "nx"), ((300, 360), "nz"), ((915, 360), "px"):
+        viewer.key("Home")
+        viewer.point(*ASIDE)
+        bare = viewer.settled_window()
+        viewer.point(*pixel)
+        viewer.key("r")
+        wait_for("what was recorded", lambda: viewer.capture().differing(bare) > 3000)
+        viewer.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
+        rays = viewer.settled_picture()
+        drawn = rays.count(lambda *rgb: all(abs(a - b) < 12 for a, b in zip(rgb, colors[face])))
+        expect(drawn > 60, f"the ray has the colour of face {face} ({drawn} pixels)")
+        viewer.click(*RECORDED)
+        viewer.click(*WHY)
+        viewer.point(*ASIDE)
+        named.add(viewer.settled_window().crop(*ENVIRONMENT_FACE).data)
+        viewer.click(*WHY)
+        viewer.click(*RECORDED)
+        viewer.key("c")
+    expect(len(named) == 3, "each face is named")
+
+
+def exported_tree(viewer):
+    """What is recorded, as the window writes it."""
+    known = set(viewer.folder.glob("*.json"))
+    viewer.key("ctrl+j")
+    wait_for("the exported rays", lambda: set(viewer.folder.glob("*.json")) - known)
+    [path] = set(viewer.folder.glob("*.json")) - known
+    return wait_for("the whole file", lambda: json.loads(path.read_text()) if path.read_text().endswith("}\n") else None)
+
+
+def test_light_samples(viewer):
+    """As many shadow rays are recorded as the slider of the kind of light says."""
+    for scene, slider, words, rays in (("builtin:cornell-area", PARALLELOGRAM_SAMPLES, "3", 9),
+                                       ("builtin:cube", SEGMENT_SAMPLES, "5", 5)):
+        viewer.open_scene(scene)
+        for expected in 16, rays:
+            viewer.shoot((440, 380))
+            tree = exported_tree(viewer)
+            found = len([ray for ray in tree["shadow_rays"] if ray["node"] == 0])
+            expect(found == expected, f"{scene}: {found} shadow rays, not {expected}")
+            viewer.key("c")
+            viewer.key("Home")
+            viewer.click(*TAB_SETTINGS)
+            viewer.type_into(slider, words)
+    viewer.click(*TAB_SCENE)
+
+
+def test_lens(viewer):
+    """Rays through all of the lens, none of them within the sharp zone, whose planes are dashed."""
+    def spread():
+        one = viewer.shoot((420, 330))
+        viewer.click(*ALL_SAMPLES)
+        every = shown(viewer)
+        viewer.click(*ALL_SAMPLES)
+        expect(shown(viewer).data == one.data, "a single sample again")
+        viewer.key("c")
+        viewer.key("Home")
+        return one.count(is_visited_green), every.count(is_ray_yellow) / one.count(is_ray_yellow)
+
+    planes, sharp = spread()
+    viewer.click(*TAB_SETTINGS)
+    viewer.scroll_to_end((1100, 500))
+    viewer.type_into(SHARP_ZONE, "0")
+    fewer_planes, blurred = spread()
+    expect(planes > 1.3 * fewer_planes, f"the planes of the sharp zone ({planes}, {fewer_planes} pixels)")
+    expect(blurred > 2.0 * sharp, f"rays from all of the lens ({blurred:.1f} and {sharp:.1f} times the pixels of one)")
+
+
+def test_pins(viewer):
+    """Pixels that are pinned stand side by side, and a click lets go of one."""
+    viewer.open_scene("builtin:cornell")
+    for x in 300, 500:
+        viewer.key("Home")
+        viewer.shoot((x, 480))
+        viewer.key("p")
+        viewer.key("c")
+    viewer.point(*ASIDE)
+
+    def rows():
+        return viewer.settled_window().crop(*PINS_ALONE)
+
+    both = rows()
+    viewer.click(*FIRST_PIN)
+    viewer.point(*ASIDE)
+    wait_for("one pin less", lambda: rows().differing(both) > 100)
+    viewer.click(*FIRST_PIN)
+    viewer.point(*ASIDE)
+    wait_for("no pin", lambda: rows().differing(both) > 200)
+    viewer.click(*TAB_SCENE)
+
+
 def test_byte_budget(viewer):
     """All samples of a pixel, as many as the memory holds."""
     one = viewer.shoot((440, 480))
@@ -1060,6 +1183,8 @@ SESSIONS = [
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_search]),
     (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
+    (["builtin:spheres-dof", "--set", "spp=16", "--set", "sharp_zone=0.5"], [test_lens]),
+    (["--set", "spp=4"], [test_cube_map, test_light_samples, test_pins]),
     (["--set", "spp=4"], [test_replay, test_heat_quantities, test_node_tree, test_filters, test_parts_of_scenes]),
     (["builtin:environment", "--set", "reflection_map=true"], [test_environment_overlay]),
     (["builtin:cornell-area", "--set", "spp=1024"], [test_moving, test_byte_budget]),
