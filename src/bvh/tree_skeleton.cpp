@@ -47,7 +47,10 @@ bool TreeSkeleton::mustBeHalved(const Subtree& tree) {
 /// of subtrees have to be known beforehand.
 class TreeSkeleton::Compaction {
   public:
-    explicit Compaction(const TreeSkeleton& from) : from_(from), sizes_(std::size_t{2} << kParallelLevels) {
+    explicit Compaction(const TreeSkeleton& from)
+        : from_(from),
+          sharedLevels_(from.count_ > kParallelSize ? kParallelLevels : 0),
+          sizes_(std::size_t{2} << sharedLevels_) {
         if (from_.count_ == 0) return;
         tree_.nodes.resize(sizeOf({0, 0, 1}));
         tree_.levels = place({0, 0, 1}, 0, 1);
@@ -56,6 +59,7 @@ class TreeSkeleton::Compaction {
 
   private:
     static constexpr int kParallelLevels = 6;
+    static constexpr std::size_t kParallelSize = 4096;
 
     /// A node of the skeleton; `path` is 1 for the root, 2 p and 2 p + 1 for the children of p.
     struct Root {
@@ -63,17 +67,18 @@ class TreeSkeleton::Compaction {
         int level;
         std::size_t path;
 
-        bool isShared() const { return level < kParallelLevels; }
         Root child(std::uint32_t at, unsigned which) const {
             return {at + which, level + 1, 2 * path + which};
         }
     };
 
+    bool isShared(const Root& root) const { return root.level < sharedLevels_; }
+
     /// The number of nodes below and including a root.
     std::size_t sizeOf(const Root& root) {
         const BinaryNode& node = from_.nodes_[root.node];
         std::size_t size = 1;
-        if (!node.isLeaf() && root.isShared()) {
+        if (!node.isLeaf() && isShared(root)) {
             std::size_t left = 0, right = 0;
             tbb::parallel_invoke([&] { left = sizeOf(root.child(node.first, 0)); },
                                  [&] { right = sizeOf(root.child(node.first, 1)); });
@@ -101,7 +106,7 @@ class TreeSkeleton::Compaction {
     int place(const Root& root, std::size_t at, std::size_t below) {
         const BinaryNode& node = tree_.nodes[at] = from_.nodes_[root.node];
         if (node.isLeaf()) return root.level + 1;
-        if (!root.isShared()) return placeAlone(at, below, root.level);
+        if (!isShared(root)) return placeAlone(at, below, root.level);
         const Root left = root.child(node.first, 0), right = root.child(node.first, 1);
         tree_.nodes[at].first = static_cast<std::uint32_t>(below);
         const std::size_t belowRight = below + 2 + sizes_[left.path] - 1;
@@ -137,6 +142,7 @@ class TreeSkeleton::Compaction {
     }
 
     const TreeSkeleton& from_;
+    const int sharedLevels_;
     std::vector<std::size_t> sizes_;  ///< by path
     BinaryTree tree_;
 };
