@@ -350,6 +350,7 @@ def test_search(viewer):
     viewer.key("t")
     searched = viewer.settled_picture()
     expect(searched.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
+    expect(searched.count(is_leaf_yellow) > bare.count(is_leaf_yellow) + 30, "the triangle that is hit is outlined")
     seen = set()
     for _ in range(6):
         viewer.key("Right")
