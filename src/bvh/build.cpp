@@ -34,6 +34,15 @@ float areaScale(const Bounds4& box) {
     return std::exp2(-static_cast<float>(std::ilogb(longest)) - 1.0f);
 }
 
+/// In the wide layout few triangles come to stand in one block however they are parted. Unless someone wants
+/// to look at the binary tree, they need not be: that takes a tenth of the time, and rays test 1 % more
+/// triangles.
+std::size_t trianglesKeptTogether(const AccelInput& input, const BuildSettings& settings) {
+    const bool isLookedAt = settings.keepBinaryTree || settings.layout == BvhLayout::Binary;
+    return isLookedAt || !input.spheres.empty() ? 1
+                                                : static_cast<std::size_t>(std::min(settings.leafSize, 4));
+}
+
 }  // namespace
 
 RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop) {
@@ -71,8 +80,10 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 buildSweep(skeleton, refs, skeleton.whole(), scale);
                 break;
             case BvhBuilder::SahBinned:
+                buildBinned(skeleton, refs, scale, trianglesKeptTogether(input, settings));
+                break;
             case BvhBuilder::High:
-                buildBinned(skeleton, refs, scale);
+                buildBinned(skeleton, refs, scale, 1);
                 break;
         }
     }

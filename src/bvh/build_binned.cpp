@@ -171,11 +171,12 @@ struct BinnedBuilder {
     TreeSkeleton& skeleton;
     std::span<PrimitiveRef> refs;
     float scale;
+    std::size_t together;
 
     void build(const Subtree& tree, const RangeBounds& bounds) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         throwIfStopped(skeleton.settings().stop);
-        if (skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
+        if (tree.size() <= together || skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
 
         RangeBounds sides[2];
         const std::size_t lefts =
@@ -297,8 +298,9 @@ struct BinnedBuilder {
 
 }  // namespace
 
-void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale) {
-    BinnedBuilder{skeleton, refs, scale}.build(skeleton.whole(), boundsOf(refs, skeleton.settings().stop));
+void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t together) {
+    BinnedBuilder{skeleton, refs, scale, together}.build(skeleton.whole(),
+                                                         boundsOf(refs, skeleton.settings().stop));
 }
 
 }  // namespace rayscope

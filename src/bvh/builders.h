@@ -42,8 +42,8 @@ void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);
 void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, const Subtree& tree, float scale);
 
 /// Surface area heuristic over the borders of equally wide bins between the centroids; ranges with no more
-/// primitives than bins are swept.
-void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale);
+/// primitives than bins are swept. Up to `together` primitives become a leaf whatever that costs.
+void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t together);
 
 /// Moves subtrees to where they make the areas of all inner nodes smaller, in rounds: good places are
 /// searched for all nodes at the same time, then taken one by one, the most valuable first (Meister, Bittner

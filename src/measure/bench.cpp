@@ -171,7 +171,9 @@ void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, co
     row.summary = accel.summary();
     if (row.summary.triangleBlocks > 0)
         row.blockFill = static_cast<double>(row.triangles) / static_cast<double>(row.summary.triangleBlocks);
-    const BinaryTree tree = buildBinaryTree(input, settings);
+    BuildSettings toLookAt = settings;
+    toLookAt.keepBinaryTree = true;
+    const BinaryTree tree = buildBinaryTree(input, toLookAt);
     row.sahCost = statisticsOf(tree).sahCost;
     row.countedCost = costOfRandomLines(tree, kLines);
 }

@@ -25,16 +25,6 @@ struct StreamRay {
     FastShear shear;
 };
 
-/// A subtree will be visited soon, but not next.
-RAYSCOPE_INLINE void prefetch(const WideTreeView& tree, ChildRef ref) {
-    if (ref >= kSphereTag) return;
-    const bool isBlock = (ref & kTagMask) != 0;
-    const auto* at = isBlock ? reinterpret_cast<const char*>(&tree.blocks[ref & kBlockIndexMask])
-                             : reinterpret_cast<const char*>(&tree.nodes[ref]);
-    const size_t size = isBlock ? sizeof(TriangleBlock) : sizeof(WideNode);
-    for (size_t line = 0; line < size; line += 64) __builtin_prefetch(at + line);
-}
-
 template <bool kAny>
 struct Stream {
     const WideTreeView& tree;

@@ -86,10 +86,20 @@ struct Waiting {
 };
 constexpr int kStackSize = (kWidth - 1) * kMostWideLevels + kWidth;
 
+/// A subtree will be visited soon, but not next.
+RAYSCOPE_INLINE void prefetch(const WideTreeView& tree, ChildRef ref) {
+    if (ref >= kSphereTag) return;
+    const bool isBlock = (ref & kTagMask) != 0;
+    const auto* at = isBlock ? reinterpret_cast<const char*>(&tree.blocks[ref & kBlockIndexMask])
+                             : reinterpret_cast<const char*>(&tree.nodes[ref]);
+    const size_t size = isBlock ? sizeof(TriangleBlock) : sizeof(WideNode);
+    for (size_t line = 0; line < size; line += 64) __builtin_prefetch(at + line);
+}
+
 /// The nearest child of several first; the others wait in order, the farthest lowest.
 template <class Watcher>
-RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes entry, Waiting* stack,
-                                      int& waiting, Watcher watcher) {
+RAYSCOPE_INLINE ChildRef nearestChild(const WideTreeView& tree, const WideNode& node, unsigned mask,
+                                      Lanes entry, Waiting* stack, int& waiting, Watcher watcher) {
     alignas(32) float entries[kWidth];
     entry.store(entries);
     int lane = __builtin_ctz(mask);
@@ -98,6 +108,7 @@ RAYSCOPE_INLINE ChildRef nearestChild(const WideNode& node, unsigned mask, Lanes
     for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
         lane = __builtin_ctz(mask);
         const Waiting other{node.child[lane], entries[lane]};
+        prefetch(tree, other.ref);
         const bool nearer = other.entry < nearest.entry;
         const Waiting farther = nearer ? nearest : other;
         nearest = nearer ? other : nearest;
@@ -127,7 +138,7 @@ RAYSCOPE_INLINE void walkToClosestHit(const WideTreeView& tree, ChildRef from, c
             const unsigned mask = intersectChildren(node, lanes, search.bound, entry);
             if constexpr (watches<Watcher>) watcher.children(node, mask, entry, search);
             if (mask != 0) {
-                ref = nearestChild(node, mask, entry, stack, waiting, watcher);
+                ref = nearestChild(tree, node, mask, entry, stack, waiting, watcher);
                 continue;
             }
         }
