@@ -50,7 +50,7 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     }
     state.wide = collapse(state.tree, input, settings.stop);
     state.summary.wideNodes = state.wide.nodes.size();
-    state.summary.triangleBlocks = state.wide.blockCount;
+    state.summary.triangleBlocks = state.wide.blocks.size();
     state.kernels = &kernels;
     state.summary.isa = settings.isa == Isa::Auto ? bestIsa() : settings.isa;
     if (!settings.keepBinaryTree) state.tree = {};

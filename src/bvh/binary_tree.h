@@ -1,7 +1,8 @@
 #pragma once
 #include <rayscope/vector.h>
 #include <cstdint>
-#include <vector>
+
+#include "base/big_vector.h"
 
 namespace rayscope {
 
@@ -24,10 +25,10 @@ inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
 /// A binary bounding volume hierarchy; node 0 is the root. Empty if there is nothing to hit.
 struct BinaryTree {
-    std::vector<BinaryNode> nodes;
-    std::vector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive
-    int levels = 0;                         ///< including the root
-    std::uint32_t droppedPrimitives = 0;    ///< left out because of NaN or infinite coordinates
+    BigVector<BinaryNode> nodes;
+    BigVector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive
+    int levels = 0;                       ///< including the root
+    std::uint32_t droppedPrimitives = 0;  ///< left out because of NaN or infinite coordinates
 };
 
 }  // namespace rayscope

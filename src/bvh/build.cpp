@@ -55,7 +55,7 @@ RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& 
 BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& settings) {
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
-    const std::span<PrimitiveRef> refs = collected.refs();
+    const std::span<PrimitiveRef> refs = collected.refs;
     const bool isHigh = settings.builder == BvhBuilder::High;
     BuildSettings skeletonSettings = settings;
     if (isHigh) skeletonSettings.leafSize = 1;  // what stands alone can be moved alone
@@ -76,7 +76,7 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 break;
         }
     }
-    collected.storage.reset();
+    collected.refs = BigVector<PrimitiveRef>();
     BinaryTree tree = skeleton.compact();
     if (isHigh && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
     tree.droppedPrimitives = collected.dropped;

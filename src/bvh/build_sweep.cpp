@@ -111,8 +111,8 @@ class SweepBuilder {
 
     /// Areas of all boxes from the right, then costs from the left.
     Split sweep(int axis, std::size_t begin, std::size_t end, Bounds4& box) {
-        const std::vector<std::uint32_t>& order = order_[axis];
-        std::vector<float>& rightArea = areas_[axis];
+        const BigVector<std::uint32_t>& order = order_[axis];
+        BigVector<float>& rightArea = areas_[axis];
         Bounds4 right;
         for (std::size_t i = end; i-- > begin;) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
@@ -143,8 +143,8 @@ class SweepBuilder {
     }
 
     void partition(int axis, std::size_t begin, std::size_t end) {
-        std::vector<std::uint32_t>& order = order_[axis];
-        std::vector<std::uint32_t>& right = scratch_[axis];
+        BigVector<std::uint32_t>& order = order_[axis];
+        BigVector<std::uint32_t>& right = scratch_[axis];
         std::size_t lefts = begin, rights = begin;
         for (std::size_t i = begin; i < end; ++i) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
@@ -165,9 +165,9 @@ class SweepBuilder {
     std::span<const PrimitiveRef> refs_;
     std::size_t firstSlot_;
     float scale_;
-    std::vector<std::uint32_t> order_[3];
-    std::vector<float> areas_[3];
-    std::vector<std::uint32_t> scratch_[3];
+    BigVector<std::uint32_t> order_[3];
+    BigVector<float> areas_[3];
+    BigVector<std::uint32_t> scratch_[3];
     std::vector<std::uint8_t> onRight_;
 };
 

@@ -47,8 +47,7 @@ class Collapser {
                 "{} blocks of triangles and {} spheres are more than one tree can hold; split the scene",
                 count.blocks, count.spheres));
         wide_.nodes.resize(count.nodes);
-        wide_.blocks = std::make_unique_for_overwrite<kernel::TriangleBlock[]>(count.blocks);
-        wide_.blockCount = count.blocks;
+        wide_.blocks.resize(count.blocks);
         wide_.spheres.resize(count.spheres);
         wide_.root = place(0, {});
         const glm::vec3 reach = glm::max(glm::abs(tree_.nodes[0].lower), glm::abs(tree_.nodes[0].upper));
@@ -189,7 +188,7 @@ class Collapser {
 }  // namespace
 
 std::size_t WideTree::bytes() const {
-    return nodes.capacity() * sizeof(kernel::WideNode) + blockCount * sizeof(kernel::TriangleBlock) +
+    return nodes.capacity() * sizeof(kernel::WideNode) + blocks.capacity() * sizeof(kernel::TriangleBlock) +
            spheres.capacity() * sizeof(kernel::SphereRecord);
 }
 

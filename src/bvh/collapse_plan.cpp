@@ -67,6 +67,7 @@ CollapsePlan::Options CollapsePlan::planLeaf(std::uint32_t node) {
     Options options;
     options.triangles = trianglesIn(tree_, input_, leaf);
     options.onlyTriangles = options.triangles == leaf.count;
+    plans_[node].leftPlaces.fill(0);
     plans_[node].count = countOfLeaf(options.triangles, leaf.count - options.triangles);
     options.cost.fill(halfArea(leaf) *
                       (kBlockCost + static_cast<float>(plans_[node].count.nodes) * kNodeCost));

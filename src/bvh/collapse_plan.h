@@ -2,7 +2,6 @@
 // Which nodes of the binary tree become the nodes and leaves of the wide one.
 #include <rayscope/accel.h>
 #include <array>
-#include <vector>
 
 #include "bvh/binary_tree.h"
 
@@ -10,7 +9,7 @@ namespace rayscope {
 
 /// What a subtree of the binary tree needs in the wide one.
 struct WideCount {
-    std::uint32_t nodes = 0, blocks = 0, spheres = 0;
+    std::uint32_t nodes, blocks, spheres;
     WideCount operator+(const WideCount& other) const {
         return {nodes + other.nodes, blocks + other.blocks, spheres + other.spheres};
     }
@@ -40,7 +39,7 @@ class CollapsePlan {
     struct Plan {
         /// At index i − 1, how many of i places the left child gets; 0: i − 1 places are enough. At index 0,
         /// of the eight places of the node's own children; 0: it is a leaf.
-        std::array<std::uint8_t, 8> leftPlaces{};
+        std::array<std::uint8_t, 8> leftPlaces;
         WideCount count;
     };
     struct Options;
@@ -51,7 +50,7 @@ class CollapsePlan {
     const BinaryTree& tree_;
     const AccelInput& input_;
     const std::stop_token& stop_;
-    std::vector<Plan> plans_;
+    BigVector<Plan> plans_;
     int parallelLevels_;  ///< nodes above this level hand their children to different threads
 };
 

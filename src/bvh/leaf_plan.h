@@ -31,7 +31,7 @@ class LeafPlan {
     const LinkedTree& tree_;
     const BinaryTree& source_;
     const BuildSettings& settings_;
-    std::vector<Plan> plans_;
+    BigVector<Plan> plans_;
 };
 
 }  // namespace rayscope

@@ -50,10 +50,10 @@ class LinkedTree {
     int levelOutside(std::uint32_t node, std::uint32_t subtree) const;
     double area(const Bounds4& box) const { return static_cast<double>(box.halfArea(scale_)); }
 
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> parents_;  ///< kNoNode: the root
-    std::vector<std::uint8_t> heights_;   ///< levels below the node
-    std::vector<std::uint8_t> mayRise_;   ///< no leaf of several primitives lies there or below
+    BigVector<Node> nodes_;
+    BigVector<std::uint32_t> parents_;   ///< kNoNode: the root
+    std::vector<std::uint8_t> heights_;  ///< levels below the node
+    std::vector<std::uint8_t> mayRise_;  ///< no leaf of several primitives lies there or below
     std::uint32_t root_ = 0;
     float scale_;
 };

@@ -9,12 +9,11 @@ namespace rayscope {
 
 PackedPrimitives::PackedPrimitives(const AccelInput& input, const BinaryTree& tree,
                                    const std::stop_token& stop)
-    : records_(std::make_unique_for_overwrite<Record[]>(tree.primitives.size())),
-      count_(tree.primitives.size()),
+    : records_(tree.primitives.size()),
       order_(tree.primitives.data()),
       firstSphere_(static_cast<std::uint32_t>(input.triangles.size())),
       hasSpheres_(!input.spheres.empty()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count_, 8192), [&](const auto& block) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records_.size(), 8192), [&](const auto& block) {
         throwIfStopped(stop);
         for (std::size_t slot = block.begin(); slot < block.end(); ++slot) {
             const std::uint32_t primitive = order_[slot];

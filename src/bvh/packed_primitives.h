@@ -1,6 +1,5 @@
 #pragma once
 #include <rayscope/accel.h>
-#include <memory>
 
 #include "bvh/binary_tree.h"
 #include "bvh/ray_query.h"
@@ -24,14 +23,13 @@ class PackedPrimitives {
         return query.hits(record.corner[0], record.corner[1], record.corner[2], bound, found);
     }
 
-    std::size_t bytes() const { return count_ * sizeof(Record); }
+    std::size_t bytes() const { return records_.capacity() * sizeof(Record); }
 
   private:
     struct Record {
         glm::vec3 corner[3];
     };
-    std::unique_ptr<Record[]> records_;
-    std::size_t count_ = 0;
+    BigVector<Record> records_;
     const std::uint32_t* order_ = nullptr;  ///< BinaryTree::primitives, which must outlive this
     std::uint32_t firstSphere_ = 0;
     bool hasSpheres_ = false;

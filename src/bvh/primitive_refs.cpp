@@ -106,22 +106,20 @@ PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_toke
     checkIndices(input, stop);
     PrimitiveRefs result;
     const std::size_t count = input.triangles.size() + input.spheres.size();
-    result.storage = std::make_unique_for_overwrite<PrimitiveRef[]>(count);
+    result.refs.resize(count);
     const std::size_t dropped = tbb::parallel_reduce(
         Block(0, count, kGrain), std::size_t{0},
         [&](const Block& block, std::size_t sum) {
             throwIfStopped(stop);
             for (std::size_t i = block.begin(); i < block.end(); ++i) {
-                result.storage[i] = makeRef(input, i);
-                sum += result.storage[i].primitive == kNoPrimitive;
+                result.refs[i] = makeRef(input, i);
+                sum += result.refs[i].primitive == kNoPrimitive;
             }
             return sum;
         },
         std::plus<>{});
     if (dropped > 0)
-        (void)std::remove_if(result.storage.get(), result.storage.get() + count,
-                             [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; });
-    result.count = count - dropped;
+        std::erase_if(result.refs, [](const PrimitiveRef& ref) { return ref.primitive == kNoPrimitive; });
     result.dropped = static_cast<std::uint32_t>(dropped);
     return result;
 }

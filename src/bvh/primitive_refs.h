@@ -1,6 +1,5 @@
 #pragma once
 #include <rayscope/accel.h>
-#include <memory>
 #include <span>
 
 #include "bvh/bounds.h"
@@ -10,12 +9,8 @@ namespace rayscope {
 
 /// The boxes of all primitives with finite coordinates, in ascending order of their numbers.
 struct PrimitiveRefs {
-    std::unique_ptr<PrimitiveRef[]>
-        storage;  ///< not a vector, which one thread would have to fill with zeros
-    std::size_t count = 0;
+    BigVector<PrimitiveRef> refs;
     std::uint32_t dropped = 0;  ///< primitives with NaN or infinite coordinates
-
-    std::span<PrimitiveRef> refs() const { return {storage.get(), count}; }
 };
 
 /// Throws std::invalid_argument with the number of the first triangle that names a vertex that does not

@@ -81,12 +81,11 @@ class WideRefitter {
 
     std::optional<WideTree> run() {
         to_.nodes = from_.nodes;
-        to_.blocks = std::make_unique_for_overwrite<kernel::TriangleBlock[]>(from_.blockCount);
-        to_.blockCount = from_.blockCount;
+        to_.blocks.resize(from_.blocks.size());
         to_.spheres = from_.spheres;
         to_.root = from_.root;
-        boxOfBlock_.resize(from_.blockCount);
-        if (!allOf(from_.blockCount, stop_, [this](std::size_t i) { return moveBlock(i); }) ||
+        boxOfBlock_.resize(from_.blocks.size());
+        if (!allOf(from_.blocks.size(), stop_, [this](std::size_t i) { return moveBlock(i); }) ||
             !allOf(from_.spheres.size(), stop_, [this](std::size_t i) { return moveSphere(i); }))
             return std::nullopt;
         // Children have larger numbers than their parents.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <memory>
 #include <utility>
 
 #include "bvh/stop_check.h"
@@ -44,24 +43,24 @@ void sortByDigit(const KeyedIndex* from, KeyedIndex* to, std::size_t size, int s
 
 }  // namespace
 
-std::vector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
-                                           const std::stop_token& stop) {
+BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
+                                         const std::stop_token& stop) {
     const std::size_t size = refs.size();
-    auto pairs = std::make_unique_for_overwrite<KeyedIndex[]>(size);
+    BigVector<KeyedIndex> pairs(size);
     for (std::size_t i = 0; i < size; ++i) {
         if (i % kStopInterval == 0) throwIfStopped(stop);
         pairs[i] = {keyOf(refs[i].centroid(axis)), static_cast<std::uint32_t>(i)};
     }
     if (size <= kSmall) {
-        std::sort(pairs.get(), pairs.get() + size);
+        std::sort(pairs.begin(), pairs.end());
     } else {
-        auto scratch = std::make_unique_for_overwrite<KeyedIndex[]>(size);
+        BigVector<KeyedIndex> scratch(size);
         for (int shift = 0; shift < 32; shift += kDigitBits) {
-            sortByDigit(pairs.get(), scratch.get(), size, shift, stop);
+            sortByDigit(pairs.data(), scratch.data(), size, shift, stop);
             pairs.swap(scratch);
         }
     }
-    std::vector<std::uint32_t> order;
+    BigVector<std::uint32_t> order;
     order.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
         if (i % kStopInterval == 0) throwIfStopped(stop);

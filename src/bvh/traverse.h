@@ -11,7 +11,7 @@ namespace rayscope {
 /// Fetches primitives through the caller's index arrays.
 struct IndexedPrimitives {
     const AccelInput& input;
-    const std::vector<std::uint32_t>& order;  ///< BinaryTree::primitives
+    const BigVector<std::uint32_t>& order;  ///< BinaryTree::primitives
 
     std::uint32_t number(std::uint32_t slot) const { return order[slot]; }
     bool hits(const RayQuery& query, std::uint32_t slot, float bound, Hit& found) const {

@@ -23,10 +23,7 @@ BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
 }  // namespace
 
 TreeSkeleton::TreeSkeleton(std::size_t primitives, const BuildSettings& settings)
-    : count_(primitives),
-      settings_(settings),
-      nodes_(std::make_unique_for_overwrite<BinaryNode[]>(2 * primitives)),
-      primitives_(primitives) {}
+    : count_(primitives), settings_(settings), nodes_(2 * primitives), primitives_(primitives) {}
 
 std::pair<Subtree, Subtree> TreeSkeleton::split(const Subtree& tree, const Bounds4& box, std::size_t middle) {
     nodes_[tree.node] = makeNode(box, tree.below, 0);
@@ -150,7 +147,7 @@ class TreeSkeleton::Compaction {
 BinaryTree TreeSkeleton::compact() {
     BinaryTree tree = std::move(Compaction(*this).result());
     tree.primitives = std::move(primitives_);
-    nodes_.reset();
+    nodes_ = BigVector<BinaryNode>();
     return tree;
 }
 

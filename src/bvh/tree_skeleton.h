@@ -6,7 +6,6 @@
 // right one. The places that stay empty are squeezed out at the end; the numbering does not depend on the
 // threads.
 #include <rayscope/accel.h>
-#include <memory>
 
 #include "bvh/binary_tree.h"
 #include "bvh/bounds.h"
@@ -54,8 +53,8 @@ class TreeSkeleton {
 
     std::size_t count_;
     BuildSettings settings_;
-    std::unique_ptr<BinaryNode[]> nodes_;
-    std::vector<std::uint32_t> primitives_;
+    BigVector<BinaryNode> nodes_;
+    BigVector<std::uint32_t> primitives_;
 };
 
 }  // namespace rayscope

@@ -9,14 +9,13 @@ namespace rayscope {
 
 /// Owns what kernel::WideTreeView shows.
 struct WideTree {
-    std::vector<kernel::WideNode> nodes;
-    std::unique_ptr<kernel::TriangleBlock[]> blocks;
-    std::size_t blockCount = 0;
+    BigVector<kernel::WideNode> nodes;
+    BigVector<kernel::TriangleBlock> blocks;
     std::vector<kernel::SphereRecord> spheres;
     kernel::ChildRef root = 0;
     float largest = 0.0f;
 
-    kernel::WideTreeView view() const { return {nodes.data(), blocks.get(), spheres.data(), root, largest}; }
+    kernel::WideTreeView view() const { return {nodes.data(), blocks.data(), spheres.data(), root, largest}; }
     std::size_t bytes() const;
 };
 

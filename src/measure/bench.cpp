@@ -36,8 +36,8 @@ double secondsOf(const std::function<void()>& work) {
 /// Answers a set of rays again and again, with any of the contestants.
 class Track {
   public:
-    Track(std::vector<Ray> rays, bool any, int threads)
-        : rays_(std::move(rays)),
+    Track(std::span<const Ray> rays, bool any, int threads)
+        : rays_(rays.begin(), rays.end()),
           hits_(rays_.size()),
           occluded_(rays_.size()),
           any_(any),
@@ -98,8 +98,8 @@ class Track {
         });
     }
 
-    std::vector<Ray> rays_;
-    std::vector<Hit> hits_;
+    BigVector<Ray> rays_;
+    BigVector<Hit> hits_;
     std::vector<std::uint8_t> occluded_;
     bool any_;
     int threads_;

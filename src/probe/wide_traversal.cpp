@@ -29,7 +29,7 @@ glm::vec3 upperOf(const PrimitiveBox& box) { return {box.planes[4], box.planes[5
 /// Nodes, and after them blocks and spheres, count from 0.
 std::uint32_t numberOf(const WideTree& tree, ChildRef ref) {
     if (ref >= kernel::kSphereTag)
-        return static_cast<std::uint32_t>(tree.blockCount) + (ref & kernel::kSphereIndexMask);
+        return static_cast<std::uint32_t>(tree.blocks.size()) + (ref & kernel::kSphereIndexMask);
     return (ref & kernel::kTagMask) != 0 ? ref & kernel::kBlockIndexMask : ref;
 }
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 #include <utility>
 
@@ -15,12 +18,39 @@ namespace {
 
 std::atomic<std::size_t> live{0}, peak{0};
 
-void* counted(void* memory) {
-    if (!memory) throw std::bad_alloc();
-    const std::size_t now = live += malloc_usable_size(memory);
+/// Blocks whose size the allocator cannot tell: it counts the room that it took to align them, too.
+class AlignedBlocks {
+  public:
+    void add(const void* memory, std::size_t size) {
+        const std::scoped_lock lock(mutex_);
+        *std::ranges::find(blocks_, nullptr, &Block::memory) = {memory, size};
+    }
+    std::size_t remove(const void* memory) {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(*std::ranges::find(blocks_, memory, &Block::memory), {}).size;
+    }
+
+  private:
+    struct Block {
+        const void* memory = nullptr;
+        std::size_t size = 0;
+    };
+    std::mutex mutex_;
+    std::array<Block, 65536> blocks_;
+};
+AlignedBlocks alignedBlocks;
+
+void add(std::size_t size) {
+    const std::size_t now = live += size;
     std::size_t before = peak;
     while (before < now && !peak.compare_exchange_weak(before, now)) {
     }
+}
+
+void* counted(std::size_t size) {
+    void* const memory = std::malloc(size);
+    if (!memory) throw std::bad_alloc();
+    add(malloc_usable_size(memory));
     return memory;
 }
 
@@ -29,25 +59,33 @@ void release(void* memory) {
     std::free(memory);
 }
 
-void* aligned(std::size_t size, std::align_val_t alignment) {
-    const auto a = static_cast<std::size_t>(alignment);
-    return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
+void* counted(std::size_t size, std::align_val_t alignment) {
+    void* memory = nullptr;
+    if (posix_memalign(&memory, static_cast<std::size_t>(alignment), size) != 0) throw std::bad_alloc();
+    alignedBlocks.add(memory, size);
+    add(size);
+    return memory;
+}
+
+void release(void* memory, std::align_val_t) {
+    if (memory) live -= alignedBlocks.remove(memory);
+    std::free(memory);
 }
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(std::malloc(size)); }
-void* operator new[](std::size_t size) { return counted(std::malloc(size)); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return aligned(size, alignment); }
-void* operator new[](std::size_t size, std::align_val_t alignment) { return aligned(size, alignment); }
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return counted(size, alignment); }
+void* operator new[](std::size_t size, std::align_val_t alignment) { return counted(size, alignment); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t a) noexcept { release(memory, a); }
+void operator delete[](void* memory, std::align_val_t a) noexcept { release(memory, a); }
+void operator delete(void* memory, std::size_t, std::align_val_t a) noexcept { release(memory, a); }
+void operator delete[](void* memory, std::size_t, std::align_val_t a) noexcept { release(memory, a); }
 
 namespace rayscope::test {
 namespace {
@@ -69,7 +107,7 @@ TEST(Memory, OfATreeAndOfItsBuildStaysInItsBounds) {
         fmt::print("{}: {:.0f} bytes per triangle, {:.0f} at the peak\n", name, resident, atPeak);
         EXPECT_LE(resident, 80.0) << name;
         EXPECT_LE(atPeak, 250.0) << name;
-        EXPECT_NEAR(static_cast<double>(accel.bytes()) / triangles, resident, 2.0) << name;
+        EXPECT_NEAR(static_cast<double>(accel.bytes()) / triangles, resident, 5.0) << name;
     }
 }
 

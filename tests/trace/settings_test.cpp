@@ -66,7 +66,7 @@ std::vector<std::uint32_t> treeOf(const Settings& settings) {
     const auto world = compile(request, before.get());
     if (!world->bodies[0].accel) return {};
     const BinaryTree* tree = world->bodies[0].accel->binaryTree();
-    std::vector<std::uint32_t> shape = tree->primitives;
+    std::vector<std::uint32_t> shape(tree->primitives.begin(), tree->primitives.end());
     const AccelSummary& summary = world->bodies[0].accel->summary();
     shape.push_back(static_cast<std::uint32_t>(tree->nodes.size()));
     shape.push_back(static_cast<std::uint32_t>(summary.wideNodes));

@@ -1,0 +1,34 @@
+#include "base/big_vector.h"
+
+#include <algorithm>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace rayscope {
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+constexpr std::size_t kCacheLine = 64;
+
+std::align_val_t alignmentFor(std::size_t bytes) {
+    return std::align_val_t{bytes >= kHugePage - kHugePage / 8 ? kHugePage : kCacheLine};
+}
+
+}  // namespace
+
+void* allocateBig(std::size_t bytes) {
+    // What fills almost all of a last huge page gets one; little is wasted.
+    const std::size_t inHugePages = (bytes + kHugePage / 8) / kHugePage * kHugePage;
+    void* const memory = ::operator new(std::max(bytes, inHugePages), alignmentFor(bytes));
+#ifdef MADV_HUGEPAGE
+    // Where the advice is not taken, all works as before.
+    if (inHugePages > 0) madvise(memory, inHugePages, MADV_HUGEPAGE);
+#endif
+    return memory;
+}
+
+void freeBig(void* memory, std::size_t bytes) noexcept { ::operator delete(memory, alignmentFor(bytes)); }
+
+}  // namespace rayscope
