@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
 """How far the presets are from the front of each shipped scene, in rays, which are the same on every machine.
 
-check_presets.py [--scenes A,B] [--size WxH] [--seeds N] [--most RAYS] [--program PATH] [--cache FOLDER]
-prints a Markdown table. Each scene is rendered with every combination of samples per pixel, samples per light, lens and
-reflection, depth and texture filter that can matter in it, as long as a picture takes no more than --most rays. Errors are
-RMSE of linear values against a picture with far more samples; the mean square over seeds. The front is what no other
-combination beats in both; between its points it is interpolated on logarithmic axes. Scenes may be files, too.
+check_presets.py [--scenes A,B] [--presets A,B] [--size WxH] [--seeds N] [--program PATH] [--cache FOLDER]
+prints a Markdown table. Each scene is rendered with every combination of samples per light and reflection and of depth
+that can matter in it, with more and more samples per pixel. Only what has about the error of a preset can judge it: so a
+combination goes on until its error is below the least of the presets', or it takes half as many rays again as the dearest of
+them; and it is given up when at two numbers of samples in a row it took more than twice the rays of the front. Errors are
+RMSE of linear values against a picture with 16 times the samples of `reference`; the mean square over seeds. The front is
+what no other combination beats in both; between its points it is interpolated on logarithmic axes. Scenes may be files.
 """
 import argparse, itertools, json, math, os, subprocess, tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LARGE = ("dragon", "million", "ten-million")
-PRESETS = ("preview", "balanced", "final")
+LARGE = ("million", "ten-million")
+NO_BUILTIN = ("scenes/spheres-moving.toml",)
 # What each requirement of a scene (`rayscope info --json`) lets one choose, cheap values first.
 CHOICES = {"segment lights": ("segment_samples", (1, 2, 4, 8)), "parallelogram lights": ("parallelogram_samples", (1, 2)),
-           "reflections": ("max_depth", (1, 2, 3, 4, 5))}
+           "reflections": ("max_depth", (1, 2, 3, 4, 6, 16))}
+MOST_SAMPLES = 4096
 
 
 def output_of(args, *command):
@@ -68,7 +71,7 @@ def behind(front, rays, error):
         if k > 0:
             last_r, last_e, _ = front[k - 1]
             r = last_r * (r / last_r) ** (math.log(error / last_e) / math.log(e / last_e))
-        return rays / r - 1, name
+        return max(0.0, rays / r - 1), name
     return 0.0, ""
 
 
@@ -79,30 +82,50 @@ def reference_for(args, scene):
     return path
 
 
-def check(args, scene):
-    reference, grid = reference_for(args, scene), choices_of(args, scene)
-    combinations = [tuple(zip(grid, values)) for values in itertools.product(*grid.values())]
+class Series:
+    """One combination with more and more samples per pixel."""
 
-    def series(combination):
-        """One combination with more and more samples per pixel."""
-        points = []
-        for spp in (2**k for k in range(9)):
-            options = [word for key, value in combination for word in ("--set", f"{key}={value}")]
-            rays, error = measure(args, scene, (*options, "--spp", str(spp)), reference)
-            points.append((rays, error, ", ".join([f"spp {spp}"] + [f"{key} {value}" for key, value in combination])))
-            if 2 * rays > args.most:
-                break
-        return points
+    def __init__(self, combination):
+        self.words = [f"{key} {value}" for key, value in combination]
+        self.options = [word for key, value in combination for word in ("--set", f"{key}={value}")]
+        self.points, self.far_behind = [], 0
 
+    def extend(self, args, scene, spp, reference):
+        point = measure(args, scene, (*self.options, "--spp", str(spp)), reference)
+        self.points.append((*point, ", ".join([f"spp {spp}", *self.words])))
+
+    def goes_on(self, front, most_rays, least_error):
+        rays, error, _ = self.points[-1]
+        self.far_behind = self.far_behind + 1 if behind(front, rays, error)[0] > 1 else 0
+        return self.far_behind < 2 and error > least_error and rays < most_rays
+
+
+def points_about(args, scene, reference, presets):
+    """Combinations with errors about those of the presets."""
+    grid = choices_of(args, scene)
+    running = [Series(tuple(zip(grid, values))) for values in itertools.product(*grid.values())]
+    most_rays, least_error = 1.5 * max(p[0] for p in presets), min(p[1] for p in presets)
+    points, spp = [], 1
     with ThreadPoolExecutor(args.jobs) as pool:
-        points = [point for part in pool.map(series, combinations) for point in part]
-    presets = [(*measure(args, scene, ("--preset", name), reference), "preset " + name) for name in PRESETS]
+        while running and spp <= MOST_SAMPLES:
+            list(pool.map(lambda series: series.extend(args, scene, spp, reference), running))
+            points += [series.points[-1] for series in running]
+            front = front_of(points)
+            running = [series for series in running if series.goes_on(front, most_rays, least_error)]
+            spp *= 2
+    return points
+
+
+def check(args, scene):
+    reference = reference_for(args, scene)
+    presets = [(*measure(args, scene, ("--preset", name), reference), "preset " + name) for name in args.presets.split(",")]
+    points = points_about(args, scene, reference, presets)
     front = front_of(points + presets)
     cells = []
     for rays, error, _ in presets:
         excess, better = behind(front, rays, error)
         cells.append(f"{100 * excess:.0f} %" + (f" ({better})" if excess > args.told else ""))
-    print(f"| {os.path.basename(scene)} | {len(points)} | " + " | ".join(cells) + " |", flush=True)
+    print(f"| {os.path.basename(scene).removeprefix('builtin:')} | {len(points)} | " + " | ".join(cells) + " |", flush=True)
 
 
 def main():
@@ -110,7 +133,7 @@ def main():
     parser.add_argument("--scenes", help="absent: all but the large ones")
     parser.add_argument("--size", default="40x40")
     parser.add_argument("--seeds", type=int, default=2)
-    parser.add_argument("--most", type=float, default=2e6, help="rays of a picture at most")
+    parser.add_argument("--presets", default="preview,balanced,final")
     parser.add_argument("--told", type=float, default=0.1, help="beyond so much the better choice is named")
     parser.add_argument("--program", default=os.path.join(ROOT, "build/release/rayscope"))
     parser.add_argument("--cache", help="folder for references; absent: a temporary one")
@@ -118,8 +141,10 @@ def main():
     args = parser.parse_args()
     scenes = [f"builtin:{scene}" if not scene.endswith(".toml") else scene for scene in args.scenes.split(",")] \
         if args.scenes else [scene["name"] for scene in json.loads(output_of(args, "info", "--list", "--json"))
-                             if scene["name"].removeprefix("builtin:") not in LARGE]
-    print("| scene | choices | preview | balanced | final |\n|---|---|---|---|---|", flush=True)
+                             if scene["name"].removeprefix("builtin:") not in LARGE] \
+        + [os.path.join(ROOT, file) for file in NO_BUILTIN]
+    names = args.presets.split(",")
+    print("| scene | choices | " + " | ".join(names) + " |\n|---|---" + "|---" * len(names) + "|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         args.cache = args.cache or folder
         os.makedirs(args.cache, exist_ok=True)

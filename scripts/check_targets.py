@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks what `render --target-error` promises: how often the error stays below the target, and how good forecasts are.
 
-check_targets.py [--seeds N] [--scenes A,B] [--size WxH] [--program PATH] [--options "…"] [--cache FOLDER] [--jobs N]
+check_targets.py [--seeds N] [--first-seed N] [--scenes A,B] [--size WxH] [--program PATH] [--options "…"] [--cache FOLDER] [--jobs N]
 prints a Markdown table. A scene may be followed by settings: environment:reflection_map=true. Each seed is rendered to
 a target, about a third of the error of 16 samples per pixel, and compared with a reference ten times as accurate, which
 --cache keeps for another time. The promise is kept if the number of failures is within the 99 % binomial limit of what
@@ -82,7 +82,7 @@ def share_right(errors):
 def check(args, scene, folder):
     target, reference = reference_for(args, scene, folder)
     with ThreadPoolExecutor(args.jobs) as pool:
-        runs = list(pool.map(lambda seed: run(args, scene, target, reference, seed), range(args.seeds)))
+        runs = list(pool.map(lambda seed: run(args, scene, target, reference, seed), range(args.first_seed, args.first_seed + args.seeds)))
     samples, errors, forecasts = zip(*runs)
     failures = sum(error > target for error in errors)
     limit = most_failures(args.seeds, 1 - args.confidence)
@@ -94,6 +94,7 @@ def check(args, scene, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seeds", type=int, default=200)
+    parser.add_argument("--first-seed", type=int, default=0)
     parser.add_argument("--scenes", default=SCENES)
     parser.add_argument("--size", default="32x32")
     parser.add_argument("--confidence", type=float, default=0.95)

@@ -42,14 +42,16 @@ print("# The trade on the shipped scenes\n\nWritten by `scripts/make_trade.sh`: 
       f"{first['width']} × {first['height']} pixels, {first['threads']} thread(s), {first['budget_seconds']:g} s per scene. "
       "The pages are complete reports; open them in a browser. Slope: error ~ samples^slope. Behind the front: how much "
       "longer a preset takes than the front of this scene needs for the same error; – if the budget was too short to "
-      "measure it. Noise: differences in time below this could not be told.\n")
+      "measure it, and a ? where nothing measured is better beyond doubt. Noise: differences in time below this could not be told.\n")
 noises = sorted(report["smallest_time_difference"] or 0 for report in reports.values())
 if noises[len(noises) // 2] > 0.25:
     print("The machine was busy: noise above 25 % says that errors, slopes and biases hold, and times only roughly.\n")
 print("| scene | settings measured | RMSE of the reference | slope | noise | preview | balanced | final |\n"
       "|---|---|---|---|---|---|---|---|")
 for scene, report in reports.items():
-    behind = {d["preset"]: f"{100 * d['excess_time']:.0f} %" for d in report["dial"]}
+    worse = {p["name"] for p in report["points"] if p.get("dominated_by")}
+    behind = {d["preset"]: f"{100 * d['excess_time']:.0f} %" + ("" if d["excess_time"] < 0.005 or d["point"] in worse else "?")
+              for d in report["dial"]}
     noise = report["smallest_time_difference"]
     print(f"| [{scene}]({scene}.html) | {len(report['points'])} | {number(report['reference']['rmse'] or 0)} "
           f"| {interval(report['convergence_slope'])} | {100 * noise:.0f} % | "

@@ -24,9 +24,13 @@ struct ErrorEstimate {
     double upper = 0.0;   ///< with the confidence asked for the error lies below
     bool trusted = true;  ///< false if a few pixels hold most of the error, so that others may be to come
 };
-/// Judges the pixels of `region`; what is not finite is left out.
+/// Of each pixel, the variance of its samples divided by their number. It need not be the squared error,
+/// which is smaller where samples are stratified: it says which pixels hold how much of it.
+using SpreadImage = Image<double>;
+/// Judges the pixels of `region`; what is not finite is left out. The error comes from the halves alone; with
+/// `spread` the distance of the bound is known better, and so is whether a few pixels hold most of the error.
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
-                            const ErrorTarget& target);
+                            const ErrorTarget& target, const SpreadImage* spread = nullptr);
 
 /// Where the rendering stands and what is to be expected.
 struct ErrorForecast {

@@ -149,6 +149,10 @@ std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settin
 /// How much longer a point takes than the front needs for its error: 0.1 is 10 % more; 0 on the front.
 double excessTime(const TradeResult& result, std::size_t point);
 
+/// By how much a position of the dial is behind the front, and whether that may be the noise of the machine:
+/// unless something measured is better in both time and error beyond doubt.
+std::string excessInWords(const TradeResult& result, const TradeDial& dial);
+
 /// The folder for references in the user's cache ($XDG_CACHE_HOME or ~/.cache), or "" if there is none.
 std::string referenceCacheFolder();
 

@@ -48,8 +48,9 @@ void printSummary(const TradeResult& r, const std::string& scene) {
             p.nextError.lower, p.nextError.upper, scene, renderArguments(r, p));
     }
     for (const TradeDial& dial : r.dial)
-        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, {:.0f} % behind the front\n", dial.preset,
-                   r.points[dial.point].seconds.value, r.points[dial.point].error.value, 100.0 * dial.excess);
+        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, behind the front by {}\n", dial.preset,
+                   r.points[dial.point].seconds.value, r.points[dial.point].error.value,
+                   excessInWords(r, dial));
     for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
 }
 

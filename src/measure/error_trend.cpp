@@ -10,8 +10,8 @@ namespace {
 /// The usual slope counts as much as looks whose logarithms of samples have this sum of squared distances
 /// from their mean: a dozen looks over four doublings.
 constexpr double kWeightOfUsual = 8.0;
-/// Looks within two doublings of the last, and those a rounding error below, are taken together.
-const double kTogether = std::log(4.0) + 1e-9;
+/// Looks within three doublings of the last, and those a rounding error below, are taken together.
+const double kTogether = std::log(8.0) + 1e-9;
 
 }  // namespace
 

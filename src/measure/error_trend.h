@@ -6,7 +6,7 @@
 namespace rayscope {
 
 /// How the estimated error of a picture falls while samples are added. One look is noisy, above all at a
-/// small picture; what the looks of the last two doublings say together is less so.
+/// small picture; what the looks of the last three doublings say together is less so.
 class ErrorTrend {
   public:
     /// `sampler` says how fast errors fall before the looks can.
@@ -24,7 +24,7 @@ class ErrorTrend {
     /// the sampler as long as they span few doublings; 0.4 … 1.1.
     double slope() const;
 
-    /// The error at the last look, by all looks at no less than a quarter of its samples: the geometric mean
+    /// The error at the last look, by all looks at no less than an eighth of its samples: the geometric mean
     /// of their estimates, each moved to the last look along the slope.
     ErrorEstimate smoothed() const;
 

@@ -56,7 +56,26 @@ double Halves::samplesAt(int samples) const {
 }
 
 ErrorEstimate Halves::estimate(const ErrorTarget& target) const {
-    return estimateError(films_[0]->mean(), films_[1]->mean(), films_[0]->region(), target);
+    const SpreadImage spread = spreadOfSamples();
+    return estimateError(films_[0]->mean(), films_[1]->mean(), films_[0]->region(), target, &spread);
+}
+
+/// Of all samples of both halves; that of luminance stands for the channels.
+SpreadImage Halves::spreadOfSamples() const {
+    SpreadImage spread(films_[0]->width(), films_[0]->height());
+    Film::TileCopy copy;
+    for (const auto& film : films_) {
+        for (int tile = 0; tile < film->tileCount(); ++tile) {
+            film->read(tile, copy);
+            const double n = copy.samples;
+            const PixelBounds bounds = film->tileBounds(tile);
+            auto pixel = copy.pixels.begin();
+            for (int y = bounds.y0; n > 1.0 && y < bounds.y1; ++y)
+                for (int x = bounds.x0; x < bounds.x1; ++x, ++pixel)
+                    spread.at(x, y) += varianceOfLuminance(*pixel, n) / (4.0 * n);
+        }
+    }
+    return spread;
 }
 
 /// The films have equal numbers of samples, but for tiles that a limit ended between the two.

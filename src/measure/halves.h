@@ -36,6 +36,7 @@ class Halves {
     RgbImage mean() const;
 
   private:
+    SpreadImage spreadOfSamples() const;
     int samplesOfTile(std::size_t tile, int samples) const;
     template <class SamplesOfTile>
     double perPixel(const SamplesOfTile& samplesOfTile) const;

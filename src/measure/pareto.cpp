@@ -1,5 +1,7 @@
 #include "measure/pareto.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +69,12 @@ double excessOverFront(const std::vector<TradePoint>& points, const std::vector<
 
 double excessTime(const TradeResult& result, std::size_t point) {
     return excessOverFront(result.points, result.front, result.points[point]);
+}
+
+std::string excessInWords(const TradeResult& result, const TradeDial& dial) {
+    const std::string percent = fmt::format("{:.0f} %", 100.0 * dial.excess);
+    const bool doubtful = percent != "0 %" && result.points[dial.point].dominatedBy.empty();
+    return doubtful ? percent + ", not beyond doubt" : percent;
 }
 
 std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings) {

@@ -15,7 +15,7 @@ double variancePerPixel(const Film& pilot, int tile, bool relative) {
     double sum = 0.0;
     for (const PixelSums& pixel : copy.pixels) {
         const double mean = luminance(pixel.radiance) / n;
-        double variance = std::max(0.0, pixel.squaredLuminance / n - mean * mean) * n / (n - 1.0);
+        double variance = varianceOfLuminance(pixel, n);
         if (relative) variance /= mean * mean + 0.01;
         if (std::isfinite(variance)) sum += variance;
     }

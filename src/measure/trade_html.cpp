@@ -128,9 +128,9 @@ std::string dialTable(const TradeResult& r) {
         "class='n'>behind the front</th></tr>\n";
     for (const TradeDial& d : r.dial)
         table += fmt::format(
-            "<tr><td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{:.0f} %</td></tr>\n",
+            "<tr><td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td></tr>\n",
             escaped(d.preset), withInterval(r.points[d.point].seconds), withInterval(r.points[d.point].error),
-            100.0 * d.excess);
+            excessInWords(r, d));
     return table + "</table></div>\n";
 }
 

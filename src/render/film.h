@@ -2,6 +2,7 @@
 #include <rayscope/image.h>
 #include <rayscope/render_session.h>
 #include <rayscope/vector.h>
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,12 @@ struct PixelSums {
 
 /// Luminance of a linear colour (ITU-R BT.709).
 inline double luminance(const RgbSum& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
+
+/// Of the samples of a pixel, of which there are n ≥ 2.
+inline double varianceOfLuminance(const PixelSums& sums, double n) {
+    const double mean = luminance(sums.radiance) / n;
+    return std::max(0.0, sums.squaredLuminance / n - mean * mean) * n / (n - 1.0);
+}
 
 /// Sums of all pixels, in square tiles. A tile is only ever replaced as a whole, so whatever is read from it
 /// is the left fold over the first `samples` samples of each of its pixels.

@@ -83,6 +83,62 @@ TEST(ErrorEstimate, DistrustsWhatFewPixelsHold) {
     EXPECT_EQ(estimateError(a, b, {0, 32, 8, 32}, {}).error, 0.0) << "outside the region";
 }
 
+TEST(ErrorEstimate, TrustsALargeDifferenceIfTheSamplesOfThePixelDoNot) {
+    RgbImage a(32, 32, Rgb(0.5f));
+    const RgbImage b = a;
+    a.at(7, 7) = Rgb(0.6f);
+    SpreadImage spread(32, 32, 1e-4);
+    const PixelBounds whole{0, 32, 0, 32};
+    EXPECT_TRUE(estimateError(a, b, whole, {}, &spread).trusted) << "such a difference is luck";
+    spread.at(7, 7) = 1.0;
+    EXPECT_FALSE(estimateError(a, b, whole, {}, &spread).trusted) << "something rare was met";
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 8, 32}, {}, &spread).trusted) << "outside the region";
+}
+
+/// Two halves of a picture of which a few pixels are much noisier than the others, and the spread of samples
+/// in each, as known from some dozen of them.
+struct UnevenHalves {
+    RgbImage a{32, 32}, b{32, 32}, mean{32, 32};
+    SpreadImage spread{32, 32};
+
+    explicit UnevenHalves(std::uint64_t seed) {
+        std::mt19937_64 random(seed);
+        std::normal_distribution<double> noise;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+            const double sigma = std::exp2(-static_cast<double>(i) / 16.0);
+            a.pixels[i] = Rgb(static_cast<float>(sigma * noise(random)));
+            b.pixels[i] = Rgb(static_cast<float>(sigma * noise(random)));
+            mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
+            spread.pixels[i] = 7.0 * sigma * sigma * std::exp(0.2 * noise(random));
+        }
+    }
+};
+
+TEST(ErrorEstimate, ItsBoundHoldsAndIsSteadierWithTheSpreadOfSamples) {
+    constexpr int kTimes = 600;
+    const PixelBounds whole{0, 32, 0, 32};
+    const RgbImage truth(32, 32);
+    ErrorTarget target;
+    target.confidence = 0.9;
+    std::vector<double> without, with;
+    int held = 0;
+    for (int time = 0; time < kTimes; ++time) {
+        const UnevenHalves halves(static_cast<std::uint64_t>(time));
+        const ErrorEstimate plain = estimateError(halves.a, halves.b, whole, target);
+        const ErrorEstimate known = estimateError(halves.a, halves.b, whole, target, &halves.spread);
+        EXPECT_EQ(plain.error, known.error);
+        held += distance(halves.mean, truth) <= known.upper;
+        without.push_back(plain.upper / plain.error);
+        with.push_back(known.upper / known.error);
+    }
+    EXPECT_NEAR(static_cast<double>(held) / kTimes, 0.9, 0.05);  // four standard errors
+    const auto range = [](std::vector<double>& values) {
+        std::sort(values.begin(), values.end());
+        return values[values.size() * 9 / 10] / values[values.size() / 10];
+    };
+    EXPECT_LT(range(with), 1.0 + 0.2 * (range(without) - 1.0));
+}
+
 TEST(ErrorEstimate, TheWorstTileIsNoBetterThanTheWhole) {
     RgbImage a(64, 64, Rgb(0.5f)), b = a;
     for (int y = 0; y < 32; ++y)

@@ -116,5 +116,14 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
     EXPECT_TRUE(adviceFrom({}, {}).empty());
 }
 
+TEST(Dial, SaysWhetherBeingBehindIsBeyondDoubt) {
+    TradeResult result;
+    result.points.resize(1);
+    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.0}), "0 %");
+    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.12}), "12 %, not beyond doubt");
+    result.points[0].dominatedBy = "base";
+    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.12}), "12 %");
+}
+
 }  // namespace
 }  // namespace rayscope
