@@ -41,6 +41,7 @@ TEST(Statistics, BetterBuildersCostLess) {
     const auto cost = [&](BvhBuilder builder) {
         BuildSettings settings;
         settings.builder = builder;
+        settings.keepBinaryTree = true;
         return statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
     };
     const double median = cost(BvhBuilder::Median), sweep = cost(BvhBuilder::Sah),
@@ -83,6 +84,7 @@ TEST(Statistics, ReinsertionSavesAreaAndVisits) {
     for (const auto& [scene, most] :
          {std::pair{needles(4000), 0.92}, {soup(20000, 0.1, 3), 0.97}, {icosphere(5, 0.1, 2), 0.99}}) {
         BuildSettings settings;
+        settings.keepBinaryTree = true;
         const BinaryTree binned = buildBinaryTree(scene.input(), settings);
         settings.builder = BvhBuilder::High;
         const BinaryTree high = buildBinaryTree(scene.input(), settings);
@@ -96,6 +98,7 @@ TEST(Statistics, ReinsertionNeverCostsMore) {
         for (const int leafSize : {1, 4, 16})
             for (const int maxLevel : {2, 64}) {
                 BuildSettings settings;
+                settings.keepBinaryTree = true;
                 settings.leafSize = leafSize;
                 settings.maxLevel = maxLevel;
                 const double binned = statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;

@@ -86,14 +86,13 @@ struct Waiting {
 };
 constexpr int kStackSize = (kWidth - 1) * kMostWideLevels + kWidth;
 
-/// A subtree will be visited soon, but not next.
+/// A subtree will be visited soon, but not next. Of a block the last of five cache lines can wait.
 RAYSCOPE_INLINE void prefetch(const WideTreeView& tree, ChildRef ref) {
     if (ref >= kSphereTag) return;
     const bool isBlock = (ref & kTagMask) != 0;
     const auto* at = isBlock ? reinterpret_cast<const char*>(&tree.blocks[ref & kBlockIndexMask])
                              : reinterpret_cast<const char*>(&tree.nodes[ref]);
-    const size_t size = isBlock ? sizeof(TriangleBlock) : sizeof(WideNode);
-    for (size_t line = 0; line < size; line += 64) __builtin_prefetch(at + line);
+    for (size_t line = 0; line < sizeof(WideNode); line += 64) __builtin_prefetch(at + line);
 }
 
 /// The nearest child of several first; the others wait in order, the farthest lowest.
