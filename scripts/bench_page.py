@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""bench_page.py FROM DOCS: the page DOCS/bench.md and its charts DOCS/images/bench-*.svg from what `rayscope bench --json` wrote
+"""bench_page.py FROM DOCS SIZE: the page DOCS/bench.md and its charts DOCS/images/bench-*.svg from what `rayscope bench --json` wrote
 into the folder FROM: race-*.json, builder-*.json and growth-*.json (see scripts/make_bench.sh)."""
 import json
 import math
@@ -74,7 +74,8 @@ def builders(rows):
     return """## The builders
 
 The surface area heuristic predicts what a random line through the scene costs: inner nodes visited and triangles tested in the
-binary tree. *Random lines* counts it, on 10,000 of them. The last columns are nodes and leaves of the wide layout per ray.
+binary tree. *Random lines* counts it, on 10,000 of them. Both are of the tree as it is kept to be looked at, levels and nodes of the one that
+only the wide layout is made of. The last columns are nodes and leaves of the wide layout per ray.
 
 """ + table(["mesh", "builder", "build, ms", "SAH cost", "random lines", "levels", "nodes", "wide nodes", "triangles per leaf",
              "bytes per triangle", *KINDS.values()], body)
@@ -180,7 +181,7 @@ def build_chart(rows, path):
 
 
 def main():
-    folder, docs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+    folder, docs, size = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
     read = lambda pattern: [row for file in sorted(folder.glob(pattern)) for row in json.loads(file.read_text())]
     race, grown = read("race-*.json"), sorted(read("growth-*.json"), key=lambda row: row["triangles"])
     threads = sorted({row["threads"] for row in race})
@@ -188,8 +189,8 @@ def main():
     pages = [f"""# Builds and rays beside Embree
 
 Written by `scripts/make_bench.sh` from `rayscope bench`. Million rays per second, medians of seven rounds in which all
-contestants take turns; ratios are medians of the ratios of each round, with the order statistics that enclose the true
-median with 95 % confidence (for fewer rounds than that takes, an estimate). Embree 3 at medium quality: *Embree* is its default
+contestants take turns, on an image of {size} × {size} pixels; ratios are medians of the ratios of each round, with the order
+statistics that enclose the true median with 95 % confidence (for fewer rounds than that takes, an estimate). Embree 3 at medium quality: *Embree* is its default
 mode, one ray at a time, *robust* its robust flag, *best* the fastest of single rays, packets of 16 and streams in each round.
 Kernels: {", ".join(sorted({row["isa"] for row in race}))}. Rays whose hit or miss differs from Embree's robust mode:
 {sum(row["mismatches"] for row in race)}.

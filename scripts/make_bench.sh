@@ -48,4 +48,4 @@ done
 for triangles in 1000 10000 100000 1000000 10000000; do
     bench "$(hills $triangles)" --size 8 --rounds 5 --json "$folder/growth-$triangles.json"
 done
-"$root/scripts/bench_page.py" "$folder" "$root/docs"
+"$root/scripts/bench_page.py" "$folder" "$root/docs" "$size"
