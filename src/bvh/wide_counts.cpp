@@ -27,7 +27,7 @@ struct Counter {
     static void skipped(ChildRef, const Search&) {}
     void filtered(const TriangleBlock&, ChildRef leaf, unsigned, const Search&) const {
         ++counts->leaves;
-        counts->primitives += (leaf >> kernel::kBlockSizeShift & 7u) + 1;
+        counts->primitives += kernel::trianglesIn(leaf);
     }
     void tested(std::uint32_t, bool, const HitWords&, const Search&) const { ++counts->exact; }
 };

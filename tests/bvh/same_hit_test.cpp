@@ -191,6 +191,52 @@ TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
     }
 }
 
+/// Rays beside one another, from a common origin or towards a common point, or neither; some end before what
+/// they would hit.
+std::vector<Ray> raysLike(const Ray& ray, double reach, double spread, int count, Random& random) {
+    const int kind = random.integer(3);
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 apart(glm::dvec3(random.inCube()) * spread * reach *
+                              static_cast<double>(glm::length(ray.direction)));
+        Ray like = ray;
+        if (kind != 0) like.origin += apart;
+        if (kind != 1) like.direction += glm::vec3(glm::dvec3(apart) / reach) * (kind == 2 ? -1.0f : 1.0f);
+        if (random.integer(4) == 0) like.tMax = static_cast<float>(reach * random.real(0.5, 1.5));
+        rays.push_back(like);
+    }
+    return rays;
+}
+
+TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
+    for (const Geometry& scene : awkwardScenes()) {
+        Random random(21);
+        std::vector<Accel> accels;
+        for (const WalkCase& walk : walkCases()) accels.push_back(build(scene, {}, walk));
+        for (const Ray& ray : awkwardRays(scene, 150, 44)) {
+            Hit first;
+            const double reach = accels[0].closestHit(ray, first) ? static_cast<double>(first.t) : 1.0;
+            const double spreads[] = {0.0, 1e-7, 1e-4, 0.01, 0.1};
+            const std::vector<Ray> rays = raysLike(ray, reach, spreads[random.integer(5)], 50, random);
+            std::vector<Hit> expected(rays.size()), hits(rays.size());
+            std::vector<std::uint8_t> occluded(rays.size(), 7);
+            for (std::size_t i = 0; i < rays.size(); ++i)
+                closestHitBruteForce(scene.input(), rays[i], expected[i]);
+            for (std::size_t walk = 0; walk < accels.size(); ++walk) {
+                accels[walk].closestHits(rays, hits);
+                accels[walk].anyHits(rays, occluded);
+                for (std::size_t i = 0; i < rays.size(); ++i) {
+                    ASSERT_TRUE(sameHit(hits[i], expected[i]))
+                        << scene.name << ", " << walkCases()[walk].name << ": " << text(rays[i]) << "\nfound "
+                        << text(hits[i]) << "\nbrute " << text(expected[i]);
+                    ASSERT_EQ(occluded[i] != 0, expected[i].primitive != kNoPrimitive)
+                        << scene.name << ", " << walkCases()[walk].name << ": " << text(rays[i]);
+                }
+            }
+        }
+    }
+}
+
 TEST(SameHit, RaysThatAreNotRaysMiss) {
     const Geometry scene = soup(100, 2.0, 2);
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),

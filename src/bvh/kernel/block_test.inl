@@ -1,37 +1,40 @@
 // A ray against a block of triangles. Include after one of the lanes_*.inl.
-#include "bvh/kernel/fast_ray.h"
+#include "bvh/kernel/prepare_rays.h"
 #include "bvh/kernel/query.h"
 #include "bvh/kernel/wide_tree.h"
 
 namespace rayscope::kernel {
 namespace {
 
-/// Which of the triangles `present` in a block the exact test may hit: a conservative filter in float.
+/// Rays and triangles in the space of the rays, as many as there are lanes: the corners of the triangles.
+struct ShearedCorners {
+    Lanes x[3], y[3], z[3];
+
+    RAYSCOPE_INLINE void set(int corner, Lanes alongX, Lanes alongY, Lanes alongZ, Lanes shearX,
+                             Lanes shearY) {
+        x[corner] = subtractProduct(alongX, shearX, alongZ);
+        y[corner] = subtractProduct(alongY, shearY, alongZ);
+        z[corner] = alongZ;
+    }
+};
+
+/// In which of the lanes `present` the exact test may find a hit: a conservative filter in float.
 ///
 /// With u = 2^-24 and m the largest absolute coordinate of a corner relative to the origin, a sheared
 /// coordinate has an error of at most 6um. With X the largest sheared coordinate plus 8um (`size`), an edge
-/// function has an error of at most 4 · 6um · X + 2 · (6um)² + 4uX² < 40umX, because X ≤ 2m + 8um. A triangle
+/// function has an error of at most 4 · 6um · X + 2 · (6um)² + 4uX² < 40umX, because X ≤ 2m + 8um. A lane
 /// is left out if two of its edge functions differ in sign by more than `error`, which is larger: m is at
 /// most the largest sheared coordinate plus the largest depth (`reach`), up to 10u, since no slope exceeds 1.
 ///
 /// Of the others the edge functions differ in sign by no more than the error, so the sum of their absolute
 /// values is at most |det| + 6 errors; depths have an error of 4um. So |det| · t is known up to
-/// m · (9 errors + 32u |det|), twice over, and a triangle is left out if it lies before tMin or behind the
+/// m · (9 errors + 32u |det|), twice over, and a lane is left out if its hit lies before tMin or behind the
 /// bound by more than that. Where products overflow, or come near the denormal numbers, nothing is left out.
-RAYSCOPE_INLINE unsigned mayHit(const TriangleBlock& block, unsigned present, const FastShear& ray,
-                                float tMin, float bound) {
+RAYSCOPE_INLINE unsigned mayHit(const ShearedCorners& at, unsigned present, Lanes scaleZ, Lanes tMin,
+                                Lanes bound) {
     constexpr float kUnit = 0x1p-24f;
-    const Lanes shearX = Lanes::all(ray.shearX), shearY = Lanes::all(ray.shearY);
     const Lanes tiny = Lanes::all(0x1p-120f), huge = Lanes::all(0x1p100f);
-    Lanes x[3], y[3], z[3];
-    for (int corner = 0; corner < 3; ++corner) {
-        const auto& rows = block.corner[corner];
-        z[corner] = Lanes::load(rows[ray.axes.kz]) - Lanes::all(ray.origin[2]);
-        x[corner] =
-            subtractProduct(Lanes::load(rows[ray.axes.kx]) - Lanes::all(ray.origin[0]), shearX, z[corner]);
-        y[corner] =
-            subtractProduct(Lanes::load(rows[ray.axes.ky]) - Lanes::all(ray.origin[1]), shearY, z[corner]);
-    }
+    const auto &x = at.x, &y = at.y, &z = at.z;
     const Lanes extent =
         maximum(maximum(maximum(absolute(x[0]), absolute(y[0])), maximum(absolute(x[1]), absolute(y[1]))),
                 maximum(absolute(x[2]), absolute(y[2])));
@@ -47,18 +50,41 @@ RAYSCOPE_INLINE unsigned mayHit(const TriangleBlock& block, unsigned present, co
     if (present == 0) return 0;
 
     const Lanes signedDet = u + v + w, det = absolute(signedDet);
-    const Lanes along =
-        withSignOf(multiplyAdd(u, z[0], multiplyAdd(v, z[1], w * z[2])) * Lanes::all(ray.scaleZ), signedDet);
+    const Lanes along = withSignOf(multiplyAdd(u, z[0], multiplyAdd(v, z[1], w * z[2])) * scaleZ, signedDet);
     const Lanes margin =
         multiplyAdd(reach, multiplyAdd(error, Lanes::all(9.0f), det * Lanes::all(32.0f * kUnit)), tiny);
-    const unsigned before = less(along + margin, Lanes::all(tMin) * det);
-    const unsigned behind = less(multiplyAdd(Lanes::all(bound), det, margin), along);
+    const unsigned before = less(along + margin, tMin * det);
+    const unsigned behind = less(multiplyAdd(bound, det, margin), along);
     return present & ~((before | behind) & less(margin, huge));
 }
 
+/// Which of the triangles of a leaf the exact test may hit.
 RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
                                     float tMin, float bound) {
-    return mayHit(block, (2u << ((leaf >> kBlockSizeShift) & 7u)) - 1u, ray, tMin, bound);
+    const Lanes shearX = Lanes::all(ray.shearX), shearY = Lanes::all(ray.shearY);
+    ShearedCorners at;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto& rows = block.corner[corner];
+        at.set(corner, Lanes::load(rows[ray.axes.kx]) - Lanes::all(ray.origin[0]),
+               Lanes::load(rows[ray.axes.ky]) - Lanes::all(ray.origin[1]),
+               Lanes::load(rows[ray.axes.kz]) - Lanes::all(ray.origin[2]), shearX, shearY);
+    }
+    return mayHit(at, (1u << trianglesIn(leaf)) - 1u, Lanes::all(ray.scaleZ), Lanes::all(tMin),
+                  Lanes::all(bound));
+}
+
+/// Which of eight rays the exact test may find to hit a triangle of a block before their bounds.
+RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, int triangle, const RayColumns& rays,
+                                    const RayAxes& axes, Lanes bound, unsigned present) {
+    const Lanes shearX = Lanes::load(rays.shearX), shearY = Lanes::load(rays.shearY);
+    ShearedCorners at;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto& rows = block.corner[corner];
+        at.set(corner, Lanes::all(rows[axes.kx][triangle]) - Lanes::load(rays.origin[axes.kx]),
+               Lanes::all(rows[axes.ky][triangle]) - Lanes::load(rays.origin[axes.ky]),
+               Lanes::all(rows[axes.kz][triangle]) - Lanes::load(rays.origin[axes.kz]), shearX, shearY);
+    }
+    return mayHit(at, present, Lanes::load(rays.scaleZ), Lanes::load(rays.tMin), bound);
 }
 
 /// The exact test of triangles of a block.
@@ -68,6 +94,8 @@ struct BlockRay {
 
     RAYSCOPE_INLINE BlockRay(RayWords ray, const FastShear& shear)
         : exact(shear.origin, shear.direction, ray[6], ray[7]), axes(shear.axes) {}
+    RAYSCOPE_INLINE BlockRay(RayWords ray, const RayAxes& order)
+        : exact(order.turned(ray), order.turned(ray + 3), ray[6], ray[7]), axes(order) {}
 
     RAYSCOPE_INLINE bool hits(const TriangleBlock& block, int lane, float bound, HitWords& found) const {
         const auto corner = [&](int i) {

@@ -14,7 +14,6 @@ struct FastRay {
     float constant[3];
     float pad;    ///< absolute
     float tMin;   ///< scaled, not negative
-    float bound;  ///< scaled
     float scale;  ///< power of two: distance = t * scale
 
     /// The ray must be traceable.
@@ -28,7 +27,6 @@ struct FastRay {
         }
         pad = largestOf3(absolute(constants)) * 0x1p-21f + 0x1p-120f;
         tMin = (ray[6] > 0.0f ? ray[6] : 0.0f) * scale;
-        bound = ray[7] * scale;
     }
 
     /// Whether no plane up to `largest` away from 0 can bring about an infinity, a NaN or a denormal scale.

@@ -10,6 +10,7 @@ struct Lanes {
     __m256 value;
 
     RAYSCOPE_INLINE static Lanes load(const float* from) { return {_mm256_load_ps(from)}; }
+    RAYSCOPE_INLINE static Lanes loadUnaligned(const float* from) { return {_mm256_loadu_ps(from)}; }
     RAYSCOPE_INLINE static Lanes all(float x) { return {_mm256_set1_ps(x)}; }
     RAYSCOPE_INLINE void store(float* to) const { _mm256_store_ps(to, value); }
 };

@@ -12,6 +12,9 @@ struct Lanes {
     RAYSCOPE_INLINE static Lanes load(const float* from) {
         return {_mm_load_ps(from), _mm_load_ps(from + 4)};
     }
+    RAYSCOPE_INLINE static Lanes loadUnaligned(const float* from) {
+        return {_mm_loadu_ps(from), _mm_loadu_ps(from + 4)};
+    }
     RAYSCOPE_INLINE static Lanes all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
     RAYSCOPE_INLINE void store(float* to) const {
         _mm_store_ps(to, low);

@@ -10,6 +10,7 @@ namespace {
 struct PlaneRows {
     int near[3];
 
+    PlaneRows() = default;
     RAYSCOPE_INLINE explicit PlaneRows(RayWords ray) {
         for (int axis = 0; axis < 3; ++axis)
             near[axis] = 2 * axis + static_cast<int>(__builtin_bit_cast(uint32_t, ray[3 + axis]) >> 31);

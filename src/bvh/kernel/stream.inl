@@ -3,151 +3,97 @@
 // A stream goes down the tree once: every node is visited with the list of all rays that meet its box, so it
 // is fetched once for all of them, and their tests do not wait for one another. The children's lists are
 // gathered from one byte per ray; the nearest child comes first. Lists that have become short go on ray by
-// ray.
-#include "bvh/kernel/walk.inl"
+// ray. Rays that run alike go down as packets, until it turns out that too few rays of a packet meet the same
+// leaves.
+#include "bvh/kernel/stream_rays.inl"
 
 namespace rayscope::kernel {
 namespace {
 
-constexpr uint32_t kStreamSize = 1024;
+constexpr uint32_t kMostPackets = kStreamSize / kPacketSize;
 constexpr uint32_t kFewRays = 4;                      ///< fewer are not worth a stream
 constexpr uint32_t kShortList = 1;                    ///< rays that go on by themselves
-constexpr uint32_t kListCapacity = 16 * kStreamSize;  ///< rays in all lists that wait
+constexpr uint32_t kListCapacity = 32 * kStreamSize;  ///< rays and packets in all lists that wait
+constexpr int kCredit = 16;                           ///< that packets start with, and the most they can have
+constexpr int kWorth = 4;                             ///< rays that must meet a leaf for a packet to pay
+constexpr int kFewOfGroup = 3;                        ///< fewer rays of a group are tested one by one
 
-/// The rays of a stream that have to visit a subtree.
+/// The rays of a stream, or the packets, that have to visit a subtree: a child of a node, or the root.
 struct StreamList {
     ChildRef ref;
     uint32_t begin, count;  ///< in Stream::lists
-};
-
-struct StreamRay {
-    FastRay fast;
-    FastShear shear;
+    bool arePackets;
+    const WideNode* parent;
+    int child;
 };
 
 template <bool kAny>
 struct Stream {
     const WideTreeView& tree;
-    const float* rays;  ///< eight words each
-    HitWords* best;     ///< of closest-hit queries, one per ray
-    uint8_t* occluded;  ///< of any-hit queries, one per ray
-    StreamRay prepared[kStreamSize];
+    StreamRays<kAny> rays;
+    Packet packets[kMostPackets];
+    int credit = kCredit;  ///< of packets: rays that met leaves, less those that would have paid
     uint8_t masks[kStreamSize + 64];
-    uint32_t lists[kListCapacity + 64];
+    uint32_t lists[kListCapacity + kStreamSize + 64];  ///< with room for packets that come apart
 
-    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* r, HitWords* b, uint8_t* o)
-        : tree(t), rays(r), best(b), occluded(o) {}
-    RAYSCOPE_INLINE RayWords words(uint32_t ray) const { return rays + size_t{8} * ray; }
+    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* words, HitWords* best, uint8_t* occluded)
+        : tree(t), rays(t, words, best, occluded) {}
 
-    /// Takes up a result.
-    RAYSCOPE_INLINE void keep(uint32_t ray, const Search& search) {
-        if constexpr (kAny) {
-            occluded[ray] = 1;
-            prepared[ray].fast.bound = -1.0f;
-        } else {
-            best[ray] = search.best;
-            prepared[ray].fast.bound = search.bound;
+    /// Prepares the rays, answers those that do not suit, and then the others.
+    RAYSCOPE_INLINE void answer(uint32_t count) {
+        struct Sixteen {
+            unsigned suits;  ///< a bit for each ray
+            bool isPacket;
+        } all[kMostPackets];
+        uint32_t gathered = 0;
+        for (uint32_t first = 0; first < count; first += kPacketSize) {
+            const uint32_t size = count - first < kPacketSize ? count - first : kPacketSize;
+            Packet& packet = packets[gathered];
+            const unsigned suits = rays.prepare(first, size, packet);
+            for (unsigned others = ~suits & ((1u << size) - 1u); others != 0; others &= others - 1)
+                rays.answerOne(first + static_cast<uint32_t>(__builtin_ctz(others)));
+            const bool isPacket = suits == (1u << kPacketSize) - 1u && (tree.root & kTagMask) == 0 &&
+                                  packet.gather(rays.words(first), rays.prepared + first, first);
+            all[first / kPacketSize] = {suits, isPacket};
+            gathered += isPacket ? 1 : 0;
         }
-    }
-    RAYSCOPE_INLINE Search searchOf(uint32_t ray) const {
-        const FastRay& fast = prepared[ray].fast;
-        const HitWords none{words(ray)[7], kNoPrimitive, 0.0f, 0.0f};
-        return {words(ray), fast.scale, fast.tMin, fast.bound, kAny ? none : best[ray]};
-    }
-
-    RAYSCOPE_INLINE void visitLeaf(ChildRef leaf, const uint32_t* list, uint32_t count) {
-        leaf < kSphereTag ? visitBlock(leaf, list, count)
-                          : visitSphere(tree.spheres[leaf & kSphereIndexMask], list, count);
-    }
-    [[gnu::noinline]] void visitBlock(ChildRef leaf, const uint32_t* list, uint32_t count) {
-        const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t ray = list[i];
-            StreamRay& r = prepared[ray];
-            if (kAny && r.fast.bound < 0.0f) continue;
-            r.shear.prepareOnce(words(ray), r.fast.scale);
-            const unsigned possible = candidates(block, leaf, r.shear, r.fast.tMin, r.fast.bound);
-            if (possible == 0) continue;
-            Search search = searchOf(ray);
-            if (testTriangles<kAny>(block, possible, r.shear, search)) keep(ray, search);
-        }
-    }
-    RAYSCOPE_INLINE void visitSphere(const SphereRecord& sphere, const uint32_t* list, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) {
-            if (kAny && prepared[list[i]].fast.bound < 0.0f) continue;
-            Search search = searchOf(list[i]);
-            if (testSphere(sphere, search)) keep(list[i], search);
-        }
-    }
-
-    /// Goes on with each ray by itself.
-    RAYSCOPE_INLINE void visitAlone(ChildRef ref, const uint32_t* list, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint32_t ray = list[i];
-            StreamRay& r = prepared[ray];
-            if (kAny && r.fast.bound < 0.0f) continue;
-            Search search = searchOf(ray);
-            const FastBoxLanes lanes(search.ray, r.fast);
-            if constexpr (kAny) {
-                if (walkToAnyHit(tree, ref, lanes, r.shear, search)) keep(ray, search);
-            } else {
-                walkToClosestHit(tree, ref, lanes, r.shear, search);
-                keep(ray, search);
+        if (gathered * kPacketSize < count / 2) gathered = 0;
+        uint32_t loose = 0;
+        for (uint32_t first = 0; first < count; first += kPacketSize) {
+            const Sixteen& these = all[first / kPacketSize];
+            if (these.isPacket && gathered > 0) continue;
+            for (uint32_t i = 0; i < kPacketSize; ++i) {
+                lists[loose] = first + i;
+                loose += these.suits >> i & 1u;
             }
         }
+        run(loose, gathered);
     }
 
-    /// Tests all rays of a list against a node; returns which children are met at all, and where nearest.
-    RAYSCOPE_INLINE unsigned testNode(const WideNode& node, const uint32_t* list, uint32_t count,
-                                      Lanes& nearest) {
-        const Lanes planes[6] = {Lanes::load(node.planes[0]), Lanes::load(node.planes[1]),
-                                 Lanes::load(node.planes[2]), Lanes::load(node.planes[3]),
-                                 Lanes::load(node.planes[4]), Lanes::load(node.planes[5])};
-        const Lanes shorter = Lanes::all(1.0f - 0x1p-20f), longer = Lanes::all(1.0f + 0x1p-20f);
-        unsigned present = 0;
-        for (int child = 0; child < kWidth; ++child) present |= (node.child[child] != 0 ? 1u : 0u) << child;
-        unsigned any = 0;
-        for (uint32_t i = 0; i < count; ++i) {
-            const FastRay& ray = prepared[list[i]].fast;
-            Lanes near[3], far[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                const Lanes inverse = Lanes::all(ray.inverse[axis]),
-                            constant = Lanes::all(ray.constant[axis]);
-                const Lanes a = multiplyAdd(planes[2 * axis], inverse, constant);
-                const Lanes b = multiplyAdd(planes[2 * axis + 1], inverse, constant);
-                near[axis] = minimum(a, b);
-                far[axis] = maximum(a, b);
-            }
-            const Lanes pad = Lanes::all(ray.pad);
-            const Lanes enter = maximum(maximum(near[0], near[1]), near[2]) * shorter - pad;
-            const Lanes leave = multiplyAdd(minimum(minimum(far[0], far[1]), far[2]), longer, pad);
-            const unsigned mask = lessOrEqual(maximum(enter, Lanes::all(ray.tMin)),
-                                              minimum(leave, Lanes::all(ray.bound)), enter, nearest) &
-                                  present;
-            masks[i] = static_cast<uint8_t>(mask);
-            any |= mask;
-        }
-        return any;
-    }
-
-    void run(uint32_t count) {
-        StreamList stack[kStackSize];
+    void run(uint32_t rayCount, uint32_t packetCount) {
+        StreamList stack[kStackSize + 1];
         int waiting = 0;
-        stack[waiting++] = {tree.root, 0, count};
+        for (uint32_t i = 0; i < packetCount; ++i) lists[rayCount + i] = i;
+        stack[waiting++] = {tree.root, 0, rayCount, false, nullptr, 0};
+        stack[waiting++] = {tree.root, rayCount, packetCount, true, nullptr, 0};
         while (waiting > 0) {
-            const StreamList top = stack[--waiting];
-            const uint32_t* list = lists + top.begin;
+            StreamList top = stack[--waiting];
+            if (top.count == 0) continue;
             if (top.ref & kTagMask) {
-                visitLeaf(top.ref, list, top.count);
+                top.arePackets ? visitLeafTogether(top)
+                               : rays.visitLeaf(top.ref, lists + top.begin, top.count);
                 continue;
             }
-            if (top.count <= kShortList || top.begin + 9 * top.count > kListCapacity) {
-                visitAlone(top.ref, list, top.count);
+            if (top.arePackets && (credit < 0 || leavesNoRoom(top))) top = takenApart(top);
+            const uint32_t* list = lists + top.begin;
+            if (!top.arePackets && (top.count <= kShortList || leavesNoRoom(top))) {
+                rays.visitAlone(top.ref, list, top.count);
                 continue;
             }
             const WideNode& node = tree.nodes[top.ref];
             Lanes nearest = Lanes::all(kInfinity);
-            unsigned any = testNode(node, list, top.count, nearest);
+            unsigned any = top.arePackets ? testPackets(node, list, top.count, nearest)
+                                          : testRays(node, list, top.count, nearest);
             if (any == 0) continue;
             alignas(32) float entries[kWidth];
             nearest.store(entries);
@@ -164,47 +110,132 @@ struct Stream {
                 const ChildRef ref = node.child[order[i]];
                 prefetch(tree, ref);
                 const uint32_t gathered = gatherByBit(masks, order[i], list, top.count, lists + end);
-                stack[waiting++] = {ref, end, gathered};
+                stack[waiting++] = {ref, end, gathered, top.arePackets, &node, order[i]};
                 end += gathered;
             }
         }
     }
-};
 
-/// Prepares the rays that suit a stream, and answers the others.
-template <bool kAny>
-RAYSCOPE_INLINE uint32_t prepare(Stream<kAny>& stream, uint32_t count) {
-    uint32_t length = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        const RayWords ray = stream.words(i);
-        if (!isTraceable(ray)) continue;
-        StreamRay& r = stream.prepared[i];
-        r.fast.prepare(ray);
-        if (!r.fast.suits(stream.tree.largest)) {
-            if constexpr (kAny) {
-                stream.occluded[i] = anyHit(stream.tree, ray);
-            } else {
-                closestHit(stream.tree, ray, stream.best[i]);
+    /// Tests all rays of a list against a node; returns which children are met at all, and lowers `nearest`.
+    RAYSCOPE_INLINE unsigned testRays(const WideNode& node, const uint32_t* list, uint32_t count,
+                                      Lanes& nearest) {
+        const Lanes planes[6] = {Lanes::load(node.planes[0]), Lanes::load(node.planes[1]),
+                                 Lanes::load(node.planes[2]), Lanes::load(node.planes[3]),
+                                 Lanes::load(node.planes[4]), Lanes::load(node.planes[5])};
+        const Lanes shorter = Lanes::all(1.0f - 0x1p-20f), longer = Lanes::all(1.0f + 0x1p-20f);
+        unsigned present = 0;
+        for (int child = 0; child < kWidth; ++child) present |= (node.child[child] != 0 ? 1u : 0u) << child;
+        unsigned any = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            const FastRay& ray = rays.prepared[list[i]];
+            Lanes near[3], far[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                const Lanes inverse = Lanes::all(ray.inverse[axis]),
+                            constant = Lanes::all(ray.constant[axis]);
+                const Lanes a = multiplyAdd(planes[2 * axis], inverse, constant);
+                const Lanes b = multiplyAdd(planes[2 * axis + 1], inverse, constant);
+                near[axis] = minimum(a, b);
+                far[axis] = maximum(a, b);
             }
-            continue;
+            const Lanes pad = Lanes::all(ray.pad);
+            const Lanes enter = maximum(maximum(near[0], near[1]), near[2]) * shorter - pad;
+            const Lanes leave = multiplyAdd(minimum(minimum(far[0], far[1]), far[2]), longer, pad);
+            const unsigned mask =
+                lessOrEqual(maximum(enter, Lanes::all(ray.tMin)),
+                            minimum(leave, Lanes::all(rays.bounds[list[i]])), enter, nearest) &
+                present;
+            masks[i] = static_cast<uint8_t>(mask);
+            any |= mask;
         }
-        r.shear.isReady = false;
-        if constexpr (!kAny) stream.best[i].t = ray[7];
-        stream.lists[length++] = i;
+        return any;
     }
-    return length;
-}
+
+    /// The same for packets.
+    RAYSCOPE_INLINE unsigned testPackets(const WideNode& node, const uint32_t* list, uint32_t count,
+                                         Lanes& nearest) {
+        unsigned any = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            const unsigned mask = packets[list[i]].meets(node, nearest);
+            masks[i] = static_cast<uint8_t>(mask);
+            any |= mask;
+        }
+        return any;
+    }
+
+    /// For the lists of eight children.
+    RAYSCOPE_INLINE static bool leavesNoRoom(const StreamList& list) {
+        return list.begin + (1 + kWidth) * list.count > kListCapacity;
+    }
+
+    /// The rays of packets, behind their list.
+    RAYSCOPE_INLINE StreamList takenApart(const StreamList& list) {
+        StreamList apart{list.ref, list.begin + list.count, 0, false, nullptr, 0};
+        for (uint32_t i = 0; i < list.count; ++i)
+            for (uint32_t k = 0; k < kPacketSize; ++k) {
+                const uint32_t ray = packets[lists[list.begin + i]].firstRay + k;
+                lists[apart.begin + apart.count] = ray;
+                apart.count += rays.isDone(ray) ? 0 : 1;
+            }
+        return apart;
+    }
+
+    /// Those rays of packets that meet a leaf visit it.
+    [[gnu::noinline]] void visitLeafTogether(const StreamList& top) {
+        for (uint32_t i = 0; i < top.count; ++i) {
+            Packet& packet = packets[lists[top.begin + i]];
+            if (packet.bound < 0.0f) continue;
+            credit -= kWorth;
+            for (uint32_t group = 0; group < kPacketGroups; ++group) {
+                const uint32_t first = packet.firstRay + kWidth * group;
+                unsigned met = packet.meets(*top.parent, top.child, group, rays.bounds + first);
+                credit += __builtin_popcount(met);
+                if (top.ref < kSphereTag && __builtin_popcount(met) >= kFewOfGroup) {
+                    visitBlockTogether(top.ref, packet, group, met);
+                } else {
+                    for (; met != 0; met &= met - 1) {
+                        const uint32_t ray = first + static_cast<uint32_t>(__builtin_ctz(met));
+                        rays.visitLeaf(top.ref, &ray, 1);
+                    }
+                }
+            }
+            Lanes farthest = Lanes::load(rays.bounds + packet.firstRay);
+            for (uint32_t group = 1; group < kPacketGroups; ++group)
+                farthest = maximum(farthest, Lanes::load(rays.bounds + packet.firstRay + kWidth * group));
+            packet.bound = greatest(farthest);
+            credit = credit < kCredit ? credit : kCredit;
+        }
+    }
+    RAYSCOPE_INLINE void visitBlockTogether(ChildRef leaf, Packet& packet, uint32_t group, unsigned met) {
+        const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
+        const uint32_t first = packet.firstRay + kWidth * group;
+        const RayColumns& columns = packet.sheared(group);
+        const Lanes bound = Lanes::load(rays.bounds + first);
+        uint8_t possible[kWidth] = {};
+        unsigned any = 0;
+        for (uint32_t triangle = 0; triangle < trianglesIn(leaf); ++triangle) {
+            unsigned hit = candidates(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
+            any |= hit;
+            for (; hit != 0; hit &= hit - 1)
+                possible[__builtin_ctz(hit)] |= static_cast<uint8_t>(1u << triangle);
+        }
+        for (; any != 0; any &= any - 1) {
+            const int lane = __builtin_ctz(any);
+            const uint32_t ray = first + static_cast<uint32_t>(lane);
+            rays.testBlock(block, possible[lane], ray, BlockRay(rays.words(ray), packet.axes));
+        }
+    }
+};
 
 void closestHits(const WideTreeView& tree, const float* rays, HitWords* hits, size_t count) {
     if (count < kFewRays) return closestHitsInTurn(tree, rays, hits, count);
-    for (size_t i = 0; i < count; ++i) hits[i] = {kInfinity, kNoPrimitive, 0.0f, 0.0f};
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
-        const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;
+        const size_t end = count - begin < kStreamSize ? count : begin + kStreamSize;
+        for (size_t i = begin; i < end; ++i) hits[i] = {rays[8 * i + 7], kNoPrimitive, 0.0f, 0.0f};
         Stream<false> stream(tree, rays + 8 * begin, hits + begin, nullptr);
-        stream.run(prepare(stream, static_cast<uint32_t>(size)));
+        stream.answer(static_cast<uint32_t>(end - begin));
+        for (size_t i = begin; i < end; ++i)
+            if (hits[i].primitive == kNoPrimitive) hits[i].t = kInfinity;
     }
-    for (size_t i = 0; i < count; ++i)
-        if (hits[i].primitive == kNoPrimitive) hits[i].t = kInfinity;
 }
 
 void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count) {
@@ -213,7 +244,7 @@ void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, siz
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;
         Stream<true> stream(tree, rays + 8 * begin, nullptr, occluded + begin);
-        stream.run(prepare(stream, static_cast<uint32_t>(size)));
+        stream.answer(static_cast<uint32_t>(size));
     }
 }
 

@@ -50,9 +50,8 @@ RAYSCOPE_INLINE bool testSphere(const SphereRecord& record, Search& search, Watc
 
 /// Tests the triangles of a block whose bit is set; there is at least one. Returns whether any was hit.
 template <bool kAny, class Watcher = NoWatcher>
-RAYSCOPE_INLINE bool testTriangles(const TriangleBlock& block, unsigned possible, const FastShear& shear,
+RAYSCOPE_INLINE bool testTriangles(const TriangleBlock& block, unsigned possible, const BlockRay& ray,
                                    Search& search, Watcher watcher = {}) {
-    const BlockRay ray(search.ray, shear);
     HitWords found{};
     bool any = false;
     do {
@@ -77,7 +76,8 @@ RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, FastShear& shear, Child
     const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
     const unsigned possible = candidates(block, leaf, shear, search.tMin, search.bound);
     if constexpr (watches<Watcher>) watcher.filtered(block, leaf, possible, search);
-    return possible != 0 && testTriangles<kAny>(block, possible, shear, search, watcher);
+    return possible != 0 &&
+           testTriangles<kAny>(block, possible, BlockRay(search.ray, shear), search, watcher);
 }
 
 struct Waiting {
@@ -181,7 +181,7 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     FastRay fast;
     fast.prepare(ray);
     if (fast.suits(tree.largest)) {
-        Search search{ray, fast.scale, fast.tMin, fast.bound, {ray[7], kNoPrimitive, 0.0f, 0.0f}};
+        Search search{ray, fast.scale, fast.tMin, ray[7] * fast.scale, {ray[7], kNoPrimitive, 0.0f, 0.0f}};
         walk(FastBoxLanes(ray, fast), search);
     } else {
         const BoxRay box(ray);

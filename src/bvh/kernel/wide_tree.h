@@ -17,6 +17,9 @@ constexpr ChildRef kTagMask = 0xc0000000u;
 constexpr ChildRef kBlockIndexMask = 0x07ffffffu;
 constexpr ChildRef kSphereIndexMask = 0x3fffffffu;
 constexpr int kBlockSizeShift = 27;
+[[gnu::always_inline]] constexpr uint32_t trianglesIn(ChildRef block) {
+    return (block >> kBlockSizeShift & 7u) + 1u;
+}
 
 /// The boxes of up to eight children; the box of a missing child is inverted, and never hit.
 struct alignas(64) WideNode {

@@ -1,6 +1,6 @@
 // Stands in for src/bvh/kernel/block_test.inl in a benchmark: Möller and Trumbore 1997 in float, in the same
 // walk of the same tree. It leaks; what the sign-exact test costs is measured against it.
-#include "bvh/kernel/fast_ray.h"
+#include "bvh/kernel/prepare_rays.h"
 #include "bvh/kernel/query.h"
 #include "bvh/kernel/wide_tree.h"
 
@@ -44,11 +44,18 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, c
     return inside & inReach & less(zero, det) & present;
 }
 
+/// Rays that are tested together are tested one by one.
+RAYSCOPE_INLINE unsigned candidates(const TriangleBlock&, int, const RayColumns&, const RayAxes&, Lanes,
+                                    unsigned present) {
+    return present;
+}
+
 /// One triangle again, for its t and weights.
 struct BlockRay {
     RayWords ray;
 
     RAYSCOPE_INLINE BlockRay(RayWords words, const FastShear&) : ray(words) {}
+    RAYSCOPE_INLINE BlockRay(RayWords words, const RayAxes&) : ray(words) {}
 
     RAYSCOPE_INLINE bool hits(const TriangleBlock& block, int lane, float bound, HitWords& found) const {
         float a[3], edge1[3], edge2[3], s[3], p[3], q[3];

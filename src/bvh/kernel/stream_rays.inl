@@ -1,0 +1,120 @@
+// The rays of a stream. Include after one of the lanes_*.inl.
+#include "bvh/kernel/packet.inl"
+
+namespace rayscope::kernel {
+namespace {
+
+constexpr uint32_t kStreamSize = 1024;
+
+template <bool kAny>
+struct StreamRays {
+    const WideTreeView& tree;
+    const float* allWords;                  ///< eight of each ray
+    HitWords* best;                         ///< of closest-hit queries, one per ray
+    uint8_t* occluded;                      ///< of any-hit queries, one per ray
+    alignas(64) float bounds[kStreamSize];  ///< scaled best.t; negative if the ray has been answered
+    FastRay prepared[kStreamSize];
+    FastShear shears[kStreamSize];
+    bool hasShear[kStreamSize];  ///< or shears[ray] is yet to be set
+
+    RAYSCOPE_INLINE StreamRays(const WideTreeView& t, const float* words, HitWords* b, uint8_t* o)
+        : tree(t), allWords(words), best(b), occluded(o) {}
+    RAYSCOPE_INLINE RayWords words(uint32_t ray) const { return allWords + size_t{8} * ray; }
+
+    /// Prepares sixteen rays, or those that are left. Returns a bit for each that suits FastRay and can hit
+    /// anything; the others are to be answered by the search for one ray.
+    RAYSCOPE_INLINE unsigned prepare(uint32_t first, uint32_t size, Packet& packet) {
+        const float* from = words(first);
+        float padded[8 * kPacketSize] = {};  // what is no ray does not suit
+        if (size < kPacketSize) {
+            __builtin_memcpy(padded, from, 8 * size * sizeof(float));
+            from = padded;
+        }
+        unsigned suits = 0;
+        for (uint32_t group = 0; group < kPacketGroups; ++group) {
+            const uint32_t offset = kWidth * group;
+            suits |= prepareEight(from + 8 * offset, tree.largest, prepared + first + offset,
+                                  bounds + first + offset, packet.columns[group])
+                     << offset;
+        }
+        __builtin_memset(hasShear + first, 0, kPacketSize);
+        return suits;
+    }
+    RAYSCOPE_INLINE void answerOne(uint32_t ray) {
+        if constexpr (kAny) {
+            occluded[ray] = anyHit(tree, words(ray));
+        } else {
+            closestHit(tree, words(ray), best[ray]);
+        }
+    }
+
+    /// Takes up a result.
+    RAYSCOPE_INLINE void keep(uint32_t ray, const Search& search) {
+        if constexpr (kAny) {
+            occluded[ray] = 1;
+            bounds[ray] = -1.0f;
+        } else {
+            best[ray] = search.best;
+            bounds[ray] = search.bound;
+        }
+    }
+    RAYSCOPE_INLINE bool isDone(uint32_t ray) const { return kAny && bounds[ray] < 0.0f; }
+    RAYSCOPE_INLINE Search searchOf(uint32_t ray) const {
+        const FastRay& fast = prepared[ray];
+        const HitWords none{words(ray)[7], kNoPrimitive, 0.0f, 0.0f};
+        return {words(ray), fast.scale, fast.tMin, bounds[ray], kAny ? none : best[ray]};
+    }
+
+    RAYSCOPE_INLINE FastShear& shearOf(uint32_t ray) {
+        if (!hasShear[ray]) shears[ray].isReady = false;
+        hasShear[ray] = true;
+        return shears[ray];
+    }
+
+    RAYSCOPE_INLINE void visitSphere(const SphereRecord& sphere, uint32_t ray) {
+        Search search = searchOf(ray);
+        if (testSphere(sphere, search)) keep(ray, search);
+    }
+    RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
+        FastShear& shear = shearOf(ray);
+        shear.prepareOnce(words(ray), prepared[ray].scale);
+        const unsigned possible = candidates(block, leaf, shear, prepared[ray].tMin, bounds[ray]);
+        if (possible != 0) testBlock(block, possible, ray, BlockRay(words(ray), shear));
+    }
+    RAYSCOPE_INLINE void testBlock(const TriangleBlock& block, unsigned possible, uint32_t ray,
+                                   const BlockRay& exact) {
+        Search search = searchOf(ray);
+        if (testTriangles<kAny>(block, possible, exact, search)) keep(ray, search);
+    }
+
+    [[gnu::noinline]] void visitLeaf(ChildRef leaf, const uint32_t* list, uint32_t count) {
+        if (leaf < kSphereTag) {
+            const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
+            for (uint32_t i = 0; i < count; ++i)
+                if (!isDone(list[i])) visitBlock(block, leaf, list[i]);
+        } else {
+            const SphereRecord& sphere = tree.spheres[leaf & kSphereIndexMask];
+            for (uint32_t i = 0; i < count; ++i)
+                if (!isDone(list[i])) visitSphere(sphere, list[i]);
+        }
+    }
+
+    /// Goes on with each ray by itself.
+    RAYSCOPE_INLINE void visitAlone(ChildRef ref, const uint32_t* list, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t ray = list[i];
+            if (isDone(ray)) continue;
+            Search search = searchOf(ray);
+            const FastBoxLanes lanes(search.ray, prepared[ray]);
+            if constexpr (kAny) {
+                if (walkToAnyHit(tree, ref, lanes, shearOf(ray), search)) keep(ray, search);
+            } else {
+                walkToClosestHit(tree, ref, lanes, shearOf(ray), search);
+                keep(ray, search);
+            }
+        }
+    }
+};
+
+}  // namespace
+}  // namespace rayscope::kernel
