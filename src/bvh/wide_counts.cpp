@@ -29,6 +29,7 @@ struct Counter {
         ++counts->leaves;
         counts->primitives += kernel::trianglesIn(leaf);
     }
+    static void surelyHit(std::uint32_t, const HitWords&, const Search&) {}
     void tested(std::uint32_t, bool, const HitWords&, const Search&) const { ++counts->exact; }
 };
 

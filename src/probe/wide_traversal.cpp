@@ -156,6 +156,9 @@ struct Watcher {
     void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const Search& search) const {
         to->filtered(block, leaf, mask, search);
     }
+    void surelyHit(std::uint32_t primitive, const HitWords& hit, const Search& search) const {
+        to->tested(primitive, true, hit, search);
+    }
     void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) const {
         to->tested(primitive, isHit, hit, search);
     }

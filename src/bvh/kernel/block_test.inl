@@ -18,7 +18,21 @@ struct ShearedCorners {
     }
 };
 
-/// In which of the lanes `present` the exact test may find a hit: a conservative filter in float.
+/// What the float test finds: in which lanes the exact test may find a hit, and, asked for, in which it
+/// surely will.
+struct Candidates {
+    unsigned possible;
+    Lanes least, most, begin, end;  ///< |det| times the distance and the bounds on it, with their errors
+    Lanes lowest, highest, error;   ///< of the edge functions
+    unsigned bounded;               ///< lanes in which nothing overflows
+
+    RAYSCOPE_INLINE unsigned sure() const {
+        const unsigned inside = less(error, lowest) | less(highest, Lanes::all(0.0f) - error);
+        return possible & bounded & inside & less(begin, least) & less(most, end);
+    }
+};
+
+/// Tests the lanes `present`: bounded errors in float.
 ///
 /// With u = 2^-24 and m the largest absolute coordinate of a corner relative to the origin, a sheared
 /// coordinate has an error of at most 6um. With X the largest sheared coordinate plus 8um (`size`), an edge
@@ -30,8 +44,11 @@ struct ShearedCorners {
 /// values is at most |det| + 6 errors; depths have an error of 4um. So |det| · t is known up to
 /// m · (9 errors + 32u |det|), twice over, and a lane is left out if its hit lies before tMin or behind the
 /// bound by more than that. Where products overflow, or come near the denormal numbers, nothing is left out.
-RAYSCOPE_INLINE unsigned mayHit(const ShearedCorners& at, unsigned present, Lanes scaleZ, Lanes tMin,
-                                Lanes bound) {
+///
+/// Where all three edge functions have the same sign by more than the error, so have those of the exact test;
+/// if the distance lies between tMin and bound by more than its margin, too, the exact test accepts the hit.
+RAYSCOPE_INLINE Candidates testCorners(const ShearedCorners& at, unsigned present, Lanes scaleZ, Lanes tMin,
+                                       Lanes bound) {
     constexpr float kUnit = 0x1p-24f;
     const Lanes tiny = Lanes::all(0x1p-120f), huge = Lanes::all(0x1p100f);
     const auto &x = at.x, &y = at.y, &z = at.z;
@@ -44,23 +61,24 @@ RAYSCOPE_INLINE unsigned mayHit(const ShearedCorners& at, unsigned present, Lane
     const Lanes u = subtractProduct(x[2] * y[1], y[2], x[1]);
     const Lanes v = subtractProduct(x[0] * y[2], y[0], x[2]);
     const Lanes w = subtractProduct(x[1] * y[0], y[1], x[0]);
-    const unsigned positive = less(error, maximum(maximum(u, v), w));
-    const unsigned negative = less(minimum(minimum(u, v), w), Lanes::all(0.0f) - error);
-    present &= ~(positive & negative & less(error, huge));
-    if (present == 0) return 0;
+    const Lanes highest = maximum(maximum(u, v), w), lowest = minimum(minimum(u, v), w);
+    const unsigned mixed = less(error, highest) & less(lowest, Lanes::all(0.0f) - error);
+    present &= ~(mixed & less(error, huge));
+    if (present == 0) return {0, tiny, tiny, tiny, tiny, tiny, tiny, tiny, 0};
 
     const Lanes signedDet = u + v + w, det = absolute(signedDet);
     const Lanes along = withSignOf(multiplyAdd(u, z[0], multiplyAdd(v, z[1], w * z[2])) * scaleZ, signedDet);
     const Lanes margin =
         multiplyAdd(reach, multiplyAdd(error, Lanes::all(9.0f), det * Lanes::all(32.0f * kUnit)), tiny);
-    const unsigned before = less(along + margin, tMin * det);
-    const unsigned behind = less(multiplyAdd(bound, det, margin), along);
-    return present & ~((before | behind) & less(margin, huge));
+    const Lanes least = along - margin, most = along + margin, begin = tMin * det, end = bound * det;
+    const unsigned bounded = less(margin, huge);
+    const unsigned possible = present & ~((less(most, begin) | less(end, least)) & bounded);
+    return {possible, least, most, begin, end, lowest, highest, error, bounded};
 }
 
-/// Which of the triangles of a leaf the exact test may hit.
-RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
-                                    float tMin, float bound) {
+/// The triangles of a leaf.
+RAYSCOPE_INLINE Candidates candidates(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
+                                      float tMin, float bound) {
     const Lanes shearX = Lanes::all(ray.shearX), shearY = Lanes::all(ray.shearY);
     ShearedCorners at;
     for (int corner = 0; corner < 3; ++corner) {
@@ -69,13 +87,13 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, c
                Lanes::load(rows[ray.axes.ky]) - Lanes::all(ray.origin[1]),
                Lanes::load(rows[ray.axes.kz]) - Lanes::all(ray.origin[2]), shearX, shearY);
     }
-    return mayHit(at, (1u << trianglesIn(leaf)) - 1u, Lanes::all(ray.scaleZ), Lanes::all(tMin),
-                  Lanes::all(bound));
+    return testCorners(at, (1u << trianglesIn(leaf)) - 1u, Lanes::all(ray.scaleZ), Lanes::all(tMin),
+                       Lanes::all(bound));
 }
 
-/// Which of eight rays the exact test may find to hit a triangle of a block before their bounds.
-RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, int triangle, const RayColumns& rays,
-                                    const RayAxes& axes, Lanes bound, unsigned present) {
+/// Eight rays, each with its bound, and one triangle of a block.
+RAYSCOPE_INLINE Candidates candidates(const TriangleBlock& block, int triangle, const RayColumns& rays,
+                                      const RayAxes& axes, Lanes bound, unsigned present) {
     const Lanes shearX = Lanes::load(rays.shearX), shearY = Lanes::load(rays.shearY);
     ShearedCorners at;
     for (int corner = 0; corner < 3; ++corner) {
@@ -84,7 +102,7 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, int triangle, co
                Lanes::all(rows[axes.ky][triangle]) - Lanes::load(rays.origin[axes.ky]),
                Lanes::all(rows[axes.kz][triangle]) - Lanes::load(rays.origin[axes.kz]), shearX, shearY);
     }
-    return mayHit(at, present, Lanes::load(rays.scaleZ), Lanes::load(rays.tMin), bound);
+    return testCorners(at, present, Lanes::load(rays.scaleZ), Lanes::load(rays.tMin), bound);
 }
 
 /// The exact test of triangles of a block.

@@ -211,17 +211,25 @@ struct Stream {
         const RayColumns& columns = packet.sheared(group);
         const Lanes bound = Lanes::load(rays.bounds + first);
         uint8_t possible[kWidth] = {};
-        unsigned any = 0;
         for (uint32_t triangle = 0; triangle < trianglesIn(leaf); ++triangle) {
-            unsigned hit = candidates(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
-            any |= hit;
+            const Candidates found =
+                candidates(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
+            unsigned hit = found.possible;
+            if (kAny && hit != 0) {
+                unsigned sure = found.sure();
+                met &= ~sure;
+                hit &= ~sure;
+                for (; sure != 0; sure &= sure - 1)
+                    rays.occlude(first + static_cast<uint32_t>(__builtin_ctz(sure)));
+            }
             for (; hit != 0; hit &= hit - 1)
                 possible[__builtin_ctz(hit)] |= static_cast<uint8_t>(1u << triangle);
         }
-        for (; any != 0; any &= any - 1) {
-            const int lane = __builtin_ctz(any);
+        for (; met != 0; met &= met - 1) {
+            const int lane = __builtin_ctz(met);
             const uint32_t ray = first + static_cast<uint32_t>(lane);
-            rays.testBlock(block, possible[lane], ray, BlockRay(rays.words(ray), packet.axes));
+            if (possible[lane] != 0)
+                rays.testBlock(block, possible[lane], ray, BlockRay(rays.words(ray), packet.axes));
         }
     }
 };

@@ -48,11 +48,14 @@ struct StreamRays {
         }
     }
 
+    RAYSCOPE_INLINE void occlude(uint32_t ray) {
+        occluded[ray] = 1;
+        bounds[ray] = -1.0f;
+    }
     /// Takes up a result.
     RAYSCOPE_INLINE void keep(uint32_t ray, const Search& search) {
         if constexpr (kAny) {
-            occluded[ray] = 1;
-            bounds[ray] = -1.0f;
+            occlude(ray);
         } else {
             best[ray] = search.best;
             bounds[ray] = search.bound;
@@ -78,8 +81,10 @@ struct StreamRays {
     RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
         FastShear& shear = shearOf(ray);
         shear.prepareOnce(words(ray), prepared[ray].scale);
-        const unsigned possible = candidates(block, leaf, shear, prepared[ray].tMin, bounds[ray]);
-        if (possible != 0) testBlock(block, possible, ray, BlockRay(words(ray), shear));
+        const Candidates found = candidates(block, leaf, shear, prepared[ray].tMin, bounds[ray]);
+        if (found.possible == 0) return;
+        if (kAny && found.sure() != 0) return occlude(ray);
+        testBlock(block, found.possible, ray, BlockRay(words(ray), shear));
     }
     RAYSCOPE_INLINE void testBlock(const TriangleBlock& block, unsigned possible, uint32_t ray,
                                    const BlockRay& exact) {

@@ -6,6 +6,9 @@
 //   waits(ref)                             the child goes onto the stack
 //   skipped(ref, search)                   what waited begins behind the closest hit found since
 //   filtered(block, leaf, mask, search)    of the triangles of a block those whose bit is set may be hit
+//   surelyHit(primitive, hit, search)      the float test is sure of a hit, which ends the search for any;
+//   where
+//                                          it is, only the watcher learns
 //   tested(primitive, isHit, hit, search)  a primitive was tested exactly; the result is not taken up yet
 #include "bvh/kernel/block_test.inl"
 #include "bvh/kernel/node_test.inl"
@@ -74,10 +77,19 @@ RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, FastShear& shear, Child
     if (leaf >= kSphereTag) return testSphere(tree.spheres[leaf & kSphereIndexMask], search, watcher);
     shear.prepareOnce(search.ray, static_cast<float>(search.scale));
     const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
-    const unsigned possible = candidates(block, leaf, shear, search.tMin, search.bound);
-    if constexpr (watches<Watcher>) watcher.filtered(block, leaf, possible, search);
-    return possible != 0 &&
-           testTriangles<kAny>(block, possible, BlockRay(search.ray, shear), search, watcher);
+    const Candidates found = candidates(block, leaf, shear, search.tMin, search.bound);
+    if constexpr (watches<Watcher>) watcher.filtered(block, leaf, found.possible, search);
+    if (found.possible == 0) return false;
+    if constexpr (kAny) {
+        const unsigned sure = found.sure();
+        if constexpr (watches<Watcher>) {
+            HitWords hit{};
+            if (sure != 0 && BlockRay(search.ray, shear).hits(block, __builtin_ctz(sure), search.best.t, hit))
+                watcher.surelyHit(hit.primitive, hit, search);
+        }
+        if (sure != 0) return true;
+    }
+    return testTriangles<kAny>(block, found.possible, BlockRay(search.ray, shear), search, watcher);
 }
 
 struct Waiting {

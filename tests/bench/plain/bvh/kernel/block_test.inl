@@ -23,9 +23,14 @@ RAYSCOPE_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) {
     return multiplyAdd(a.x, b.x, multiplyAdd(a.y, b.y, a.z * b.z));
 }
 
+struct Candidates {
+    unsigned possible;
+    static unsigned sure() { return 0; }
+};
+
 /// All eight triangles. The direction is that of the ray divided by its longest component, which comes last.
-RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
-                                    float tMin, float bound) {
+RAYSCOPE_INLINE Candidates candidates(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
+                                      float tMin, float bound) {
     const auto corner = [&](int i) -> Lanes3 {
         const auto& rows = block.corner[i];
         return {Lanes::load(rows[ray.axes.kx]), Lanes::load(rows[ray.axes.ky]),
@@ -41,13 +46,13 @@ RAYSCOPE_INLINE unsigned candidates(const TriangleBlock& block, ChildRef leaf, c
     const unsigned inside = lessOrEqual(zero, u) & lessOrEqual(zero, v) & lessOrEqual(u + v, det);
     const unsigned inReach = less(Lanes::all(tMin) * det, t) & lessOrEqual(t, Lanes::all(bound) * det);
     const unsigned present = (2u << ((leaf >> kBlockSizeShift) & 7u)) - 1u;
-    return inside & inReach & less(zero, det) & present;
+    return {inside & inReach & less(zero, det) & present};
 }
 
 /// Rays that are tested together are tested one by one.
-RAYSCOPE_INLINE unsigned candidates(const TriangleBlock&, int, const RayColumns&, const RayAxes&, Lanes,
-                                    unsigned present) {
-    return present;
+RAYSCOPE_INLINE Candidates candidates(const TriangleBlock&, int, const RayColumns&, const RayAxes&, Lanes,
+                                      unsigned present) {
+    return {present};
 }
 
 /// One triangle again, for its t and weights.
