@@ -13,10 +13,7 @@ int areaOf(const PixelBounds& b) { return (b.x1 - b.x0) * (b.y1 - b.y0); }
 Film::Film(int width, int height, PixelBounds region)
     : width_(width), height_(height), region_(region), columns_(tilesAcross(region.x1 - region.x0)) {
     const int rows = tilesAcross(region.y1 - region.y0);
-    for (int i = 0; i < columns_ * rows; ++i) {
-        tiles_.push_back(std::make_unique<Tile>());
-        tiles_.back()->pixels.resize(static_cast<std::size_t>(areaOf(tileBounds(i))));
-    }
+    for (int i = 0; i < columns_ * rows; ++i) tiles_.push_back(std::make_unique<Tile>());
 }
 
 PixelBounds Film::tileBounds(int tile) const {
@@ -27,7 +24,10 @@ PixelBounds Film::tileBounds(int tile) const {
 void Film::read(int tile, TileCopy& copy) const {
     const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
     const std::scoped_lock guard(from.lock);
-    copy.pixels = from.pixels;
+    if (from.pixels.empty())
+        copy.pixels.assign(static_cast<std::size_t>(areaOf(tileBounds(tile))), PixelSums{});
+    else
+        copy.pixels = from.pixels;
     copy.samples = from.samples;
     copy.version = from.version;
 }
@@ -70,20 +70,21 @@ PixelSums Film::sums(int x, int y, int& samples) const {
     const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
     const std::scoped_lock guard(from.lock);
     samples = from.samples;
+    if (from.pixels.empty()) return {};
     return from.pixels[static_cast<std::size_t>((y - bounds.y0) * (bounds.x1 - bounds.x0) + x - bounds.x0)];
 }
 
 RgbImage Film::mean() const {
     RgbImage image(width_, height_, Rgb(0.0f));
-    TileCopy copy;
     for (int tile = 0; tile < tileCount(); ++tile) {
-        read(tile, copy);
-        if (copy.samples == 0) continue;
+        const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
+        const std::scoped_lock guard(from.lock);
+        if (from.samples == 0) continue;
         const PixelBounds bounds = tileBounds(tile);
-        const PixelSums* pixel = copy.pixels.data();
+        const PixelSums* pixel = from.pixels.data();
         for (int y = bounds.y0; y < bounds.y1; ++y)
             for (int x = bounds.x0; x < bounds.x1; ++x)
-                image.at(x, y) = Rgb((pixel++)->radiance / static_cast<double>(copy.samples));
+                image.at(x, y) = Rgb((pixel++)->radiance / static_cast<double>(from.samples));
     }
     return image;
 }

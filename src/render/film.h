@@ -64,7 +64,7 @@ class Film {
   private:
     struct Tile {
         mutable std::mutex lock;
-        std::vector<PixelSums> pixels;
+        std::vector<PixelSums> pixels;  ///< empty until the first commit
         int samples = 0;
         std::atomic<std::uint32_t> version{0};
     };

@@ -30,7 +30,7 @@ class Camera {
     double lensRadius() const { return lensRadius_; }
     double focusDistance() const { return focusDistance_; }
     /// Angle between the rays of neighbouring pixels at the centre of the image, radians.
-    double pixelAngle() const { return 2.0 * tanHalfY_ / height_; }
+    double pixelAngle() const { return pixelSize_.y; }
 
   private:
     glm::dvec2 onImagePlane(const glm::dvec2& pixel) const {

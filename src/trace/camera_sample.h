@@ -2,6 +2,7 @@
 #include <rayscope/path.h>
 
 #include "sampling/sample_stream.h"
+#include "sampling/warp.h"
 #include "trace/world.h"
 
 namespace rayscope {
@@ -19,6 +20,10 @@ struct CameraSample {
 /// Whether each sample of a world is one camera ray that depends on nothing else.
 bool hasSingleCameraRays(const World& world);
 /// That ray.
-Ray singleCameraRay(const World& world, const SampleStream& stream, const CameraSample& sample);
+inline Ray singleCameraRay(const World& world, const SampleStream& stream, const CameraSample& sample) {
+    if (!world.camera.hasLens()) return world.camera.pinholeRay(sample.pixel);
+    const glm::dvec2 aperture = sampleAperture(world.settings.lensShape, stream.get2D(Dim::Lens));
+    return world.camera.lensRay(sample.pixel, aperture);
+}
 
 }  // namespace rayscope

@@ -50,7 +50,7 @@ class Tracer {
 
     void traceLens();
     void traceCamera(const Ray& ray, double weight, PathKey key, const Hit* known = nullptr);
-    void trace(Segment segment, Branch branch, const Hit* known = nullptr);
+    void trace(Segment& segment, Branch branch, const Hit* known = nullptr);
     bool closestHit(const Ray& ray, Hit& hit);
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits);
     void shade(const Segment& segment, const Interaction& at, const Branch& branch,
@@ -166,9 +166,9 @@ void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, PathKey key, c
 }
 
 /// Follows a ray through any number of transparent layers; reflections branch off by recursion. What the ray
-/// meets first may be known.
+/// meets first may be known. The segment ends as the last one.
 template <PathObserver O, class Terms>
-void Tracer<O, Terms>::trace(Segment segment, Branch branch, const Hit* known) {
+void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) {
     for (std::uint32_t layer = 0;; ++layer) {
         observer_.segment(segment);
         Hit hit;

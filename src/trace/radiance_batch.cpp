@@ -14,14 +14,14 @@ RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed)
 void RadianceBatch::start(std::span<const SampleName> names) {
     streams_.clear();
     samples_.clear();
-    rays_.clear();
     // One step at a time for all samples: steps of different samples do not wait for one another.
     const Settings& settings = world_.settings;
     for (const SampleName& name : names)
         streams_.emplace_back(settings.sampler, seed_, name.x, name.y, name.index, settings.spp);
     for (std::size_t i = 0; i < names.size(); ++i) samples_.emplace_back(world_, streams_[i], names[i]);
-    for (std::size_t i = 0; hasSingleRays_ && i < names.size(); ++i)
-        rays_.push_back(singleCameraRay(world_, streams_[i], samples_[i]));
+    rays_.resize(hasSingleRays_ ? names.size() : 0);
+    for (std::size_t i = 0; i < rays_.size(); ++i)
+        rays_[i] = singleCameraRay(world_, streams_[i], samples_[i]);
     hits_.resize(rays_.size());
     world_.closestHits(rays_, 0.0f, hits_);
     results_.assign(names.size(), SampleResult{});

@@ -53,9 +53,9 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
     const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
     const SamplePoints points = stream_.points(Dim::Glossy, branch.key, 0, n);
-    Segment glossy = mirrored;
-    glossy.kind = RayKind::Glossy;
-    glossy.throughput /= static_cast<double>(n);
+    Segment part = mirrored;
+    part.kind = RayKind::Glossy;
+    part.throughput /= static_cast<double>(n);
     std::array<Ray, kGroup> rays, above;
     std::array<Hit, kGroup> hits;
     std::array<bool, kGroup> isAbove;
@@ -73,6 +73,7 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
         closestHits({above.data(), searched}, hits);
         searched = 0;
         for (std::size_t k = 0; k < count; ++k) {
+            Segment glossy = part;
             glossy.ray = rays[k];
             const auto number = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(k);
             if (isAbove[k]) {
