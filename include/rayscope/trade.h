@@ -137,6 +137,9 @@ struct TradeRequest {
     std::vector<std::pair<std::string, Settings>> extra;
     std::function<void(const TradeProgress&)> progress;
     std::stop_token stop;
+    /// The seconds that a picture of so many rays counts as, so that a report can be had whose times do not
+    /// depend on the machine; empty: what it took.
+    std::function<double(std::uint64_t rays)> secondsOfRays;
 };
 
 /// Measures for about `budgetSeconds`. Throws InputError if the scene cannot be traced. If the budget is too

@@ -206,7 +206,7 @@ bool Experiment::measure(std::size_t index, int block, double mostSeconds) {
         runTrial(workers_, compileRequest(point.settings), lender,
                  kFirstSeed + static_cast<std::uint64_t>(block), mostSeconds, request_.stop);
     if (!trial) return false;
-    runs.seconds.push_back(trial->seconds);
+    runs.seconds.push_back(request_.secondsOfRays ? request_.secondsOfRays(trial->rays) : trial->seconds);
     runs.buildSeconds.push_back(trial->buildSeconds);
     if (block == 0) runs.work = workOf(*trial);
     runs.pictures.push_back(hashOf(trial->image));

