@@ -80,7 +80,7 @@ struct Packet {
         isSheared = false;
         tMin = leastOf[7];
         scale = prepared->scale;
-        bound = most[7] * scale;
+        bound = scaledReach(most[7], scale);
         return true;
     }
 

@@ -39,6 +39,11 @@ RAYSCOPE_INLINE float powerOfTwoBelow(float x) {
     return __builtin_bit_cast(float, __builtin_bit_cast(uint32_t, x) & 0x7f800000u);
 }
 
+/// The distance, scaled, behind which nothing counts as hit: neither behind tMax, nor where t is no float.
+RAYSCOPE_INLINE float scaledReach(float tMax, double scale) {
+    return static_cast<float>((tMax < kLargest ? tMax : kLargest) * scale);
+}
+
 /// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
 RAYSCOPE_INLINE bool isTraceable(RayWords ray) {
     const Float4 direction = load4(ray + 3);

@@ -193,11 +193,13 @@ RAYSCOPE_INLINE void prepared(const WideTreeView& tree, RayWords ray, const Walk
     FastRay fast;
     fast.prepare(ray);
     if (fast.suits(tree.largest)) {
-        Search search{ray, fast.scale, fast.tMin, ray[7] * fast.scale, {ray[7], kNoPrimitive, 0.0f, 0.0f}};
+        Search search{
+            ray, fast.scale, fast.tMin, scaledReach(ray[7], fast.scale), {ray[7], kNoPrimitive, 0.0f, 0.0f}};
         walk(FastBoxLanes(ray, fast), search);
     } else {
         const BoxRay box(ray);
-        Search search{ray, box.scale, box.tMin, box.tMax, {ray[7], kNoPrimitive, 0.0f, 0.0f}};
+        Search search{
+            ray, box.scale, box.tMin, scaledReach(ray[7], box.scale), {ray[7], kNoPrimitive, 0.0f, 0.0f}};
         walk(ExactBoxLanes(ray, box), search);
     }
 }
