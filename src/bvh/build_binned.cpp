@@ -15,7 +15,7 @@ namespace rayscope {
 namespace {
 
 constexpr std::size_t kParallelSize = 4096;
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kGrain = 4096;
 
 /// Maps centroids to equally wide bins on each axis. An axis along which all centroids are (nearly) equal has
 /// none.

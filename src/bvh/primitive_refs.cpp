@@ -16,7 +16,7 @@ namespace rayscope {
 namespace {
 
 using Block = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kGrain = 4096;
 
 /// Nodes are numbered with 32 bits, and n primitives may need 2n − 1 of them.
 constexpr std::size_t kMostPrimitives = std::size_t{1} << 31;
