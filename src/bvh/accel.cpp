@@ -19,11 +19,16 @@ struct Accel::State {
     BinaryTree tree;
     PackedPrimitives primitives;
     WideTree wide;
+    kernel::WideTreeView view{};               ///< of `wide`, for every ray
     const kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
     AccelSummary summary;
     BuildSettings settings;
     double costWhenBuilt = 0.0;  ///< 0: refitted never
 
+    void setWide(WideTree&& layout) {
+        wide = std::move(layout);
+        view = wide.view();
+    }
     double cost() const { return kernels ? searchCost(wide) : statisticsOf(tree).sahCost; }
 };
 
@@ -48,7 +53,7 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
         state.primitives = PackedPrimitives(input, state.tree, settings.stop);
         return accel;
     }
-    state.wide = collapse(state.tree, input, settings.stop);
+    state.setWide(collapse(state.tree, input, settings.stop));
     state.summary.wideNodes = state.wide.nodes.size();
     state.summary.triangleBlocks = state.wide.blocks.size();
     state.kernels = &kernels;
@@ -86,7 +91,7 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     if (state.kernels) {
         std::optional<WideTree> wide = refitted(state_->wide, moved, stop);
         if (!wide) return buildAnew();
-        state.wide = std::move(*wide);
+        state.setWide(std::move(*wide));
     } else {
         state.primitives = PackedPrimitives(moved, state.tree, stop);
     }
@@ -100,29 +105,24 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         return false;
     }
     if (state_->kernels) {
-        kernel::HitWords found;
-        if (!state_->kernels->closestHit(state_->wide.view(), words(ray), found)) {
-            hit = Hit{};
-            return false;
-        }
-        hit = {found.t, found.primitive, found.u, found.v};
-        return true;
+        const bool isHit = state_->kernels->closestHit(state_->view, words(ray), hitWords(&hit));
+        if (!isHit) hit = Hit{};
+        return isHit;
     }
     NullTraversalObserver nobody;
     return walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
-    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->wide.view(), words(ray));
+    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, words(ray));
     return state_ && walkToAnyHit(state_->tree, state_->primitives, ray);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
     if (state_ && state_->kernels) {
-        static_assert(sizeof(Hit) == sizeof(kernel::HitWords));
-        state_->kernels->closestHits(state_->wide.view(), reinterpret_cast<const float*>(rays.data()),
-                                     reinterpret_cast<kernel::HitWords*>(hits.data()), rays.size());
+        state_->kernels->closestHits(state_->view, reinterpret_cast<const float*>(rays.data()),
+                                     &hitWords(hits.data()), rays.size());
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], hits[i]);
@@ -131,8 +131,8 @@ void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
 void Accel::anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
     assert(rays.size() == occluded.size());
     if (state_ && state_->kernels) {
-        state_->kernels->anyHits(state_->wide.view(), reinterpret_cast<const float*>(rays.data()),
-                                 occluded.data(), rays.size());
+        state_->kernels->anyHits(state_->view, reinterpret_cast<const float*>(rays.data()), occluded.data(),
+                                 rays.size());
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i]);

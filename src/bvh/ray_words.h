@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/ray.h>
 
-#include "bvh/kernel/ray_setup.h"
+#include "bvh/kernel/query.h"
 
 namespace rayscope {
 
@@ -9,6 +9,12 @@ namespace rayscope {
 inline kernel::RayWords words(const Ray& ray) {
     static_assert(sizeof(Ray) == 8 * sizeof(float));
     return reinterpret_cast<const float*>(&ray);
+}
+
+/// A hit as kernels fill it in.
+inline kernel::HitWords& hitWords(Hit* hit) {
+    static_assert(sizeof(Hit) == sizeof(kernel::HitWords));
+    return reinterpret_cast<kernel::HitWords&>(*hit);
 }
 
 }  // namespace rayscope

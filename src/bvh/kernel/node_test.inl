@@ -51,11 +51,15 @@ struct FastBoxLanes {
 
     RAYSCOPE_INLINE FastBoxLanes(RayWords words, const FastRay& ray)
         : rows(words), tMin(Lanes::all(ray.tMin)) {
+        constexpr float kShorter = 1.0f - 0x1p-20f, kLonger = 1.0f + 0x1p-20f;
+        const Float4 pad = kernel::absolute(ray.constant) * 0x1p-21f + 0x1p-120f;
+        const Float4 inverse[2] = {ray.inverse * kShorter, ray.inverse * kLonger};
+        const Float4 constant[2] = {ray.constant * kShorter - pad, ray.constant * kLonger + pad};
         for (int axis = 0; axis < 3; ++axis) {
-            nearInverse[axis] = Lanes::all(ray.inverse[axis] * (1.0f - 0x1p-20f));
-            farInverse[axis] = Lanes::all(ray.inverse[axis] * (1.0f + 0x1p-20f));
-            nearConstant[axis] = Lanes::all(ray.constant[axis] * (1.0f - 0x1p-20f) - ray.pad);
-            farConstant[axis] = Lanes::all(ray.constant[axis] * (1.0f + 0x1p-20f) + ray.pad);
+            nearInverse[axis] = Lanes::all(inverse[0][axis]);
+            farInverse[axis] = Lanes::all(inverse[1][axis]);
+            nearConstant[axis] = Lanes::all(constant[0][axis]);
+            farConstant[axis] = Lanes::all(constant[1][axis]);
         }
     }
     RAYSCOPE_INLINE Lanes near(const WideNode& node, int axis) const {

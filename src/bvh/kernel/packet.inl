@@ -43,7 +43,7 @@ struct Packet {
     float tMin, bound;
 
     /// Takes up sixteen rays, whose columns are known, if they are alike.
-    RAYSCOPE_INLINE bool gather(const float* rays, const FastRay* prepared, uint32_t first) {
+    RAYSCOPE_INLINE bool gather(const float* rays, const PackedRay* prepared, uint32_t first) {
         Lanes leastWords = Lanes::loadUnaligned(rays), mostWords = leastWords;
         Lanes leastFast = Lanes::loadUnaligned(prepared->inverse), mostFast = leastFast;
         for (uint32_t i = 1; i < kPacketSize; ++i) {

@@ -57,7 +57,7 @@ struct alignas(32) RayColumns {
 
 /// Does what FastRay::prepare() does for eight rays of eight words each. Returns a bit for each that can hit
 /// anything and suits (see isTraceable() and FastRay::suits()); `bound` is their scaled tMax.
-RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, FastRay* prepared, float* bound,
+RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, PackedRay* prepared, float* bound,
                                       RayColumns& columns) {
     Float8 word[8];
     for (int i = 0; i < 8; ++i) word[i] = load8(rays + 8 * i);

@@ -34,7 +34,18 @@ RAYSCOPE_INLINE float largestOf3(Float4 x) {
     return x[2] > ab ? x[2] : ab;
 }
 
+/// The same in all places.
+RAYSCOPE_INLINE Float4 largestOf3InAll(Float4 x) {
+    const Float4 second = __builtin_shuffle(x, Int4{1, 2, 0, 1}),
+                 third = __builtin_shuffle(x, Int4{2, 0, 1, 2});
+    const Float4 larger = second > third ? second : third, first = __builtin_shuffle(x, Int4{0, 1, 2, 0});
+    return first > larger ? first : larger;
+}
+
 /// 2^k with 2^k <= x < 2^(k+1), for positive normal x.
+RAYSCOPE_INLINE Float4 powerOfTwoBelow(Float4 x) {
+    return __builtin_bit_cast(Float4, __builtin_bit_cast(Int4, x) & 0x7f800000);
+}
 RAYSCOPE_INLINE float powerOfTwoBelow(float x) {
     return __builtin_bit_cast(float, __builtin_bit_cast(uint32_t, x) & 0x7f800000u);
 }

@@ -127,7 +127,7 @@ struct Stream {
         for (int child = 0; child < kWidth; ++child) present |= (node.child[child] != 0 ? 1u : 0u) << child;
         unsigned any = 0;
         for (uint32_t i = 0; i < count; ++i) {
-            const FastRay& ray = rays.prepared[list[i]];
+            const PackedRay& ray = rays.prepared[list[i]];
             Lanes near[3], far[3];
             for (int axis = 0; axis < 3; ++axis) {
                 const Lanes inverse = Lanes::all(ray.inverse[axis]),

@@ -13,7 +13,7 @@ struct StreamRays {
     HitWords* best;                         ///< of closest-hit queries, one per ray
     uint8_t* occluded;                      ///< of any-hit queries, one per ray
     alignas(64) float bounds[kStreamSize];  ///< scaled best.t; negative if the ray has been answered
-    FastRay prepared[kStreamSize];
+    PackedRay prepared[kStreamSize];
     FastShear shears[kStreamSize];
     bool hasShear[kStreamSize];  ///< or shears[ray] is yet to be set
 
@@ -63,7 +63,7 @@ struct StreamRays {
     }
     RAYSCOPE_INLINE bool isDone(uint32_t ray) const { return kAny && bounds[ray] < 0.0f; }
     RAYSCOPE_INLINE Search searchOf(uint32_t ray) const {
-        const FastRay& fast = prepared[ray];
+        const PackedRay& fast = prepared[ray];
         const HitWords none{words(ray)[7], kNoPrimitive, 0.0f, 0.0f};
         return {words(ray), fast.scale, fast.tMin, bounds[ray], kAny ? none : best[ray]};
     }
@@ -110,7 +110,7 @@ struct StreamRays {
             const uint32_t ray = list[i];
             if (isDone(ray)) continue;
             Search search = searchOf(ray);
-            const FastBoxLanes lanes(search.ray, prepared[ray]);
+            const FastBoxLanes lanes(search.ray, prepared[ray].unpacked());
             if constexpr (kAny) {
                 if (walkToAnyHit(tree, ref, lanes, shearOf(ray), search)) keep(ray, search);
             } else {
