@@ -107,30 +107,43 @@ RAYSCOPE_INLINE void prefetch(const WideTreeView& tree, ChildRef ref) {
     for (size_t line = 0; line < sizeof(WideNode); line += 64) __builtin_prefetch(at + line);
 }
 
-/// The nearest child of several first; the others wait in order, the farthest lowest.
+/// The nearest child of those that are met; the others wait in order, the farthest lowest. The order of more
+/// than two cannot be predicted, so there is no branch on it: the place of a child is the number of those
+/// that are nearer.
 template <class Watcher>
 RAYSCOPE_INLINE ChildRef nearestChild(const WideTreeView& tree, const WideNode& node, unsigned mask,
                                       Lanes entry, Waiting* stack, int& waiting, Watcher watcher) {
+    const int first = __builtin_ctz(mask);
+    const unsigned others = mask & (mask - 1);
+    if (others == 0) return node.child[first];
     alignas(32) float entries[kWidth];
     entry.store(entries);
-    int lane = __builtin_ctz(mask);
-    Waiting nearest{node.child[lane], entries[lane]};
-    const int lowest = waiting;
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
-        lane = __builtin_ctz(mask);
-        const Waiting other{node.child[lane], entries[lane]};
-        prefetch(tree, other.ref);
-        const bool nearer = other.entry < nearest.entry;
-        const Waiting farther = nearer ? nearest : other;
-        nearest = nearer ? other : nearest;
-        int place = waiting++;
-        for (; place > lowest && stack[place - 1].entry < farther.entry; --place)
-            stack[place] = stack[place - 1];
-        stack[place] = farther;
+    Waiting* const lowest = stack + waiting;
+    ChildRef nearest;
+    if ((others & (others - 1)) == 0) {
+        const Waiting one{node.child[first], entries[first]};
+        const int second = __builtin_ctz(others);
+        const Waiting other{node.child[second], entries[second]};
+        const bool isNearer = other.entry < one.entry;
+        nearest = isNearer ? other.ref : one.ref;
+        *lowest = isNearer ? one : other;
+        prefetch(tree, lowest->ref);
+        ++waiting;
+    } else {
+        waiting += __builtin_popcount(others);
+        for (unsigned rest = mask; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            const Lanes own = Lanes::all(entries[lane]);
+            const unsigned ties = lessOrEqual(entry, own) & ((1u << lane) - 1u);
+            const int nearer = __builtin_popcount(mask & (less(entry, own) | ties));
+            prefetch(tree, node.child[lane]);
+            stack[waiting - nearer] = {node.child[lane], entries[lane]};
+        }
+        nearest = stack[waiting].ref;
     }
     if constexpr (watches<Watcher>)
-        for (int place = lowest; place < waiting; ++place) watcher.waits(stack[place].ref);
-    return nearest.ref;
+        for (Waiting* place = lowest; place < stack + waiting; ++place) watcher.waits(place->ref);
+    return nearest;
 }
 
 template <class BoxLanes, class Watcher = NoWatcher>
