@@ -3,10 +3,10 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <memory>
 
+#include "bvh/best_subset.h"
 #include "bvh/builders.h"
 #include "bvh/statistics.h"
 #include "bvh/stop_check.h"
@@ -116,34 +116,6 @@ struct Split {
     std::size_t firstRightBin = 0;
 };
 
-/// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
-/// time than filling them.
-constexpr std::size_t kFew = 4;
-
-struct Subset {
-    float cost = std::numeric_limits<float>::infinity();
-    unsigned left = 0;  ///< bit i: primitive i belongs to the left side
-};
-
-Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
-    Bounds4 box[1 << kFew];
-    float cost[1 << kFew];
-    const unsigned all = (1u << refs.size()) - 1;
-    for (unsigned set = 1; set < all; ++set) {
-        box[set] = box[set & (set - 1)];
-        box[set].extend(refs[static_cast<std::size_t>(std::countr_zero(set))].bounds());
-        cost[set] = box[set].halfArea(scale) * static_cast<float>(std::popcount(set));
-    }
-    Subset best;
-    for (unsigned left = 1; left < all; left += 2) {
-        const float sum = cost[left] + cost[all ^ left];
-        // Halves keep the tree shallow where all ways cost the same.
-        const bool isHalf = 2 * static_cast<std::size_t>(std::popcount(left)) == refs.size();
-        if (sum < best.cost || (sum == best.cost && isHalf)) best = {sum, left};
-    }
-    return best;
-}
-
 /// Moves the border from bin to bin, with the areas to its right computed before.
 Split bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float scale) {
     Buffer<float, kFewBins> buffer(bins.size());
@@ -180,7 +152,7 @@ struct BinnedBuilder {
 
         RangeBounds sides[2];
         const std::size_t lefts =
-            tree.size() <= kFew ? splitFew(tree, bounds, sides) : splitMany(tree, bounds, sides);
+            tree.size() <= kMostParted ? splitFew(tree, bounds, sides) : splitMany(tree, bounds, sides);
         if (lefts == 0) return makeLeaf(tree, bounds.box);
         const auto children = skeleton.split(tree, bounds.box, tree.begin + lefts);
         if (tree.size() < kParallelSize) {

@@ -6,9 +6,8 @@
 //   waits(ref)                             the child goes onto the stack
 //   skipped(ref, search)                   what waited begins behind the closest hit found since
 //   filtered(block, leaf, mask, search)    of the triangles of a block those whose bit is set may be hit
-//   surelyHit(primitive, hit, search)      the float test is sure of a hit, which ends the search for any;
-//   where
-//                                          it is, only the watcher learns
+//   surelyHit(primitive, hit, search)      the float test is sure of a hit, which ends a search for any hit;
+//                                          where it is, only the watcher learns
 //   tested(primitive, isHit, hit, search)  a primitive was tested exactly; the result is not taken up yet
 #include "bvh/kernel/block_test.inl"
 #include "bvh/kernel/node_test.inl"

@@ -56,7 +56,7 @@ Case awkwardCase(Random& random) {
     return made;
 }
 
-TEST(FloatTest, LeavesOutNoHitAndIsSureOfHitsOnly) {
+TEST(Candidates, LeavesOutNoHitAndIsSureOfHitsOnly) {
     Random random(5);
     int hits = 0, sureOnes = 0, doubtful = 0, tooFar = 0;
     for (int i = 0; i < 200'000; ++i) {
