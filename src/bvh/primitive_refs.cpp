@@ -18,8 +18,9 @@ namespace {
 using Block = tbb::blocked_range<std::size_t>;
 constexpr std::size_t kGrain = 4096;
 
-/// Nodes are numbered with 32 bits, and n primitives may need 2n − 1 of them.
-constexpr std::size_t kMostPrimitives = std::size_t{1} << 31;
+/// Places of nodes are numbered with 32 bits. n primitives may need 2n − 1 of them, and threads leave some
+/// empty.
+constexpr std::size_t kMostPrimitives = (std::size_t{1} << 31) - (std::size_t{1} << 20);
 
 void checkSize(const AccelInput& input) {
     const std::size_t count = input.triangles.size() + input.spheres.size();

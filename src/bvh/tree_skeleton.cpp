@@ -1,6 +1,7 @@
 #include "bvh/tree_skeleton.h"
 
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
@@ -12,6 +13,7 @@ namespace rayscope {
 namespace {
 
 constexpr std::size_t kStopInterval = 65536;
+constexpr std::size_t kPieceSize = 512;
 
 BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
     return {{box.lower[0], box.lower[1], box.lower[2]},
@@ -23,13 +25,29 @@ BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
 }  // namespace
 
 TreeSkeleton::TreeSkeleton(std::size_t primitives, const BuildSettings& settings)
-    : count_(primitives), settings_(settings), nodes_(2 * primitives), primitives_(primitives) {}
+    : count_(primitives),
+      settings_(settings),
+      pieces_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
+      taken_(1),
+      // No thread takes a piece before its last one is full.
+      nodes_(2 * primitives + kPieceSize * pieces_.size()),
+      primitives_(primitives) {}
+
+std::size_t TreeSkeleton::takePair() {
+    // Negative before a thread has had its first task: then it is alone.
+    const int thread = std::max(0, tbb::this_task_arena::current_thread_index());
+    Piece& piece = pieces_[static_cast<std::size_t>(thread)];
+    if (piece.next == piece.end) {
+        piece.next = taken_.fetch_add(kPieceSize);
+        piece.end = piece.next + kPieceSize;
+    }
+    return std::exchange(piece.next, piece.next + 2);
+}
 
 std::pair<Subtree, Subtree> TreeSkeleton::split(const Subtree& tree, const Bounds4& box, std::size_t middle) {
-    nodes_[tree.node] = makeNode(box, tree.below, 0);
-    const std::size_t below = tree.below + 2;
-    return {{tree.begin, middle, tree.below, below, tree.level + 1},
-            {middle, tree.end, tree.below + 1, below + 2 * (middle - tree.begin) - 2, tree.level + 1}};
+    const std::size_t pair = takePair();
+    nodes_[tree.node] = makeNode(box, pair, 0);
+    return {{tree.begin, middle, pair, tree.level + 1}, {middle, tree.end, pair + 1, tree.level + 1}};
 }
 
 void TreeSkeleton::makeLeaf(const Subtree& tree, const Bounds4& box) {

@@ -1,11 +1,12 @@
 #pragma once
 // Where builders put their nodes while several threads work on one tree.
 //
-// A subtree over n primitives needs at most 2n − 1 nodes, so every subtree knows its place before it is
-// built: the two children of a node come first, then everything below the left one, then everything below the
-// right one. The places that stay empty are squeezed out at the end; the numbering does not depend on the
-// threads.
+// Every thread takes places in pieces and fills them one after another, so that threads do not meet and
+// memory is touched only where there are nodes. At the end the nodes are put in order, depth first; so the
+// numbering does not depend on the threads.
 #include <rayscope/accel.h>
+#include <atomic>
+#include <vector>
 
 #include "bvh/binary_tree.h"
 #include "bvh/bounds.h"
@@ -15,9 +16,8 @@ namespace rayscope {
 /// A subtree to be built over the primitives in slots [begin, end).
 struct Subtree {
     std::size_t begin, end;
-    std::size_t node;   ///< place of its root
-    std::size_t below;  ///< first of the 2 (end − begin) − 2 places for what hangs below the root
-    int level;          ///< of its root
+    std::size_t node;  ///< place of its root
+    int level;         ///< of its root
 
     std::size_t size() const { return end - begin; }
 };
@@ -26,7 +26,7 @@ class TreeSkeleton {
   public:
     TreeSkeleton(std::size_t primitives, const BuildSettings& settings);
 
-    Subtree whole() const { return {0, count_, 0, 1, 0}; }
+    Subtree whole() const { return {0, count_, 0, 0}; }
 
     /// Makes the root of `tree` an inner node whose left child has the slots before `middle`.
     std::pair<Subtree, Subtree> split(const Subtree& tree, const Bounds4& box, std::size_t middle);
@@ -45,14 +45,22 @@ class TreeSkeleton {
 
     const BuildSettings& settings() const { return settings_; }
 
-    /// Squeezes out the empty places; the skeleton is used up.
+    /// Puts the nodes in order; the skeleton is used up.
     BinaryTree compact();
 
   private:
     class Compaction;
 
+    /// Places that one thread fills.
+    struct alignas(64) Piece {
+        std::size_t next = 0, end = 0;
+    };
+    std::size_t takePair();
+
     std::size_t count_;
     BuildSettings settings_;
+    std::vector<Piece> pieces_;       ///< of the threads
+    std::atomic<std::size_t> taken_;  ///< places in pieces, and the root's
     BigVector<BinaryNode> nodes_;
     BigVector<std::uint32_t> primitives_;
 };
