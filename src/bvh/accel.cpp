@@ -105,7 +105,7 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         return false;
     }
     if (state_->kernels) {
-        const bool isHit = state_->kernels->closestHit(state_->view, words(ray), hitWords(&hit));
+        const bool isHit = state_->kernels->closestHit(state_->view, words(ray), *hitWords(&hit));
         if (!isHit) hit = Hit{};
         return isHit;
     }
@@ -122,7 +122,7 @@ void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
     if (state_ && state_->kernels) {
         state_->kernels->closestHits(state_->view, reinterpret_cast<const float*>(rays.data()),
-                                     &hitWords(hits.data()), rays.size());
+                                     hitWords(hits.data()), rays.size());
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], hits[i]);

@@ -11,10 +11,10 @@ inline kernel::RayWords words(const Ray& ray) {
     return reinterpret_cast<const float*>(&ray);
 }
 
-/// A hit as kernels fill it in.
-inline kernel::HitWords& hitWords(Hit* hit) {
+/// Hits as kernels fill them in.
+inline kernel::HitWords* hitWords(Hit* hit) {
     static_assert(sizeof(Hit) == sizeof(kernel::HitWords));
-    return reinterpret_cast<kernel::HitWords&>(*hit);
+    return reinterpret_cast<kernel::HitWords*>(hit);
 }
 
 }  // namespace rayscope

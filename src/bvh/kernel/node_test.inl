@@ -71,7 +71,7 @@ struct FastBoxLanes {
 };
 
 /// Which children the ray meets between tMin and `bound`: at least those that intersectBox() would find. A
-/// distance that is NaN excludes nothing.
+/// distance that is NaN excludes nothing; an entry never is, for tMin takes its place.
 template <class BoxLanes>
 RAYSCOPE_INLINE unsigned intersectChildren(const WideNode& node, const BoxLanes& ray, float bound,
                                            Lanes& entry) {
