@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""bench_page.py FROM DOCS SIZE: the page DOCS/bench.md and its charts DOCS/images/bench-*.svg from what `rayscope bench --json` wrote
-into the folder FROM: race-*.json, builder-*.json and growth-*.json (see scripts/make_bench.sh)."""
+"""bench_page.py FROM DOCS SIZE: the page DOCS/bench.md, its charts DOCS/images/bench-*.svg and the ratios in DOCS/performance.md from
+what `rayscope bench --json` wrote into the folder FROM: race-*.json, builder-*.json and growth-*.json (see scripts/make_bench.sh)."""
 import json
 import math
 import pathlib
@@ -52,6 +52,25 @@ def rays(rows, threads):
                         t["embree_mrays_per_s"], t["embree_robust_mrays_per_s"], best)] + [ratio(x) for x in ratios(t).values()])
     return f"## Rays, {threads} thread{'s' if threads > 1 else ''}\n\n" + table(
         ["mesh", "rays", "single", "batched", "Embree", "Embree robust", "Embree's best", *COLORS], body)
+
+
+def all_ratios(race):
+    """Tables of all ratios to Embree: for each kind of ray a row per mesh, a column per ratio and number of threads."""
+    threads = sorted({row["threads"] for row in race})
+    meshes = {scene(row): {} for row in race}
+    for row in race:
+        meshes[scene(row)][row["threads"]] = row
+    heads = [f"{label}, {n} thread{'s' if n > 1 else ''}" for label in COLORS for n in threads]
+    return "\n".join(f"### {label.capitalize()} rays\n\n" + table(["mesh", *heads], [
+        [mesh] + [ratio(ratios(by_threads[n]["rays"][kind])[column]) for column in COLORS for n in threads]
+        for mesh, by_threads in meshes.items()]) for kind, label in KINDS.items())
+
+
+def replace_section(page, text):
+    """Replaces what stands in a page between the two comments that name this script."""
+    begin, end = "<!-- written by scripts/bench_page.py -->\n", "<!-- up to here -->\n"
+    before, rest = page.read_text().split(begin)
+    page.write_text(before + begin + "\n" + text + "\n" + end + rest.split(end)[1])
 
 
 def counters(rows):
@@ -203,6 +222,7 @@ its rims may be told apart by rounding; *hills* is terrain.
 """, builds(race), *[rays([row for row in race if row["threads"] == n], n) for n in threads], counters(one),
              builders(sorted(read("builder-*.json"), key=lambda row: name(row))), growth(grown)]
     (docs / "bench.md").write_text("\n".join(pages))
+    replace_section(docs / "performance.md", all_ratios(race))
     ray_chart(one, docs / "images" / "bench-rays.svg")
     build_chart(grown, docs / "images" / "bench-builds.svg")
 
