@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # scripts/make_bench.sh [SIZE]: measures builds and rays beside Embree, with one thread and with all, the builders beside one
-# another, and builds from a thousand to ten million triangles; writes docs/bench.md and its charts. SIZE is the width and
-# height of the image of primary rays (512). Takes about fifteen minutes; the machine should have nothing else to do.
+# another, and builds from a thousand to ten million triangles; writes docs/bench.md, its charts, and the ratios in
+# docs/performance.md. SIZE is the width and height of the image of primary rays (512). Takes about fifteen minutes; the machine
+# should have nothing else to do.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
