@@ -23,6 +23,10 @@ def scene(row):
     return f"{name(row)} ({row['triangles']:,})"
 
 
+def threads_in_words(threads):
+    return f"{threads} thread{'s' if threads > 1 else ''}"
+
+
 def table(head, rows):
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join(lines + ["| " + " | ".join(cells) + " |" for cells in rows]) + "\n"
@@ -50,7 +54,7 @@ def rays(rows, threads):
             best = max(t["embree_mrays_per_s"], t["embree_packet16_mrays_per_s"], t["embree_stream_mrays_per_s"])
             body.append([scene(r), label] + [f"{x:.2f}" for x in (t["mrays_per_s"], t["batched_mrays_per_s"],
                         t["embree_mrays_per_s"], t["embree_robust_mrays_per_s"], best)] + [ratio(x) for x in ratios(t).values()])
-    return f"## Rays, {threads} thread{'s' if threads > 1 else ''}\n\n" + table(
+    return f"## Rays, {threads_in_words(threads)}\n\n" + table(
         ["mesh", "rays", "single", "batched", "Embree", "Embree robust", "Embree's best", *COLORS], body)
 
 
@@ -60,7 +64,7 @@ def all_ratios(race):
     meshes = {scene(row): {} for row in race}
     for row in race:
         meshes[scene(row)][row["threads"]] = row
-    heads = [f"{label}, {n} thread{'s' if n > 1 else ''}" for label in COLORS for n in threads]
+    heads = [f"{label}, {threads_in_words(n)}" for label in COLORS for n in threads]
     return "\n".join(f"### {label.capitalize()} rays\n\n" + table(["mesh", *heads], [
         [mesh] + [ratio(ratios(by_threads[n]["rays"][kind])[column]) for column in COLORS for n in threads]
         for mesh, by_threads in meshes.items()]) for kind, label in KINDS.items())

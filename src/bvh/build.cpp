@@ -52,7 +52,7 @@ RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& 
         for (std::size_t i = block.begin(); i < block.end(); ++i) bounds.extend(refs[i]);
         return bounds;
     };
-    const Block all(0, refs.size(), 4096);
+    const Block all(0, refs.size(), kTaskSize);
     if (!all.is_divisible()) return extend(all, {});
     return tbb::parallel_reduce(all, RangeBounds{}, extend, [](RangeBounds a, const RangeBounds& b) {
         a.box.extend(b.box);

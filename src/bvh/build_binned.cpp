@@ -8,14 +8,12 @@
 
 #include "bvh/best_subset.h"
 #include "bvh/builders.h"
+#include "bvh/primitive_refs.h"
 #include "bvh/statistics.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope {
 namespace {
-
-constexpr std::size_t kParallelSize = 4096;
-constexpr std::size_t kGrain = 4096;
 
 /// Maps centroids to equally wide bins on each axis. An axis along which all centroids are (nearly) equal has
 /// none.
@@ -97,7 +95,7 @@ void addToBinsInParallel(Bins bins, std::span<const PrimitiveRef> refs, const Bi
     using Block = tbb::blocked_range<std::size_t>;
     const std::vector<Bin> none(bins.size());
     const std::vector<Bin> sum = tbb::parallel_reduce(
-        Block(0, refs.size(), std::max(kGrain, 4 * bins.size())), none,
+        Block(0, refs.size(), std::max(kTaskSize, 4 * bins.size())), none,
         [&](const Block& block, std::vector<Bin> some) {
             throwIfStopped(stop);
             addToBins(some, refs.subspan(block.begin(), block.size()), mapping);
@@ -155,7 +153,7 @@ struct BinnedBuilder {
             tree.size() <= kMostParted ? splitFew(tree, bounds, sides) : splitMany(tree, bounds, sides);
         if (lefts == 0) return makeLeaf(tree, bounds.box);
         const auto children = skeleton.split(tree, bounds.box, tree.begin + lefts);
-        if (tree.size() < kParallelSize) {
+        if (tree.size() < kTaskSize) {
             build(children.first, sides[0]);
             build(children.second, sides[1]);
         } else {
@@ -206,7 +204,7 @@ struct BinnedBuilder {
         const auto binCount = static_cast<std::size_t>(mapping.last[0]) + 1;
         Buffer<Bin, 3 * kFewBins> buffer(3 * binCount);
         const Bins bins(buffer.data(), 3 * binCount);
-        if (range.size() > 2 * kGrain)
+        if (range.size() > 2 * kTaskSize)
             addToBinsInParallel(bins, range, mapping, skeleton.settings().stop);
         else
             addToBins(bins, range, mapping);
@@ -240,7 +238,7 @@ struct BinnedBuilder {
         Bounds4 left, right;
         std::size_t lefts = 0;
         for (std::size_t i = 0; i < range.size(); ++i) {
-            if (i % kGrain == 0) throwIfStopped(skeleton.settings().stop);
+            if (i % kTaskSize == 0) throwIfStopped(skeleton.settings().stop);
             const PrimitiveRef ref = range[i];
             const bool isLeft = mapping.isBefore(ref, split.axis, firstRightBin);
             range[i] = range[lefts];

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "bvh/builders.h"
+#include "bvh/primitive_refs.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope {
 namespace {
-
-constexpr std::size_t kParallelSize = 4096;
 
 struct MedianBuilder {
     TreeSkeleton& skeleton;
@@ -25,7 +24,7 @@ struct MedianBuilder {
         }
         const std::size_t half = halveAtMedian(range, tree.level % 3, skeleton.settings().stop);
         const auto [left, right] = skeleton.split(tree, box, tree.begin + half);
-        if (tree.size() < kParallelSize) {
+        if (tree.size() < kTaskSize) {
             build(left);
             build(right);
         } else {

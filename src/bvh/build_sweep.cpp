@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bvh/builders.h"
+#include "bvh/primitive_refs.h"
 #include "bvh/sort_centroids.h"
 #include "bvh/statistics.h"
 #include "bvh/stop_check.h"
@@ -10,7 +11,6 @@
 namespace rayscope {
 namespace {
 
-constexpr std::size_t kParallelSize = 4096;   ///< from here on children are built at the same time
 constexpr std::size_t kParallelAxes = 65536;  ///< … and axes are swept at the same time
 constexpr std::size_t kStopInterval = 16384;
 
@@ -57,7 +57,7 @@ class SweepBuilder {
 
         partition(begin, end, split);
         const auto children = skeleton_.split(tree, box, firstSlot_ + split.middle);
-        if (tree.size() < kParallelSize) {
+        if (tree.size() < kTaskSize) {
             build(children.first);
             build(children.second);
         } else {

@@ -16,7 +16,6 @@ namespace rayscope {
 namespace {
 
 using Block = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 4096;
 
 /// Places of nodes are numbered with 32 bits. n primitives may need 2n − 1 of them, and threads leave some
 /// empty.
@@ -34,7 +33,7 @@ void checkSize(const AccelInput& input) {
 std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t count = input.triangles.size();
     return tbb::parallel_reduce(
-        Block(0, count, kGrain), count,
+        Block(0, count, kTaskSize), count,
         [&](const Block& block, std::size_t found) {
             throwIfStopped(stop);
             for (std::size_t i = block.begin(); i < std::min(block.end(), found); ++i) {
@@ -80,7 +79,7 @@ bool isHittable(const AccelInput& input, std::size_t primitive) {
 
 std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop) {
     return tbb::parallel_reduce(
-        Block(0, input.triangles.size() + input.spheres.size(), kGrain), std::size_t{0},
+        Block(0, input.triangles.size() + input.spheres.size(), kTaskSize), std::size_t{0},
         [&](const Block& block, std::size_t sum) {
             throwIfStopped(stop);
             for (std::size_t i = block.begin(); i < block.end(); ++i) sum += !isHittable(input, i);
@@ -109,7 +108,7 @@ PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_toke
     const std::size_t count = input.triangles.size() + input.spheres.size();
     result.refs.resize(count);
     const std::size_t dropped = tbb::parallel_reduce(
-        Block(0, count, kGrain), std::size_t{0},
+        Block(0, count, kTaskSize), std::size_t{0},
         [&](const Block& block, std::size_t sum) {
             throwIfStopped(stop);
             for (std::size_t i = block.begin(); i < block.end(); ++i) {

@@ -7,6 +7,9 @@
 
 namespace rayscope {
 
+/// Fewer primitives than this are not worth a task of their own while a tree is built.
+constexpr std::size_t kTaskSize = 4096;
+
 /// The boxes of all primitives with finite coordinates, in ascending order of their numbers.
 struct PrimitiveRefs {
     BigVector<PrimitiveRef> refs;

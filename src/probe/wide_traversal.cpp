@@ -33,7 +33,7 @@ std::uint32_t numberOf(const WideTree& tree, ChildRef ref) {
     return (ref & kernel::kTagMask) != 0 ? ref & kernel::kBlockIndexMask : ref;
 }
 
-int trianglesOf(ChildRef block) { return static_cast<int>(block >> kernel::kBlockSizeShift & 7u) + 1; }
+int trianglesOf(ChildRef block) { return static_cast<int>(kernel::trianglesIn(block)); }
 
 /// The root's box is stored nowhere: nothing needs it but those who look.
 void findRootBox(const WideTree& tree, TraversalBox& box) {

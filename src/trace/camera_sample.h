@@ -18,7 +18,9 @@ struct CameraSample {
 };
 
 /// Whether each sample of a world is one camera ray that depends on nothing else.
-bool hasSingleCameraRays(const World& world);
+inline bool hasSingleCameraRays(const World& world) {
+    return !world.camera.hasLens() || (world.settings.lensSamples == 1 && !(world.settings.sharpZone > 0.0f));
+}
 /// That ray.
 inline Ray singleCameraRay(const World& world, const SampleStream& stream, const CameraSample& sample) {
     if (!world.camera.hasLens()) return world.camera.pinholeRay(sample.pixel);

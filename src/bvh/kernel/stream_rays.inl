@@ -78,6 +78,8 @@ struct StreamRays {
         Search search = searchOf(ray);
         if (testSphere(sphere, search)) keep(ray, search);
     }
+    /// Does what visitLeaf() for one ray does, but takes up the search only where something may be hit: on
+    /// long thin triangles that saves 5 % of the time.
     RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
         FastShear& shear = shearOf(ray);
         shear.prepareOnce(words(ray), prepared[ray].scale);

@@ -45,7 +45,7 @@ RAYSCOPE_INLINE Candidates candidates(const TriangleBlock& block, ChildRef leaf,
     const Lanes t = withSignOf(dot(edge2, q) * Lanes::all(ray.scaleZ), signedDet);
     const unsigned inside = lessOrEqual(zero, u) & lessOrEqual(zero, v) & lessOrEqual(u + v, det);
     const unsigned inReach = less(Lanes::all(tMin) * det, t) & lessOrEqual(t, Lanes::all(bound) * det);
-    const unsigned present = (2u << ((leaf >> kBlockSizeShift) & 7u)) - 1u;
+    const unsigned present = (1u << trianglesIn(leaf)) - 1u;
     return {inside & inReach & less(zero, det) & present};
 }
 
