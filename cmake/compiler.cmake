@@ -1,4 +1,4 @@
-# Language level, warnings and floating-point rules that every room shares.
+# Language level, warnings and floating-point rules that every module shares.
 add_library(rayscope_options INTERFACE)
 target_compile_features(rayscope_options INTERFACE cxx_std_20)
 target_compile_options(rayscope_options INTERFACE

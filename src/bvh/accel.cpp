@@ -3,14 +3,14 @@
 #include <cassert>
 #include <stdexcept>
 
-#include "bvh/build.h"
+#include "bvh/build/build.h"
 #include "bvh/isa.h"
-#include "bvh/packed_primitives.h"
-#include "bvh/primitive_refs.h"
-#include "bvh/refit.h"
-#include "bvh/statistics.h"
-#include "bvh/traverse.h"
-#include "bvh/wide_tree.h"
+#include "bvh/layout/packed_primitives.h"
+#include "bvh/layout/primitive_refs.h"
+#include "bvh/build/refit.h"
+#include "bvh/layout/statistics.h"
+#include "bvh/traversal/traverse.h"
+#include "bvh/layout/wide_tree.h"
 
 namespace rayscope {
 

@@ -7,8 +7,8 @@
 #include "base/atomic_file.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"
-#include "measure/bench.h"
-#include "measure/embree_race.h"
+#include "measure/bench/bench.h"
+#include "measure/bench/embree_race.h"
 #include "trace/body.h"
 #include "trace/compile.h"
 

@@ -2,7 +2,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "bvh/traverse.h"
+#include "bvh/traversal/traverse.h"
 #include "probe/traversal_log.h"
 
 namespace rayscope {

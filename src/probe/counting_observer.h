@@ -1,5 +1,5 @@
 #pragma once
-#include "bvh/traverse.h"
+#include "bvh/traversal/traverse.h"
 #include "trace/path_observer.h"
 #include "trace/shadow_ray.h"
 

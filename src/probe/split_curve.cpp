@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bvh/ray_query.h"
-#include "bvh/statistics.h"
+#include "bvh/intersect/ray_query.h"
+#include "bvh/layout/statistics.h"
 
 namespace rayscope {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bvh/statistics.h"
+#include "bvh/layout/statistics.h"
 
 namespace rayscope {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "bvh/ray_query.h"
+#include "bvh/intersect/ray_query.h"
 // clang-format off: the lanes come first
 #include "bvh/kernel/compress_portable.inl"
 #include "bvh/kernel/lanes_portable.inl"

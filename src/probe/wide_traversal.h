@@ -1,5 +1,5 @@
 #pragma once
-#include "bvh/wide_tree.h"
+#include "bvh/layout/wide_tree.h"
 #include "probe/traversal_log.h"
 
 namespace rayscope {

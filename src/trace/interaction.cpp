@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bvh/intersect_sphere.h"
-#include "bvh/intersect_triangle.h"
+#include "bvh/intersect/intersect_sphere.h"
+#include "bvh/intersect/intersect_triangle.h"
 #include "math/spawn.h"
 
 namespace rayscope {

@@ -1,6 +1,6 @@
 #include "trace/world.h"
 
-#include "bvh/traverse.h"
+#include "bvh/traversal/traverse.h"
 
 namespace rayscope {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "viewer/application.h"
+#include "viewer/app/application.h"
 
 namespace rayscope {
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "bench/bench_scene.h"
-#include "bvh/build.h"
-#include "bvh/statistics.h"
+#include "bvh/build/build.h"
+#include "bvh/layout/statistics.h"
 
 namespace rayscope::bench {
 namespace {

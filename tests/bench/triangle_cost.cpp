@@ -14,9 +14,9 @@
 
 #include "bench/bench_scene.h"
 #include "bench/plain/plain_kernels.h"
-#include "bvh/build.h"
+#include "bvh/build/build.h"
 #include "bvh/isa.h"
-#include "bvh/wide_tree.h"
+#include "bvh/layout/wide_tree.h"
 
 namespace rayscope::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"
-#include "bvh/ray_words.h"
+#include "bvh/intersect/ray_words.h"
 // clang-format off: the lanes come first
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bvh/intersect_box.h"
-#include "bvh/intersect_triangle.h"
+#include "bvh/intersect/intersect_box.h"
+#include "bvh/intersect/intersect_triangle.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {

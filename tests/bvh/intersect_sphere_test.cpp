@@ -1,10 +1,10 @@
-#include "bvh/intersect_sphere.h"
+#include "bvh/intersect/intersect_sphere.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bvh/hit_error.h"
+#include "bvh/intersect/hit_error.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {

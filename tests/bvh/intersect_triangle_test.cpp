@@ -1,4 +1,4 @@
-#include "bvh/intersect_triangle.h"
+#include "bvh/intersect/intersect_triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "bvh/binary_tree.h"
 #include "bvh/meshes.h"
-#include "bvh/traverse.h"
-#include "bvh/wide_tree.h"
+#include "bvh/traversal/traverse.h"
+#include "bvh/layout/wide_tree.h"
 
 namespace rayscope::test {
 namespace {

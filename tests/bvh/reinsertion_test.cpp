@@ -1,9 +1,9 @@
 // Moving subtrees: what is promised is saved, and nothing better is overlooked.
-#include "bvh/reinsertion.h"
+#include "bvh/build/reinsertion.h"
 
 #include <gtest/gtest.h>
 
-#include "bvh/build.h"
+#include "bvh/build/build.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {

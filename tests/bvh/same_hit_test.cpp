@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"
-#include "bvh/traverse.h"
+#include "bvh/traversal/traverse.h"
 #include "bvh/walk_cases.h"
 
 namespace rayscope::test {

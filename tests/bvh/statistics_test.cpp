@@ -1,10 +1,10 @@
-#include "bvh/statistics.h"
+#include "bvh/layout/statistics.h"
 
 #include <gtest/gtest.h>
 
-#include "bvh/build.h"
+#include "bvh/build/build.h"
 #include "bvh/meshes.h"
-#include "bvh/traverse.h"
+#include "bvh/traversal/traverse.h"
 
 namespace rayscope::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bvh/intersect_triangle.h"
+#include "bvh/intersect/intersect_triangle.h"
 #include "bvh/isa.h"
 #include "bvh/meshes.h"
 

@@ -10,7 +10,7 @@
 
 #include <rayscope/settings.h>
 #include "bench/bench_scene.h"
-#include "measure/bench_rays.h"
+#include "measure/bench/bench_rays.h"
 
 namespace {
 

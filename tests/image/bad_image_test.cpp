@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "image/codecs.h"
+#include "image/codecs/codecs.h"
 #include "image/test_images.h"
 #include "support/expect_input_error.h"
 #include "support/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "image/codecs.h"
+#include "image/codecs/codecs.h"
 #include "image/test_images.h"
 #include "support/temporary_folder.h"
 

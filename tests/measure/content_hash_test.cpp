@@ -1,4 +1,4 @@
-#include "measure/content_hash.h"
+#include "measure/trade/content_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "measure/tile_shares.h"
+#include "measure/target/tile_shares.h"
 #include "support/expect_input_error.h"
 
 namespace rayscope {

@@ -1,12 +1,12 @@
 // The trend of looks: its slope, what smoothing is good for, and when it foresees the target.
-#include "measure/error_trend.h"
+#include "measure/target/error_trend.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "measure/halves.h"
+#include "measure/target/halves.h"
 
 namespace rayscope {
 namespace {

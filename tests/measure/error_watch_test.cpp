@@ -1,4 +1,4 @@
-#include "measure/error_watch.h"
+#include "measure/target/error_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "measure/knobs.h"
+#include "measure/trade/knobs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "measure/candidates.h"
+#include "measure/trade/candidates.h"
 #include "support/everything.h"
 
 namespace rayscope {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bvh/hit_error.h"
-#include "measure/exact_crossing.h"
-#include "measure/lab_mesh.h"
+#include "bvh/intersect/hit_error.h"
+#include "measure/lab/exact_crossing.h"
+#include "measure/lab/lab_mesh.h"
 #include "scene/generate.h"
 #include "support/expect_input_error.h"
 

@@ -1,4 +1,4 @@
-#include "measure/pareto.h"
+#include "measure/trade/pareto.h"
 
 #include <gtest/gtest.h>
 

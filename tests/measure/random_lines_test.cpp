@@ -1,10 +1,10 @@
-#include "measure/random_lines.h"
+#include "measure/bench/random_lines.h"
 
 #include <gtest/gtest.h>
 
-#include "bvh/build.h"
+#include "bvh/build/build.h"
 #include "bvh/meshes.h"
-#include "bvh/statistics.h"
+#include "bvh/layout/statistics.h"
 
 namespace rayscope::test {
 namespace {

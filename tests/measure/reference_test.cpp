@@ -1,4 +1,4 @@
-#include "measure/reference.h"
+#include "measure/trade/reference.h"
 
 #include <gtest/gtest.h>
 

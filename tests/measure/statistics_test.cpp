@@ -1,5 +1,5 @@
 // Quantiles against printed tables, intervals against the coverage that they promise.
-#include "measure/statistics.h"
+#include "measure/statistics/statistics.h"
 
 #include <gtest/gtest.h>
 

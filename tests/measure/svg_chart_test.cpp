@@ -1,4 +1,4 @@
-#include "measure/svg_chart.h"
+#include "measure/statistics/svg_chart.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "measure/trial.h"
+#include "measure/trade/trial.h"
 
 #include <gtest/gtest.h>
 #include <rayscope/render_session.h>

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "bvh/build.h"
-#include "bvh/statistics.h"
+#include "bvh/build/build.h"
+#include "bvh/layout/statistics.h"
 #include "probe/search_costs.h"
 #include "probe/split_curve.h"
 #include "probe/tree_index.h"

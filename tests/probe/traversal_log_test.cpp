@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bvh/wide_counts.h"
+#include "bvh/traversal/wide_counts.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {

@@ -4,8 +4,8 @@
 
 #include <numeric>
 
-#include "bvh/build.h"
-#include "bvh/statistics.h"
+#include "bvh/build/build.h"
+#include "bvh/layout/statistics.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {

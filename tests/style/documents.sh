@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Links between the documents lead somewhere, the rooms in the map are the rooms there are, and generated pages are
+# Links between the documents lead somewhere, the modules in the map are the modules there are, and generated pages are
 # what the program would write today.
 set -euo pipefail
 cd "$SOURCE"
@@ -13,9 +13,9 @@ for page in README.md docs/*.md; do
     done < <(grep -oP '\]\(\K[^)\s]+' "$page")
 done
 
-for room in src/*/; do
-    room=$(basename "$room")
-    grep -q "^| \`$room\` |" docs/architecture.md || complain "docs/architecture.md: no row for the room '$room'"
+for module in src/*/; do
+    module=$(basename "$module")
+    grep -q "^| \`$module\` |" docs/architecture.md || complain "docs/architecture.md: no row for the module '$module'"
 done
 
 if [[ -e docs/settings.md ]]; then

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The rooms include each other in one direction only, and the check would notice if they did not.
+# The modules include each other in one direction only, and the check would notice if they did not.
 set -euo pipefail
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 
-check() { "$CMAKE" "-DROOMS=$BUILD/rooms.txt" "-DSOURCE=$1" -P "$SOURCE/cmake/check_layering.cmake"; }
+check() { "$CMAKE" "-DMODULES=$BUILD/modules.txt" "-DSOURCE=$1" -P "$SOURCE/cmake/check_layering.cmake"; }
 
 # refuses FILE INCLUDE WORDS: the check must fail, and say WORDS, when FILE of a copy also includes INCLUDE.
 refuses() {
@@ -21,8 +21,8 @@ refuses() {
 }
 
 check "$SOURCE"
-refuses src/base/diagnostics.cpp '"scene/anything.h"' "room 'base' includes room 'scene'"
-refuses src/bvh/binary_tree.h '"trace/anything.h"' "room 'bvh' includes room 'trace'"
-refuses src/base/nearest_name.h '<rayscope/accel.h>' "room 'base' includes room 'bvh'"
-refuses include/rayscope/image.h '<rayscope/scene.h>' "room 'image' includes room 'scene'"
-refuses src/image/srgb.h '<rayscope/nothing.h>' "belongs to no room"
+refuses src/base/diagnostics.cpp '"scene/anything.h"' "module 'base' includes module 'scene'"
+refuses src/bvh/binary_tree.h '"trace/anything.h"' "module 'bvh' includes module 'trace'"
+refuses src/base/nearest_name.h '<rayscope/accel.h>' "module 'base' includes module 'bvh'"
+refuses include/rayscope/image.h '<rayscope/scene.h>' "module 'image' includes module 'scene'"
+refuses src/image/srgb.h '<rayscope/nothing.h>' "belongs to no module"

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "trace/compile.h"
-#include "viewer/bvh_inspector.h"
+#include "viewer/jobs/bvh_inspector.h"
 #include "viewer/overlay/palette.h"
 
 namespace rayscope::viewer {

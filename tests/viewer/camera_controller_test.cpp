@@ -1,4 +1,4 @@
-#include "viewer/camera_controller.h"
+#include "viewer/model/camera_controller.h"
 
 #include <gtest/gtest.h>
 

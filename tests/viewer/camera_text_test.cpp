@@ -1,4 +1,4 @@
-#include "viewer/camera_text.h"
+#include "viewer/model/camera_text.h"
 
 #include <gtest/gtest.h>
 

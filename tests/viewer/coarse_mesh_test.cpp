@@ -1,4 +1,4 @@
-#include "viewer/coarse_mesh.h"
+#include "viewer/view/coarse_mesh.h"
 
 #include <gtest/gtest.h>
 #include <rayscope/diagnostics.h>

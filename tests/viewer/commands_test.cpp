@@ -1,4 +1,4 @@
-#include "viewer/commands.h"
+#include "viewer/workspace/commands.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/drawing_budget.h"
+#include "viewer/view/drawing_budget.h"
 
 #include <gtest/gtest.h>
 

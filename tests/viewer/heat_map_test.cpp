@@ -1,4 +1,4 @@
-#include "viewer/heat_map.h"
+#include "viewer/jobs/heat_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/history.h"
+#include "viewer/model/history.h"
 
 #include <gtest/gtest.h>
 

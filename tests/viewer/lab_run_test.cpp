@@ -1,4 +1,4 @@
-#include "viewer/lab_run.h"
+#include "viewer/jobs/lab_run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/light_handles.h"
+#include "viewer/model/light_handles.h"
 
 #include <gtest/gtest.h>
 

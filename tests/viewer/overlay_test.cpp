@@ -5,7 +5,7 @@
 
 #include "render/film.h"
 #include "trace/compile.h"
-#include "viewer/debug_rays.h"
+#include "viewer/jobs/debug_rays.h"
 #include "viewer/overlay/light_overlay.h"
 
 namespace rayscope::viewer {

@@ -1,4 +1,4 @@
-#include "viewer/projection.h"
+#include "viewer/model/projection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "viewer/recent_files.h"
+#include "viewer/model/recent_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

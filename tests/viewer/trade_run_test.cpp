@@ -1,4 +1,4 @@
-#include "viewer/trade_run.h"
+#include "viewer/jobs/trade_run.h"
 
 #include <gtest/gtest.h>
 

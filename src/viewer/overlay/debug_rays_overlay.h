@@ -2,7 +2,7 @@
 #include <rayscope/probe.h>
 
 #include "viewer/overlay/overlay.h"
-#include "viewer/projection.h"
+#include "viewer/model/projection.h"
 
 namespace rayscope::viewer {
 

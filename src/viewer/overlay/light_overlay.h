@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "viewer/light_handles.h"
+#include "viewer/model/light_handles.h"
 #include "viewer/overlay/overlay.h"
 
 namespace rayscope::viewer {

@@ -1,6 +1,6 @@
 #pragma once
 #include "viewer/overlay/overlay.h"
-#include "viewer/projection.h"
+#include "viewer/model/projection.h"
 
 namespace rayscope::viewer {
 

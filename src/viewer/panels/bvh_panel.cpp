@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "bvh/statistics.h"
+#include "bvh/layout/statistics.h"
 #include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

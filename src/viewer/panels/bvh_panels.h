@@ -2,7 +2,7 @@
 // Parts of the panel of the hierarchy.
 #include <string_view>
 
-#include "viewer/workspace.h"
+#include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {
 

@@ -2,10 +2,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "viewer/camera_text.h"
+#include "viewer/model/camera_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

@@ -5,7 +5,7 @@
 #include "image/srgb.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

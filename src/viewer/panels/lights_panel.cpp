@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "viewer/light_handles.h"
+#include "viewer/model/light_handles.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

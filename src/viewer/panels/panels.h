@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer/workspace.h"
+#include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {
 

@@ -7,7 +7,7 @@
 #include "viewer/overlay/overlay.h"
 #include "viewer/panels/ray_panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

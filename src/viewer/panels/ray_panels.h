@@ -1,6 +1,6 @@
 #pragma once
 // Parts of the panel of recorded rays.
-#include "viewer/workspace.h"
+#include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {
 

@@ -6,7 +6,7 @@
 #include "trace/world.h"
 #include "viewer/panels/ray_panels.h"
 #include "viewer/panels/widgets.h"
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/theme.h"
+#include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
 

@@ -1,0 +1,65 @@
+# The modules of src/, lowest first. A module includes modules before it in this list and no others.
+set(RAYSCOPE_LIBRARY_MODULES base math image settings scene bvh sampling shading trace render post probe measure)
+set(RAYSCOPE_PROGRAM_MODULES cli)
+if(RAYSCOPE_VIEWER)
+  list(PREPEND RAYSCOPE_PROGRAM_MODULES viewer)
+endif()
+
+# rayscope_module(NAME SOURCES a.cpp b.h … [PUBLIC_HEADERS accel.h …] [USES modules…] [FOLDERS folders…] [LINK targets…])
+# One folder of src/ as an object library. USES names the modules whose headers it includes; PUBLIC_HEADERS are the files
+# of include/rayscope/ that it implements; FOLDERS lists its folders, lowest first: a file includes its own folder, those
+# before it in the list and the files beside them, while only the files beside them include all. LINK names third-party
+# targets.
+function(rayscope_module name)
+  cmake_parse_arguments(MODULE "" "" "SOURCES;PUBLIC_HEADERS;USES;FOLDERS;LINK" ${ARGN})
+  set(order ${RAYSCOPE_LIBRARY_MODULES} ${RAYSCOPE_PROGRAM_MODULES})
+  list(FIND order ${name} own)
+  foreach(used IN LISTS MODULE_USES)
+    list(FIND order ${used} below)
+    if(below LESS 0 OR NOT below LESS own)
+      message(FATAL_ERROR "Module '${name}' may not use '${used}': dependencies point down the list in cmake/modules.cmake")
+    endif()
+  endforeach()
+
+  add_library(rayscope_${name} OBJECT ${MODULE_SOURCES})
+  target_include_directories(rayscope_${name} PUBLIC
+    ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated)
+  target_link_libraries(rayscope_${name} PUBLIC rayscope_options glm::glm fmt::fmt ${MODULE_LINK})
+  rayscope_precompile(rayscope_${name} rayscope_common_headers)
+  set_property(GLOBAL PROPERTY RAYSCOPE_USES_${name} ${MODULE_USES})
+  set_property(GLOBAL PROPERTY RAYSCOPE_PUBLIC_HEADERS_${name} ${MODULE_PUBLIC_HEADERS})
+  set_property(GLOBAL PROPERTY RAYSCOPE_FOLDERS_${name} ${MODULE_FOLDERS})
+  if(name IN_LIST RAYSCOPE_LIBRARY_MODULES)
+    target_sources(rayscope PRIVATE $<TARGET_OBJECTS:rayscope_${name}>)
+    target_link_libraries(rayscope PRIVATE $<BUILD_INTERFACE:rayscope_options> ${MODULE_LINK})
+  else()
+    target_sources(rayscope_program PRIVATE $<TARGET_OBJECTS:rayscope_${name}>)
+    target_link_libraries(rayscope_program PRIVATE ${MODULE_LINK})
+  endif()
+endfunction()
+
+# Reads every #include of every module and stops the configuration if one points up.
+function(rayscope_check_layering)
+  set(order ${RAYSCOPE_LIBRARY_MODULES} ${RAYSCOPE_PROGRAM_MODULES})
+  set(lines "")
+  foreach(module IN LISTS order)
+    if(NOT TARGET rayscope_${module})
+      continue()
+    endif()
+    get_property(uses GLOBAL PROPERTY RAYSCOPE_USES_${module})
+    get_property(headers GLOBAL PROPERTY RAYSCOPE_PUBLIC_HEADERS_${module})
+    get_property(folders GLOBAL PROPERTY RAYSCOPE_FOLDERS_${module})
+    list(JOIN uses "," uses)
+    list(JOIN headers "," headers)
+    list(JOIN folders "," folders)
+    string(APPEND lines "${module}|${uses}|${headers}|${folders}\n")
+  endforeach()
+  file(WRITE ${PROJECT_BINARY_DIR}/modules.txt "${lines}")
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -DMODULES=${PROJECT_BINARY_DIR}/modules.txt -DSOURCE=${PROJECT_SOURCE_DIR}
+            -P ${PROJECT_SOURCE_DIR}/cmake/check_layering.cmake
+    RESULT_VARIABLE failed ERROR_VARIABLE why)
+  if(failed)
+    message(FATAL_ERROR "${why}")
+  endif()
+endfunction()

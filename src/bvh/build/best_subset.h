@@ -1,0 +1,41 @@
+#pragma once
+#include <bit>
+#include <limits>
+#include <span>
+
+#include "bvh/bounds.h"
+#include "bvh/layout/primitive_refs.h"
+
+namespace rayscope {
+
+/// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
+/// time than filling them.
+constexpr std::size_t kMostParted = 4;
+
+struct Subset {
+    float cost = std::numeric_limits<float>::infinity();
+    unsigned left = 0;  ///< bit i: primitive i belongs to the left side
+};
+
+/// The cheapest way to part 2 … kMostParted primitives by the surface area heuristic; areas are scaled before
+/// they are compared.
+inline Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
+    Bounds4 box[1 << kMostParted];
+    float cost[1 << kMostParted];
+    const unsigned all = (1u << refs.size()) - 1;
+    for (unsigned set = 1; set < all; ++set) {
+        box[set] = box[set & (set - 1)];
+        box[set].extend(refs[static_cast<std::size_t>(std::countr_zero(set))].bounds());
+        cost[set] = box[set].halfArea(scale) * static_cast<float>(std::popcount(set));
+    }
+    Subset best;
+    for (unsigned left = 1; left < all; left += 2) {
+        const float sum = cost[left] + cost[all ^ left];
+        // Halves keep the tree shallow where all ways cost the same.
+        const bool isHalf = 2 * static_cast<std::size_t>(std::popcount(left)) == refs.size();
+        if (sum < best.cost || (sum == best.cost && isHalf)) best = {sum, left};
+    }
+    return best;
+}
+
+}  // namespace rayscope

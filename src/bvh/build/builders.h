@@ -1,0 +1,54 @@
+#pragma once
+// The builders. Three fill the skeleton for a range of primitives; the fourth improves what another has
+// built.
+#include <span>
+
+#include "bvh/bounds.h"
+#include "bvh/layout/statistics.h"
+#include "bvh/build/tree_skeleton.h"
+
+namespace rayscope {
+
+/// What the surface area heuristic needs of a range of primitives.
+struct RangeBounds {
+    Bounds4 box;
+    Bounds4 centroids;
+
+    void extend(const PrimitiveRef& ref) {
+        box.extend(ref.bounds());
+        centroids.extend(ref.centroid());
+    }
+};
+RangeBounds boundsOf(std::span<const PrimitiveRef> refs, const std::stop_token& stop);
+
+/// Costs of the surface area heuristic, times the area of the root's box. `children` is the sum over both
+/// children of their area times the number of their primitives.
+inline float leafCost(float area, std::size_t size) {
+    return static_cast<float>(kIntersectionCost) * area * static_cast<float>(size);
+}
+inline float splitCost(float area, float children) {
+    return static_cast<float>(kTraversalCost) * area + static_cast<float>(kIntersectionCost) * children;
+}
+
+/// Moves the half with the smaller centroids (of equal ones, the smaller numbers) to the front; returns its
+/// size.
+std::size_t halveAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop);
+
+/// Object median: halves at the median centroid; the axes take turns with the level.
+void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);
+
+/// Surface area heuristic over all centroids of all axes: sorts once per axis and partitions stably.
+/// Builds `tree` over refs, which are the primitives of its slots.
+void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, const Subtree& tree, float scale);
+
+/// Surface area heuristic over the borders of equally wide bins between the centroids; ranges with no more
+/// primitives than bins are swept. Up to `together` primitives become a leaf whatever that costs.
+void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t together);
+
+/// Moves subtrees to where they make the areas of all inner nodes smaller, in rounds: good places are
+/// searched for all nodes at the same time, then taken one by one, the most valuable first (Meister, Bittner
+/// 2018). The result has leaves of up to settings.leafSize primitives and costs no more than `source` with
+/// such leaves; `source` should have leaves of one primitive and must not be empty.
+BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale);
+
+}  // namespace rayscope

@@ -1,0 +1,94 @@
+#include "bvh/build/reinsertion.h"
+
+#include <utility>
+
+namespace rayscope {
+namespace {
+
+/// Long thin boxes that overlap many others open tens of thousands; more than these find nothing better.
+constexpr int kMostOpened = 256;
+
+class Search {
+  public:
+    Search(const LinkedTree& tree, std::uint32_t node)
+        : tree_(tree), box_(tree[node].box()), area_(areaOf(box_)), best_{node} {}
+
+    Reinsertion run() {
+        const std::uint32_t parent = tree_.parent(best_.node);
+        if (parent == kNoNode) return best_;
+        // What is saved below and at `pivot` when the node is taken out, and the box of what is left there.
+        float saved = areaOf(tree_[parent].box());
+        const std::uint32_t sibling = tree_.sibling(best_.node);
+        Bounds4 rest = tree_[sibling].box();
+        searchBelow(sibling, saved);
+        for (std::uint32_t pivot = parent; tree_.parent(pivot) != kNoNode; pivot = tree_.parent(pivot)) {
+            const std::uint32_t other = tree_.sibling(pivot), above = tree_.parent(pivot);
+            consider(other, saved, mergedArea(other));
+            searchBelow(other, saved);
+            const float area = areaOf(tree_[above].box());
+            rest.extend(tree_[other].box());
+            saved += area - areaOf(rest);
+            consider(above, saved, area);
+        }
+        return best_;
+    }
+
+  private:
+    float areaOf(const Bounds4& box) const { return box.halfArea(tree_.scale()); }
+
+    /// Of a new parent of the node and `target`.
+    float mergedArea(std::uint32_t target) const {
+        Bounds4 merged = tree_[target].box();
+        merged.extend(box_);
+        return areaOf(merged);
+    }
+
+    void consider(std::uint32_t target, float saved, float merged) {
+        if (saved - merged > best_.gain) best_ = {best_.node, target, saved - merged};
+    }
+
+    /// Tries all places strictly below `top`, where `saved` counts what the way down to `top` has cost.
+    void searchBelow(std::uint32_t top, float saved) {
+        Waiting stack[kMaxTreeLevel + 2];
+        int waiting = 0;
+        const auto push = [&](std::uint32_t node, float savedAbove, float merged) {
+            if (!tree_[node].isLeaf())
+                stack[waiting++] = {node, savedAbove - (merged - areaOf(tree_[node].box()))};
+        };
+        push(top, saved, mergedArea(top));
+        while (waiting > 0) {
+            const Waiting at = stack[--waiting];
+            // No new parent is smaller than the node.
+            if (at.saved - area_ <= best_.gain) continue;
+            if (++opened_ > kMostOpened) return;
+            std::uint32_t near = tree_[at.node].left, far = tree_[at.node].right;
+            float nearMerged = mergedArea(near), farMerged = mergedArea(far);
+            if (farMerged < nearMerged) {
+                std::swap(near, far);
+                std::swap(nearMerged, farMerged);
+            }
+            consider(near, at.saved, nearMerged);
+            consider(far, at.saved, farMerged);
+            push(far, at.saved, farMerged);
+            push(near, at.saved, nearMerged);
+        }
+    }
+
+    /// A node to be opened, and what is saved less the growth of all boxes down to its own.
+    struct Waiting {
+        std::uint32_t node;
+        float saved;
+    };
+
+    const LinkedTree& tree_;
+    const Bounds4 box_;
+    const float area_;
+    Reinsertion best_;
+    int opened_ = 0;
+};
+
+}  // namespace
+
+Reinsertion bestReinsertion(const LinkedTree& tree, std::uint32_t node) { return Search(tree, node).run(); }
+
+}  // namespace rayscope

@@ -1,0 +1,19 @@
+#pragma once
+// Watertight ray-triangle intersection; the method is described in kernel/exact_triangle.h.
+#include "bvh/kernel/exact_triangle.h"
+#include "bvh/intersect/ray_words.h"
+
+namespace rayscope {
+
+using kernel::ShearedRay;
+using kernel::TriangleHit;
+
+/// Tests the whole line, without any bounds on t. Triangles without area as the ray sees them, or with NaN or
+/// infinite coordinates, are never hit.
+inline bool intersectTriangle(const ShearedRay& ray, const glm::vec3& a, const glm::vec3& b,
+                              const glm::vec3& c, TriangleHit& hit) {
+    const kernel::ShearedVertex sa = shear(ray, &a.x), sb = shear(ray, &b.x), sc = shear(ray, &c.x);
+    return !surelyMisses(sa, sb, sc) && intersectSheared(ray.scaleZ, sa, sb, sc, hit);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,148 @@
+#include "bvh/layout/collapse_plan.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+
+#include "bvh/kernel/ray_setup.h"
+#include "bvh/kernel/wide_tree.h"
+#include "bvh/stop_check.h"
+
+namespace rayscope {
+namespace {
+
+/// Costs of a node and of a block of triangles, in units of a node.
+constexpr float kNodeCost = 1.0f;
+constexpr float kBlockCost = 1.0f;
+constexpr int kParallelLevels = 7;
+constexpr std::size_t kParallelNodes = 4096;
+
+float halfArea(const BinaryNode& node) {
+    const glm::vec3 size = node.upper - node.lower;
+    return size.x * (size.y + size.z) + size.y * size.z;
+}
+
+std::uint32_t blocksFor(std::uint32_t triangles) { return (triangles + kernel::kWidth - 1) / kernel::kWidth; }
+
+std::uint32_t nodesOver(std::uint32_t items) {
+    if (items <= 1) return 0;
+    if (items <= kernel::kWidth) return 1;
+    const std::uint32_t share = (items + kernel::kWidth - 1) / kernel::kWidth;
+    return 1 + items / share * nodesOver(share) + nodesOver(items % share);
+}
+
+}  // namespace
+
+std::uint32_t trianglesIn(const BinaryTree& tree, const AccelInput& input, const BinaryNode& leaf) {
+    if (input.spheres.empty()) return leaf.count;
+    const auto first = tree.primitives.begin() + leaf.first;
+    return static_cast<std::uint32_t>(std::count_if(
+        first, first + leaf.count, [&](std::uint32_t p) { return p < input.triangles.size(); }));
+}
+
+WideCount countOfLeaf(std::uint32_t triangles, std::uint32_t spheres) {
+    const std::uint32_t blocks = blocksFor(triangles);
+    return {nodesOver(blocks + spheres), blocks, spheres};
+}
+
+/// What a subtree costs if it may take up to i + 1 places.
+struct CollapsePlan::Options {
+    std::array<float, 8> cost;
+    std::array<WideCount, 8> count;
+    std::uint32_t triangles;
+    bool onlyTriangles;
+};
+
+CollapsePlan::CollapsePlan(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop)
+    : tree_(tree),
+      input_(input),
+      stop_(stop),
+      plans_(tree.nodes.size()),
+      parallelLevels_(tree.nodes.size() > kParallelNodes ? kParallelLevels : 0) {
+    plan(0, 0);
+}
+
+CollapsePlan::Options CollapsePlan::planLeaf(std::uint32_t node) {
+    const BinaryNode& leaf = tree_.nodes[node];
+    Options options;
+    options.triangles = trianglesIn(tree_, input_, leaf);
+    options.onlyTriangles = options.triangles == leaf.count;
+    plans_[node].leftPlaces.fill(0);
+    plans_[node].count = countOfLeaf(options.triangles, leaf.count - options.triangles);
+    options.cost.fill(halfArea(leaf) *
+                      (kBlockCost + static_cast<float>(plans_[node].count.nodes) * kNodeCost));
+    options.count.fill(plans_[node].count);
+    return options;
+}
+
+CollapsePlan::Options CollapsePlan::plan(std::uint32_t number, int level) {
+    const BinaryNode& node = tree_.nodes[number];
+    if (node.isLeaf()) return planLeaf(number);
+    Options left, right;
+    if (level < parallelLevels_) {
+        throwIfStopped(stop_);
+        tbb::parallel_invoke([&] { left = plan(node.first, level + 1); },
+                             [&] { right = plan(node.first + 1, level + 1); });
+    } else {
+        left = plan(node.first, level + 1);
+        right = plan(node.first + 1, level + 1);
+    }
+    Plan& plan = plans_[number];
+    Options options;
+    options.triangles = left.triangles + right.triangles;
+    options.onlyTriangles = left.onlyTriangles && right.onlyTriangles;
+
+    const auto share = [&](int places, std::uint8_t& leftPlaces, WideCount& count) {
+        float cheapest = kernel::kInfinity;
+        leftPlaces = 1;
+        for (int k = 1; k < places; ++k) {
+            const float cost = left.cost[static_cast<std::size_t>(k - 1)] +
+                               right.cost[static_cast<std::size_t>(places - k - 1)];
+            if (cost >= cheapest) continue;
+            cheapest = cost;
+            leftPlaces = static_cast<std::uint8_t>(k);
+        }
+        count = left.count[leftPlaces - 1u] + right.count[static_cast<std::size_t>(places - leftPlaces - 1)];
+        return cheapest;
+    };
+    const float area = halfArea(node);
+    options.cost[0] = area * kNodeCost + share(kernel::kWidth, plan.leftPlaces[0], options.count[0]);
+    ++options.count[0].nodes;
+    if (options.onlyTriangles && options.triangles <= kernel::kWidth &&
+        area * kBlockCost <= options.cost[0]) {
+        options.cost[0] = area * kBlockCost;
+        options.count[0] = {0, 1, 0};
+        plan.leftPlaces[0] = 0;
+    }
+    for (std::size_t i = 1; i < 8; ++i) {
+        options.cost[i] = share(static_cast<int>(i) + 1, plan.leftPlaces[i], options.count[i]);
+        if (options.cost[i] < options.cost[i - 1]) continue;
+        options.cost[i] = options.cost[i - 1];
+        options.count[i] = options.count[i - 1];
+        plan.leftPlaces[i] = 0;
+    }
+    plan.count = options.count[0];
+    return options;
+}
+
+void CollapsePlan::take(std::uint32_t node, std::uint8_t places, Children& children) const {
+    const Plan& plan = plans_[node];
+    while (places > 1 && (tree_.nodes[node].isLeaf() || plan.leftPlaces[places - 1u] == 0)) --places;
+    if (places == 1) {
+        children.node[static_cast<std::size_t>(children.count++)] = node;
+        return;
+    }
+    const std::uint8_t left = plan.leftPlaces[places - 1u];
+    take(tree_.nodes[node].first, left, children);
+    take(tree_.nodes[node].first + 1, static_cast<std::uint8_t>(places - left), children);
+}
+
+CollapsePlan::Children CollapsePlan::childrenOf(std::uint32_t node) const {
+    Children children;
+    const std::uint8_t left = plans_[node].leftPlaces[0];
+    take(tree_.nodes[node].first, left, children);
+    take(tree_.nodes[node].first + 1, static_cast<std::uint8_t>(kernel::kWidth - left), children);
+    return children;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,50 @@
+#include "bvh/layout/statistics.h"
+
+namespace rayscope {
+namespace {
+
+void count(std::vector<std::size_t>& histogram, std::size_t index) {
+    if (histogram.size() <= index) histogram.resize(index + 1);
+    ++histogram[index];
+}
+
+}  // namespace
+
+double halfArea(const BinaryNode& node) {
+    const glm::dvec3 size = glm::dvec3(node.upper) - glm::dvec3(node.lower);
+    return size.x * (size.y + size.z) + size.y * size.z;
+}
+
+TreeStatistics statisticsOf(const BinaryTree& tree) {
+    TreeStatistics result;
+    if (tree.nodes.empty()) return result;
+    result.nodes = tree.nodes.size();
+    result.primitives = tree.primitives.size();
+    result.bytes = tree.nodes.size() * sizeof(BinaryNode) + tree.primitives.size() * sizeof(std::uint32_t);
+    result.levels = tree.levels;
+    const double rootArea = halfArea(tree.nodes[0]);
+    struct Waiting {
+        std::uint32_t node;
+        std::size_t level;
+    };
+    std::vector<Waiting> stack{{0, 0}};
+    while (!stack.empty()) {
+        const auto [number, level] = stack.back();
+        stack.pop_back();
+        const BinaryNode& node = tree.nodes[number];
+        const double area = rootArea > 0.0 ? halfArea(node) / rootArea : 1.0;
+        if (node.isLeaf()) {
+            result.sahCost += area * kIntersectionCost * node.count;
+            ++result.leaves;
+            count(result.leavesAtLevel, level);
+            count(result.leavesOfSize, node.count);
+        } else {
+            result.sahCost += area * kTraversalCost;
+            stack.push_back({node.first, level + 1});
+            stack.push_back({node.first + 1, level + 1});
+        }
+    }
+    return result;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+#include <rayscope/diagnostics.h>
+#include <stb_image.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+#include "image/codecs/codecs.h"
+#include "image/srgb.h"
+
+namespace rayscope {
+
+namespace {
+
+/// Feeds stb from memory and notes when it wants bytes that are not there: several of its decoders would
+/// silently go on with zeros.
+class Source {
+  public:
+    enum class AtEnd { Stop, GoOnWithOnes };
+
+    explicit Source(FileBytes file, AtEnd atEnd = AtEnd::Stop) : file_(file), atEnd_(atEnd) {}
+
+    static const stbi_io_callbacks& callbacks() {
+        static const stbi_io_callbacks table{
+            [](void* self, char* data, int size) { return static_cast<Source*>(self)->read(data, size); },
+            [](void* self, int count) { static_cast<Source*>(self)->skip(count); },
+            [](void* self) { return static_cast<Source*>(self)->left() == 0 ? 1 : 0; }};
+        return table;
+    }
+
+    bool overrun() const { return overrun_; }
+
+  private:
+    // stb fills its own buffer in steps of this many bytes, and the last step may well be short; every other
+    // read asks for what the decoder needs.
+    static constexpr int kBufferStep = 128;
+
+    std::size_t left() const { return file_.size() - position_; }
+
+    int read(char* data, int size) {
+        const std::size_t count = std::min(left(), static_cast<std::size_t>(size));
+        std::memcpy(data, file_.data() + position_, count);
+        position_ += count;
+        if (count == 0 || (size != kBufferStep && count < static_cast<std::size_t>(size))) overrun_ = true;
+        if (count > 0 || atEnd_ == AtEnd::Stop) return static_cast<int>(count);
+        std::memset(data, 1, static_cast<std::size_t>(size));
+        return size;
+    }
+
+    void skip(int count) {
+        if (count > 0 && static_cast<std::size_t>(count) > left()) overrun_ = true;
+        const long long target = static_cast<long long>(position_) + count;
+        position_ = static_cast<std::size_t>(std::clamp(target, 0LL, static_cast<long long>(file_.size())));
+    }
+
+    FileBytes file_;
+    AtEnd atEnd_;
+    std::size_t position_ = 0;
+    bool overrun_ = false;
+};
+
+template <class T>
+using Samples = std::unique_ptr<T, void (*)(void*)>;
+
+/// Decodes with one of stb's load functions into three channels, and converts each sample.
+template <class T, class Load, class Convert>
+RgbImage load(Source source, const std::string& name, Load loadFromCallbacks, Convert toLinear) {
+    int width = 0, height = 0, channels = 0;
+    const Samples<T> samples(loadFromCallbacks(&Source::callbacks(), &source, &width, &height, &channels, 3),
+                             stbi_image_free);
+    if (source.overrun()) throwDamaged(name, "it ends too early");
+    if (!samples) throwDamaged(name, stbi_failure_reason());
+    RgbImage image(width, height);
+    const T* sample = samples.get();
+    for (Rgb& pixel : image.pixels) {
+        pixel = Rgb(toLinear(sample[0]), toLinear(sample[1]), toLinear(sample[2]));
+        sample += 3;
+    }
+    return image;
+}
+
+}  // namespace
+
+RgbImage decodeStb(FileBytes file, const std::string& name) {
+    int width = 0, height = 0, channels = 0;
+    Source header(file);
+    if (!stbi_info_from_callbacks(&Source::callbacks(), &header, &width, &height, &channels)) {
+        if (header.overrun()) throwDamaged(name, "it ends too early");
+        throw InputError(
+            fmt::format("cannot be read as an image ({}); expected PNG, JPEG, BMP, TGA, HDR, EXR or PFM",
+                        stbi_failure_reason()),
+            {name});
+    }
+    checkImageSize(width, height, name);
+
+    Source probe(file);
+    if (stbi_is_hdr_from_callbacks(&Source::callbacks(), &probe)) {
+        // After the end stb takes zeros, and in the pixels of an HDR file a run of length zero is one that it
+        // repeats forever. The header, where ones would do the same, has just been read to its end.
+        return load<float>(Source(file, Source::AtEnd::GoOnWithOnes), name, stbi_loadf_from_callbacks,
+                           [](float value) { return value; });
+    }
+    probe = Source(file);
+    if (stbi_is_16_bit_from_callbacks(&Source::callbacks(), &probe))
+        return load<stbi_us>(Source(file), name, stbi_load_16_from_callbacks, [](stbi_us value) {
+            return srgbToLinear(static_cast<float>(value) / 65535.0f);
+        });
+    return load<stbi_uc>(Source(file), name, stbi_load_from_callbacks, decodeByte);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <rayscope/diagnostics.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+#include "base/atomic_file.h"
+#include "base/nearest_name.h"
+#include "image/codecs/codecs.h"
+
+namespace rayscope {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kSuffixes{".png", ".exr", ".pfm", ".hdr"};
+
+/// The suffix in lower case. Throws InputError if nothing is written under it.
+std::string checkedSuffix(const std::string& path) {
+    std::string suffix = std::filesystem::path(path).extension().string();
+    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
+        throw InputError(
+            fmt::format("cannot tell the kind of image to write: the name should end in {}, not '{}'{}",
+                        joinChoices(kSuffixes), suffix, didYouMean(suffix, kSuffixes)),
+            {path});
+    return suffix;
+}
+
+std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
+                   ToneCurve curve) {
+    if (suffix == ".png") return encodePng(image, metadata, curve);
+    if (suffix == ".exr") return encodeExr(image, metadata);
+    if (suffix == ".pfm") return encodePfm(image);
+    return encodeHdr(image);
+}
+
+}  // namespace
+
+void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
+                ToneCurve curve) {
+    checkImageDestination(path);
+    if (image.empty()) throw InputError("there are no pixels to write", {path});
+    writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, curve));
+}
+
+void checkImageDestination(const std::string& path) {
+    checkedSuffix(path);
+    checkFileDestination(path);
+}
+
+}  // namespace rayscope

@@ -1,0 +1,227 @@
+#include "measure/bench/bench.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include "bvh/binary_tree.h"
+#include "bvh/build/build.h"
+#include "bvh/layout/statistics.h"
+#include "bvh/traversal/wide_counts.h"
+#include "measure/bench/embree_race.h"
+#include "measure/bench/random_lines.h"
+#include "measure/statistics/statistics.h"
+
+namespace rayscope {
+namespace {
+
+constexpr std::size_t kChunk = 16384;
+
+Interval intervalOf(const std::vector<double>& values) {
+    return values.empty() ? Interval{} : medianInterval(values);
+}
+
+double secondsOf(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Answers a set of rays again and again, with any of the contestants.
+class Track {
+  public:
+    Track(std::span<const Ray> rays, bool any, int threads)
+        : rays_(rays.begin(), rays.end()),
+          hits_(rays_.size()),
+          occluded_(rays_.size()),
+          any_(any),
+          threads_(threads) {}
+
+    std::size_t size() const { return rays_.size(); }
+    std::span<const Ray> rays() const { return rays_; }
+    std::size_t countHits() const {
+        return any_ ? static_cast<std::size_t>(std::ranges::count(occluded_, 1))
+                    : static_cast<std::size_t>(std::ranges::count_if(
+                          hits_, [](const Hit& hit) { return hit.primitive != kNoPrimitive; }));
+    }
+    /// Whether something was hit, ray by ray.
+    std::vector<bool> answers() const {
+        std::vector<bool> result(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            result[i] = any_ ? occluded_[i] != 0 : hits_[i].primitive != kNoPrimitive;
+        return result;
+    }
+
+    double single(const Accel& accel) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                if (any_)
+                    occluded_[i] = accel.anyHit(rays_[i]);
+                else
+                    accel.closestHit(rays_[i], hits_[i]);
+            }
+        });
+    }
+    double batched(const Accel& accel) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            const auto rays = std::span<const Ray>(rays_).subspan(begin, end - begin);
+            if (any_)
+                accel.anyHits(rays, std::span(occluded_).subspan(begin, end - begin));
+            else
+                accel.closestHits(rays, std::span(hits_).subspan(begin, end - begin));
+        });
+    }
+    double embree(const EmbreeRace& embree, EmbreeQuery query, bool coherent) {
+        return timed([&](std::size_t begin, std::size_t end) {
+            const auto rays = std::span<const Ray>(rays_).subspan(begin, end - begin);
+            if (any_)
+                embree.anyHits(query, coherent, rays, std::span(occluded_).subspan(begin, end - begin));
+            else
+                embree.closestHits(query, coherent, rays, std::span(hits_).subspan(begin, end - begin));
+        });
+    }
+
+  private:
+    template <class Work>
+    double timed(const Work& work) const {
+        return secondsOf([&] {
+            if (threads_ == 1) return work(0, size());
+            tbb::parallel_for(
+                tbb::blocked_range<std::size_t>(0, size(), kChunk),
+                [&](const auto& block) { work(block.begin(), block.end()); }, tbb::simple_partitioner{});
+        });
+    }
+
+    BigVector<Ray> rays_;
+    BigVector<Hit> hits_;
+    std::vector<std::uint8_t> occluded_;
+    bool any_;
+    int threads_;
+};
+
+struct Contestants {
+    const Accel& own;
+    const EmbreeRace* fast;
+    const EmbreeRace* robust;
+};
+
+RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, int rounds) {
+    RayTiming timing;
+    timing.kind = kind;
+    timing.rays = track.size();
+    const bool coherent = kind != BenchRayKind::Bounce && kind != BenchRayKind::AmbientOcclusion;
+    std::vector<double> single, batched, fast, robust, packet, stream;
+    std::vector<double> toSingle, toRobust, batchToSingle, batchToBest, batchToOwn;
+    for (int round = 0; round < rounds; ++round) {
+        single.push_back(track.single(contestants.own));
+        const std::vector<bool> ownAnswers = round == 0 ? track.answers() : std::vector<bool>{};
+        if (round == 0) timing.hits = track.countHits();
+        batched.push_back(track.batched(contestants.own));
+        batchToOwn.push_back(single.back() / batched.back());
+        if (!contestants.fast) continue;
+        robust.push_back(track.embree(*contestants.robust, EmbreeQuery::Single, coherent));
+        if (round == 0) {
+            const std::vector<bool> answers = track.answers();
+            for (std::size_t i = 0; i < answers.size(); ++i) timing.mismatches += answers[i] != ownAnswers[i];
+        }
+        fast.push_back(track.embree(*contestants.fast, EmbreeQuery::Single, coherent));
+        packet.push_back(track.embree(*contestants.fast, EmbreeQuery::Packet16, coherent));
+        stream.push_back(track.embree(*contestants.fast, EmbreeQuery::Stream, coherent));
+        toSingle.push_back(fast.back() / single.back());
+        toRobust.push_back(robust.back() / single.back());
+        batchToSingle.push_back(fast.back() / batched.back());
+        batchToBest.push_back(std::min({fast.back(), packet.back(), stream.back()}) / batched.back());
+    }
+    const auto speed = [&](const std::vector<double>& seconds) {
+        return seconds.empty() ? 0.0
+                               : static_cast<double>(track.size()) * 1e-6 / medianInterval(seconds).value;
+    };
+    timing.single = speed(single);
+    timing.batched = speed(batched);
+    timing.embreeSingle = speed(fast);
+    timing.embreeRobust = speed(robust);
+    timing.embreePacket16 = speed(packet);
+    timing.embreeStream = speed(stream);
+    timing.singleToSingle = intervalOf(toSingle);
+    timing.singleToRobust = intervalOf(toRobust);
+    timing.batchedToSingle = intervalOf(batchToSingle);
+    timing.batchedToBest = intervalOf(batchToBest);
+    timing.batchedToOwnSingle = intervalOf(batchToOwn);
+    return timing;
+}
+
+void setCounts(RayTiming& timing, const WideCounts& counts) {
+    const auto perRay = [&](std::uint64_t count) {
+        return static_cast<double>(count) / static_cast<double>(timing.rays);
+    };
+    timing.nodes = perRay(counts.nodes);
+    timing.leaves = perRay(counts.leaves);
+    timing.primitives = perRay(counts.primitives);
+    timing.exact = perRay(counts.exact);
+}
+
+void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, const BuildSettings& settings) {
+    constexpr int kLines = 10000;
+    row.summary = accel.summary();
+    if (row.summary.triangleBlocks > 0)
+        row.blockFill = static_cast<double>(row.triangles) / static_cast<double>(row.summary.triangleBlocks);
+    BuildSettings toLookAt = settings;
+    toLookAt.keepBinaryTree = true;
+    const BinaryTree tree = buildBinaryTree(input, toLookAt);
+    row.sahCost = statisticsOf(tree).sahCost;
+    row.countedCost = costOfRandomLines(tree, kLines);
+}
+
+}  // namespace
+
+BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
+                  const glm::vec3& light, const BenchOptions& options,
+                  const std::function<void(const std::string&)>& note) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(options.threads));
+    BenchRow row;
+    row.scene = name;
+    row.triangles = input.triangles.size();
+    row.spheres = input.spheres.size();
+    row.threads = options.threads;
+    row.build = options.build;
+    note("build");
+    std::vector<double> build, embreeBuild, ratio;
+    Accel accel;
+    std::optional<EmbreeRace> fast, robust;
+    for (int round = 0; round < std::max(5, options.rounds); ++round) {
+        build.push_back(secondsOf([&] { accel = Accel::build(input, options.build); }));
+        if (!EmbreeRace::isAvailable()) continue;
+        fast.emplace(input, false, options.threads);
+        embreeBuild.push_back(fast->buildSeconds());
+        ratio.push_back(embreeBuild.back() / build.back());
+    }
+    if (EmbreeRace::isAvailable()) robust.emplace(input, true, options.threads);
+    row.buildSeconds = intervalOf(build);
+    row.embreeBuildSeconds = intervalOf(embreeBuild);
+    row.buildRatio = intervalOf(ratio);
+    const auto primitives = static_cast<double>(std::max<std::size_t>(1, row.triangles + row.spheres));
+    row.bytesPerPrimitive = static_cast<double>(accel.bytes()) / primitives;
+    if (fast) row.embreeBytesPerPrimitive = static_cast<double>(fast->bytes()) / primitives;
+    row.isa = accel.summary().isa;
+    describeTree(row, accel, input, options.build);
+    for (const BenchRayKind kind : kBenchRayKinds) {
+        note(std::string(benchNameOf(kind)));
+        Track track(makeBenchRays(accel, camera, light, kind, options.size), asksAnyHit(kind),
+                    options.threads);
+        if (track.size() == 0) continue;
+        row.rays.push_back(
+            race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind, track, options.rounds));
+        if (accel.wideTree())
+            setCounts(row.rays.back(), countSearches(*accel.wideTree(), track.rays(), asksAnyHit(kind)));
+    }
+    return row;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,130 @@
+#include "measure/trade/candidates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rayscope {
+
+namespace {
+
+/// Grows with the number of rays; only the order matters.
+double nominalCost(const Settings& s) {
+    const double lights = s.segmentSamples + s.parallelogramSamples * s.parallelogramSamples;
+    return s.spp * (1.0 + lights) * (s.glossy ? s.glossySamples : 1) * s.lensSamples *
+           (1.0 + 0.1 * s.maxDepth);
+}
+
+TradePoint candidate(TradeRole role, const Settings& base, const Settings& settings, std::string name = {}) {
+    TradePoint point;
+    point.role = role;
+    point.settings = settings;
+    point.name = name.empty() ? differenceInWords(base, settings) : std::move(name);
+    return point;
+}
+
+void addKnobs(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, const Settings& base) {
+    for (const Knob& knob : knobs) {
+        for (const std::string& level : knob.levels) {
+            Settings settings = base;
+            assign(settings, knob.key, level);
+            if (settings == base) continue;
+            TradePoint point = candidate(TradeRole::Knob, base, settings);
+            point.knob = knob.key;
+            point.level = level;
+            list.push_back(std::move(point));
+        }
+    }
+}
+
+void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, const Settings& base) {
+    for (const Effect& effect : effectsOf(scene, base)) {
+        Settings settings = base;
+        assign(settings, effect.key, effect.on ? "false" : "true");
+        TradePoint point = candidate(TradeRole::Feature, base, settings);
+        point.knob = effect.key;
+        point.level = effect.on ? "false" : "true";
+        list.push_back(std::move(point));
+    }
+}
+
+void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& asked, bool blurred) {
+    for (const Preset& preset : presets()) {
+        Settings settings = asked;
+        applyPreset(settings, preset, blurred);
+        TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
+        point.level = preset.name;
+        list.push_back(std::move(point));
+    }
+}
+
+/// Every combination of samples per pixel with splits of a few sizes, and with shallow reflections.
+void addJoint(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, const Settings& base) {
+    std::vector<Settings> variants{base};
+    const auto multiply = [&](const std::string& key, const std::vector<std::string>& levels) {
+        std::vector<Settings> more;
+        for (const Settings& variant : variants) {
+            for (const std::string& level : levels) {
+                Settings settings = variant;
+                assign(settings, key, level);
+                if (std::find(more.begin(), more.end(), settings) == more.end()) more.push_back(settings);
+            }
+        }
+        variants = std::move(more);
+    };
+    const auto splits = std::count_if(knobs.begin(), knobs.end(), [](const Knob& k) { return k.splits; });
+    for (const Knob& knob : knobs) {
+        const std::string present = textOf(base, knob.key);
+        if (knob.splits && splits == 1) multiply(knob.key, {"1", "2", "4", present});
+        if (knob.splits && splits > 1) multiply(knob.key, {"1", present});
+        if (knob.key == "max_depth") multiply(knob.key, {"1", "2", present});
+        if (knob.key == "spp") multiply(knob.key, knob.levels);
+    }
+    const auto known = [&](const Settings& settings) {
+        return std::any_of(list.begin(), list.end(),
+                           [&](const TradePoint& p) { return p.settings == settings; });
+    };
+    for (const Settings& settings : variants)
+        if (!known(settings)) list.push_back(candidate(TradeRole::Joint, base, settings));
+}
+
+}  // namespace
+
+std::string differenceInWords(const Settings& base, const Settings& settings) {
+    std::string words;
+    for (const std::string_view key : settingKeys()) {
+        const std::string value = textOf(settings, key);
+        if (value != textOf(base, key))
+            words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, value);
+    }
+    return words.empty() ? "base" : words;
+}
+
+std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Settings& base,
+                                      const TradeRequest& request) {
+    const std::vector<Knob> knobs = knobsOf(scene, base);
+    std::vector<TradePoint> list{candidate(TradeRole::Base, base, base),
+                                 candidate(TradeRole::Control, base, base, "base once more")};
+    for (const auto& [name, settings] : request.extra)
+        list.push_back(candidate(TradeRole::Extra, base, settings, name));
+    const auto cheapFirst = [&](std::size_t from) {
+        std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(from), list.end(),
+                         [](const TradePoint& a, const TradePoint& b) {
+                             return nominalCost(a.settings) < nominalCost(b.settings);
+                         });
+    };
+    const std::size_t first = list.size();
+    addPresets(list, base, request.render.settings, blursPixels(scene, request.render.camera));
+    if (request.render.settings != base)
+        list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
+    addEffects(list, scene, base);
+    addKnobs(list, knobs, base);
+    cheapFirst(first);
+    const std::size_t joint = list.size();
+    addJoint(list, knobs, base);
+    cheapFirst(joint);
+    return list;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,25 @@
+#pragma once
+#include <rayscope/image.h>
+#include <memory>
+#include <optional>
+
+#include "measure/statistics/workers.h"
+#include "trace/compile.h"
+
+namespace rayscope {
+
+/// One timed picture.
+struct Trial {
+    double seconds = 0.0;       ///< tracing and bloom
+    double buildSeconds = 0.0;  ///< of hierarchies that the previous world could not lend
+    std::uint64_t rays = 0;
+    RgbImage image;  ///< developed, linear
+    std::shared_ptr<const World> world;
+};
+
+/// Renders `request.settings.spp` samples per pixel as `rayscope render` would. Nothing is returned if it
+/// takes longer than `mostSeconds` or a stop is requested.
+std::optional<Trial> runTrial(Workers& workers, const CompileRequest& request, const World* previous,
+                              std::uint64_t seed, double mostSeconds, const std::stop_token& stop);
+
+}  // namespace rayscope

@@ -1,0 +1,247 @@
+#include "viewer/app/application.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <utility>
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/panels/widgets.h"
+#include "viewer/panels/theme.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// Seconds between frames: while something is in motion, while a picture refines, and when all is quiet.
+constexpr double kMotionSeconds = 1.0 / 120.0, kRefineSeconds = 1.0 / 40.0, kQuietSeconds = 0.5;
+/// Dear ImGui needs some frames after an event until everything it causes is on the screen.
+constexpr int kFramesAfterEvent = 4;
+
+}  // namespace
+
+Application::Application(const ViewerOptions& options, LoadedScene first)
+    : window_(options.width, options.height),
+      workspace_(openingState(std::move(*first.scene), options.settings, options.camera, options.preset),
+                 std::move(first.notes), options.threads) {
+    workspace_.recent.add(first.path);
+    setScale(window_.contentScale());
+}
+
+void Application::run() {
+    const auto secondsSince = [](Clock::time_point then) {
+        return std::chrono::duration<double>(Clock::now() - then).count();
+    };
+    Clock::time_point before = Clock::now();
+    while (!window_.shouldClose()) {
+        const double pause = patience();
+        if (window_.handleEvents(std::max(0.0, pause - secondsSince(before))))
+            liveFrames_ = kFramesAfterEvent;
+        liveFrames_ = std::max(0, liveFrames_ - 1);
+        const double seconds = secondsSince(before);
+        before = Clock::now();
+        if (pause < kQuietSeconds) workspace_.frameTimes.add(seconds);
+        frame(std::min(0.1, seconds));
+    }
+}
+
+double Application::patience() const {
+    if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
+    const bool job = workspace_.job && workspace_.job->running();
+    const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
+                         job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy() ||
+                         workspace_.trade.busy() || workspace_.comparison.busy();
+    return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
+}
+
+void Application::frame(double seconds) {
+    takeFiles();
+    if (appliedScale_ != workspace_.view.scale) {
+        appliedScale_ = workspace_.view.scale;
+        window_.applyScale(appliedScale_);
+    }
+    if (workspace_.job) workspace_.job->update();
+
+    window_.beginFrame();
+    takeKeys();
+    drawMenuBar(workspace_);
+    const Layout parts = layout();
+    drawStatusBar(workspace_, parts.statusHeight);
+    if (workspace_.view.sidePanel) drawSidePanel(parts);
+    drawKeysWindow(workspace_);
+    drawStatisticsWindow(workspace_);
+    openDialog_.draw(workspace_);
+    renderDialog_.draw(workspace_);
+    drawErrorBox(workspace_);
+    workspace_.closeDialogs = false;
+    for (const Command command : std::exchange(workspace_.commands, {})) carryOut(command);
+    drawPicture(parts, seconds);
+    carryOutAtCursor();
+    settleHistory();
+    // The picture lies over the status bar and reaches the left edge.
+    const int lowest =
+        static_cast<int>(std::lround(static_cast<double>(parts.statusHeight) *
+                                     static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.y)));
+    const auto saveIfWanted = [&] {
+        if (std::exchange(screenshotWanted_, false)) saveScreenshotNow();
+    };
+    window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfWanted);
+
+    const std::string title = fmt::format("{} - Rayscope", workspace_.edit.scene->path);
+    if (title != title_) window_.setTitle(title);
+    title_ = title;
+}
+
+Application::Layout Application::layout() const {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    Layout parts;
+    parts.menuHeight = ImGui::GetFrameHeight();
+    parts.statusHeight = ImGui::GetFontSize() + scaled(10.0f);
+    const float widest = 0.6f * display.x;
+    parts.panelWidth = workspace_.view.sidePanel ? std::min(scaled(panelWidth_), widest) : 0.0f;
+    parts.pictureOrigin = {0.0f, parts.menuHeight};
+    parts.pictureSize =
+        glm::max(glm::vec2(display.x - parts.panelWidth, display.y - parts.menuHeight - parts.statusHeight),
+                 glm::vec2(1.0f));
+    return parts;
+}
+
+void Application::drawSidePanel(const Layout& parts) {
+    const float x = parts.pictureSize.x;
+    ImGui::SetNextWindowPos({x, parts.menuHeight});
+    ImGui::SetNextWindowSize({parts.panelWidth, parts.pictureSize.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs |
+                                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBringToFrontOnFocus;
+    if (ImGui::Begin("##side", nullptr, kFlags)) {
+        // The left edge can be dragged.
+        const ImVec2 start = ImGui::GetCursorPos();
+        ImGui::SetCursorPos({0.0f, 0.0f});
+        ImGui::InvisibleButton("##edge", {scaled(5.0f), parts.pictureSize.y});
+        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        if (ImGui::IsItemActive())
+            panelWidth_ =
+                std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
+        ImGui::SetCursorPos(start);
+
+        ViewState& view = workspace_.view;
+        const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
+        if (choiceButton("Rasterised", !view.traced, half)) view.traced = false;
+        tooltip("Drawn by OpenGL: quick, without shadows and reflections (Tab).");
+        ImGui::SameLine();
+        if (choiceButton("Ray-traced", view.traced, half)) view.traced = true;
+        tooltip("Traced on the CPU, refining as long as nothing changes (Tab).");
+        ImGui::Spacing();
+        if (ImGui::BeginTabBar("##tabs")) {
+            const auto tab = [&](const char* name, auto draw) {
+                if (!ImGui::BeginTabItem(name)) return;
+                ImGui::BeginChild(name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
+                draw();
+                ImGui::EndChild();
+                ImGui::EndTabItem();
+            };
+            const auto group = [&](const char* name, void (*draw)(Workspace&)) {
+                if (ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) draw(workspace_);
+            };
+            tab("Scene", [&] {
+                group("Contents", drawScenePanel);
+                group("Camera", drawCameraPanel);
+                group("Lights", drawLightsPanel);
+                if (ImGui::CollapsingHeader("Numbers at the extremes")) drawLabPanel(workspace_);
+            });
+            tab("Settings", [&] { drawSettingsPanel(workspace_); });
+            tab("Rays", [&] { drawRaysPanel(workspace_); });
+            tab("BVH", [&] { drawBvhPanel(workspace_); });
+            tab("Map", [&] { drawHeatPanel(workspace_); });
+            tab("A/B", [&] { drawComparisonPanel(workspace_); });
+            ImGui::EndTabBar();
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void Application::drawPicture(const Layout& parts, double seconds) {
+    const double unit = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+    const glm::dvec2 pixels = glm::round(glm::dvec2(parts.pictureSize) * unit);
+    workspace_.viewSize = glm::max(glm::ivec2(pixels), glm::ivec2(1));
+    input_.update(workspace_, window_, glm::dvec2(parts.pictureOrigin), unit, seconds);
+
+    const glm::ivec2 image = workspace_.imageSize();
+    workspace_.render.update(
+        {workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced, workspace_.goal});
+    updateInspectors();
+    picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
+    updateComparison();
+    drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
+    drawDetailNote(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
+    updateCursorRadiance();
+}
+
+void Application::updateComparison() {
+    const RenderControl& render = workspace_.render;
+    const bool complete = !render.busy() && !input_.moving() && !picture_.computing();
+    workspace_.comparison.update(picture_.shownImage(), picture_.shownRevision(), complete,
+                                 workspace_.edit.settings.exposure);
+}
+
+/// What is looked at in detail is prepared beside the window, and only if something of it is seen.
+void Application::updateInspectors() {
+    const bool bvhSeen = std::exchange(workspace_.bvhSeen, false) || workspace_.bvh.shown.any();
+    const std::shared_ptr<const World> world = workspace_.render.session().world();
+    const bool isPresent = world && world->description == workspace_.edit.scene;
+    if (bvhSeen && isPresent) workspace_.bvh.update(world);
+
+    // While the picture still refines, the map would only take its time.
+    const bool quiet = !workspace_.render.busy() && !input_.moving();
+    const auto film = workspace_.render.session().film();
+    if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
+        workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
+
+    workspace_.lab.update();
+    workspace_.trade.update();
+
+    DebugRays& rays = workspace_.rays;
+    rays.updateSearch();
+    const bool settled =
+        workspace_.render.settledWorld() && workspace_.render.status().state == RenderState::Done;
+    if (film && settled && workspace_.view.traced && !rays.staleFor(workspace_.edit, workspace_.imageSize()))
+        rays.verifyAgain(*film);
+}
+
+void Application::updateCursorRadiance() {
+    std::optional<CursorInfo>& cursor = workspace_.cursor;
+    const RgbImage& image = picture_.tracedImage();
+    const bool shown =
+        workspace_.view.traced && glm::ivec2(image.width, image.height) == workspace_.imageSize();
+    if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
+}
+
+void Application::takeFiles() {
+    for (const std::string& path : window_.takeDroppedFiles()) workspace_.open(path);
+    if (auto loaded = workspace_.loader.poll()) workspace_.show(std::move(*loaded));
+}
+
+void Application::takeKeys() {
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    for (const KeyPress& press : window_.takeKeys()) {
+        const std::optional<Command> command = commandFor(press.key, press.modifiers);
+        if (!command) continue;
+        if (*command == Command::Cancel && popup) workspace_.closeDialogs = true;
+        // Keys belong to the field or dialog that is open.
+        if (ImGui::GetIO().WantTextInput || popup) continue;
+        carryOut(*command);
+    }
+}
+
+/// A gesture that has ended becomes one step of the history.
+void Application::settleHistory() {
+    if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving())
+        workspace_.history.record(workspace_.edit);
+}
+
+}  // namespace rayscope::viewer

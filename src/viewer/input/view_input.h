@@ -1,0 +1,45 @@
+#pragma once
+#include <chrono>
+#include <optional>
+
+#include "viewer/model/light_handles.h"
+#include "viewer/input/window.h"
+#include "viewer/workspace/workspace.h"
+
+namespace rayscope::viewer {
+
+/// Turns what mouse and keys do in the picture area into movements of the camera and of lights, and finds out
+/// what the cursor is on.
+class ViewInput {
+  public:
+    /// `origin` is the upper left corner of the picture in the window's units, `unit` the pixels per unit.
+    void update(Workspace& workspace, const Window& window, glm::dvec2 origin, double unit, double seconds);
+
+    /// Camera or light are in motion; a coarse picture that follows is better than a fine one that lags.
+    bool moving() const;
+    bool dragging() const { return drag_ != Drag::None; }
+    std::optional<Grip> hoveredGrip() const { return grip_; }
+
+  private:
+    enum class Drag { None, Orbit, Pan, Look, Handle, Divider };
+    using Clock = std::chrono::steady_clock;
+
+    bool onDivider(const Workspace& workspace, const ViewFrame& frame) const;
+    void press(Workspace& workspace, const ViewFrame& frame, bool left);
+    void dragTo(Workspace& workspace, const ViewFrame& frame);
+    void release(Workspace& workspace, const ViewFrame& frame);
+    void pickDebugRay(Workspace& workspace, const ViewFrame& frame);
+    void wheel(Workspace& workspace, const ViewFrame& frame, double notches);
+    bool fly(Workspace& workspace, const Window& window, double seconds);
+    void updateCursor(Workspace& workspace, const ViewFrame& frame, bool inside);
+
+    Drag drag_ = Drag::None;
+    std::optional<Grip> grip_;
+    glm::dvec2 cursor_{0.0}, pressed_{0.0}, last_{0.0};  ///< pixels of the picture
+    bool clicked_ = false;  ///< the button went down and the cursor has hardly moved since
+    glm::dvec3 handleStart_{0.0};
+    ViewFrame grabFrame_;
+    Clock::time_point lastWheel_{}, lastFlight_{};
+};
+
+}  // namespace rayscope::viewer

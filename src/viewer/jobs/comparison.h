@@ -1,0 +1,67 @@
+#pragma once
+#include <rayscope/compare.h>
+#include <future>
+#include <optional>
+
+#include "viewer/model/edit_state.h"
+
+namespace rayscope::viewer {
+
+enum class CompareMode { Wipe, Flip, Difference };
+
+/// A picture that was kept, A, beside the present one, B. Both have the same random numbers, so where they
+/// differ is due to the settings.
+class Comparison {
+  public:
+    /// How the two are shown.
+    struct View {
+        bool shown = false;
+        CompareMode mode = CompareMode::Wipe;
+        float divider = 0.5f;     ///< of the width; A is on its left
+        bool flipped = false;     ///< mode Flip shows A
+        float brightness = 8.0f;  ///< what differences are multiplied with
+        int version = 0;          ///< grows when A becomes another picture
+        bool operator==(const View&) const = default;
+    };
+    View view;
+
+    struct Kept {
+        EditState state;
+        RgbImage image;  ///< linear, with bloom
+        int samples = 0;
+    };
+    void keep(EditState state, RgbImage image, int samples);
+    void forget();
+    const Kept* a() const { return kept_ ? &*kept_ : nullptr; }
+    /// Whether something of A is to be drawn over the traced picture.
+    bool visible() const { return kept_ && view.shown; }
+
+    /// Measures beside the window how far B is from A, if either has changed. `revision` tells pictures B
+    /// apart. While B is not `complete`, now and then.
+    void update(const RgbImage& b, int revision, bool complete, float exposure);
+    bool busy() const { return coming_.valid(); }
+    /// Of B against A; null until measured, or if the pictures differ in size.
+    const ErrorMeasures* figures() const { return figures_ ? &*figures_ : nullptr; }
+    /// Whether figures() is of a picture B that was complete and is still shown.
+    bool figuresAreFinal() const { return figures_ && final_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::optional<Kept> kept_;
+    std::future<ErrorMeasures> coming_;
+    std::optional<ErrorMeasures> figures_;
+    struct Pair {
+        int version = -1, revision = -1;  ///< of A, and of B
+        float exposure = 0.0f;
+        bool operator==(const Pair&) const = default;
+    };
+    Pair measuring_, measured_;  ///< what the figures to come, and those that are there, belong to
+    bool final_ = false;
+    Clock::time_point measuredAt_{};
+};
+
+/// The settings in which two states differ, as "spp 4 -> 16"; "camera", "scene" where those differ, too.
+std::vector<std::string> differencesOf(const EditState& a, const EditState& b);
+
+}  // namespace rayscope::viewer

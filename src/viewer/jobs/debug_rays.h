@@ -1,0 +1,93 @@
+#pragma once
+#include <rayscope/probe.h>
+#include <memory>
+#include <optional>
+
+#include "probe/explain.h"
+#include "probe/pixel_samples.h"
+#include "probe/traversal_log.h"
+#include "viewer/model/edit_state.h"
+#include "viewer/overlay/debug_rays_overlay.h"
+#include "viewer/overlay/surface_overlay.h"
+#include "viewer/overlay/traversal_overlay.h"
+
+namespace rayscope::viewer {
+
+/// The rays of one pixel as they were recorded. They stay until they are cleared; when scene, settings or
+/// camera have changed since, they are stale.
+class DebugRays {
+  public:
+    struct Shot {
+        std::vector<RayTree> trees;  ///< of the chosen sample, or of all samples that the budget holds
+        std::size_t chosen = 0;      ///< index into `trees`
+        int samples = 1;             ///< that the pixel has with these settings
+        EditState state;
+        glm::ivec2 imageSize{1};
+        std::shared_ptr<const World> world;
+        std::optional<ReplayVerdict> verdict;
+        PixelSamples pixel;  ///< of all samples, at most mostSamples
+        SampleStatistics statistics;
+        std::optional<std::vector<Explanation>> explanations;
+
+        const RayTree& tree() const { return trees[chosen]; }
+    };
+
+    /// Records the pixel of `world`, which was compiled from `state`. With a film, whether the replay gives
+    /// what the film holds is found out too.
+    void shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
+               SampleName name, const Film* film);
+    void clear();
+    static constexpr int kMostSamples = 4096, kMostLiveSamples = 64;
+    int mostSamples = kMostSamples;  ///< that are replayed for the strip
+    const Shot* shot() const { return shot_ ? &*shot_ : nullptr; }
+    bool staleFor(const EditState& state, glm::ivec2 imageSize) const;
+
+    /// Records another sample of the pixel, or all of them.
+    void chooseSample(int index);
+    void showAllSamples(bool all);
+    /// Compares with the film again if that has other samples than at the time of the last verdict.
+    void verifyAgain(const Film& film);
+
+    /// Finds out what stands out about the pixel, if that was not done yet.
+    const std::vector<Explanation>& explain();
+    /// Goes to the ray that a sentence rests on.
+    void show(const Evidence& evidence);
+
+    /// The chosen ray; its search is recorded as soon as it is to be shown.
+    void select(RaySelection selection);
+    RaySelection selection() const { return filter.selected; }
+    void hideSelected();
+    void updateSearch();
+    /// The search of the chosen ray, or of the camera ray, through each body.
+    const std::vector<TraversalLog>& searches() const { return searches_; }
+    void step(int by);
+
+    /// What is kept of a pixel, to compare it with others.
+    struct Pin {
+        glm::ivec2 pixel{0};
+        std::string surface;  ///< what its first sample shows
+        double mean = 0.0, error = 0.0, raysPerSample = 0.0;
+    };
+    std::vector<Pin> pins;
+    void pin();
+
+    /// Grows when the recorded rays or the search change.
+    int version() const { return version_; }
+
+    DebugRayFilter filter;
+    TraversalChoice search;
+    SurfaceChoice surface;
+    std::size_t budget = std::size_t{64} << 20;  ///< bytes of recorded trees
+
+  private:
+    void record();
+
+    std::optional<Shot> shot_;
+    std::vector<TraversalLog> searches_;
+    std::optional<RaySelection> searched_;          ///< whose search is recorded …
+    BvhLayout searchedLayout_ = BvhLayout::Binary;  ///< … through which tree
+    int sample_ = 0;
+    int version_ = 0;
+};
+
+}  // namespace rayscope::viewer

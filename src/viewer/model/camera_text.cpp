@@ -1,0 +1,86 @@
+#include "viewer/model/camera_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "base/nearest_name.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+std::string commaSeparated(glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> list;
+    constexpr std::string_view kGaps = " \t\n=";
+    for (std::size_t start = text.find_first_not_of(kGaps); start != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(kGaps, start), text.size());
+        list.push_back(text.substr(start, end - start));
+        start = text.find_first_not_of(kGaps, end);
+    }
+    return list;
+}
+
+std::vector<float> numbers(std::string_view option, std::string_view text, std::size_t count) {
+    std::vector<float> values;
+    const char* at = text.data();
+    const char* const end = text.data() + text.size();
+    while (values.size() < count) {
+        float value = 0.0f;
+        const auto [next, error] = std::from_chars(at, end, value);
+        if (error != std::errc{} || !std::isfinite(value)) break;
+        values.push_back(value);
+        at = next;
+        if (at == end || *at != ',') break;
+        ++at;
+    }
+    if (values.size() != count || at != end)
+        throw InputError(fmt::format("{}: expected {}, got '{}'", option,
+                                     count == 1 ? "a number" : "three numbers with commas between them",
+                                     text));
+    return values;
+}
+
+glm::vec3 vector(std::string_view option, std::string_view text) {
+    const std::vector<float> v = numbers(option, text, 3);
+    return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+std::string toOptions(const CameraDescription& camera) {
+    return fmt::format("--look-from {} --look-at {} --up {} --fov {}", commaSeparated(camera.lookFrom),
+                       commaSeparated(camera.lookAt), commaSeparated(camera.up), camera.fov);
+}
+
+CameraDescription withOptions(const CameraDescription& camera, std::string_view text) {
+    constexpr std::array<std::string_view, 4> kOptions{"--look-from", "--look-at", "--up", "--fov"};
+    CameraDescription changed = camera;
+    const std::vector<std::string_view> list = words(text);
+    for (std::size_t i = 0; i < list.size(); i += 2) {
+        const std::string_view option = list[i];
+        const std::string_view value = i + 1 < list.size() ? list[i + 1] : std::string_view{};
+        if (option == "--look-from")
+            changed.lookFrom = vector(option, value);
+        else if (option == "--look-at")
+            changed.lookAt = vector(option, value);
+        else if (option == "--up")
+            changed.up = vector(option, value);
+        else if (option == "--fov")
+            changed.fov = numbers(option, value, 1)[0];
+        else
+            throw InputError(fmt::format("expected {}, got '{}'{}", joinChoices(kOptions), option,
+                                         didYouMean(option, kOptions)));
+    }
+    if (!(changed.fov > 0.0f && changed.fov < 180.0f))
+        throw InputError("--fov: expected degrees between 0 and 180");
+    if (changed.lookFrom == changed.lookAt) throw InputError("--look-from and --look-at must differ");
+    return changed;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,168 @@
+#include "viewer/view/picture.h"
+
+#include "viewer/overlay/light_overlay.h"
+
+namespace rayscope::viewer {
+
+namespace {
+/// Time per frame for taking tiles: of 33 ms, what is left beside drawing on a slow machine.
+constexpr double kCollectSeconds = 0.006;
+/// How strongly lines show that lie behind surfaces.
+constexpr float kHiddenOpacity = 0.28f;
+
+std::string_view rendererName() {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name ? name : "";
+}
+}  // namespace
+
+HandleSize handleSize(float scale) {
+    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
+}
+
+Picture::Picture()
+    : software_(isSoftwareRenderer(rendererName())), raster_(drawingBudget(software_, true).triangles) {}
+
+Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
+    const ViewState& view = workspace.view;
+    return {workspace.edit,
+            view.raster,
+            view.traced,
+            view.overlay,
+            workspace.viewSize,
+            SceneOverlays::inputsOf(workspace),
+            workspace.heat.version(),
+            workspace.heat.image() != nullptr,
+            false,
+            workspace.comparison.view,
+            view.selectedLight,
+            view.selectedHandle,
+            hovered,
+            view.scale};
+}
+
+void Picture::update(Workspace& workspace, std::optional<Grip> hovered, bool moving) {
+    if (loaded_ != workspace.edit.scene) {
+        loaded_ = workspace.edit.scene;
+        raster_.setScene(loaded_);
+    }
+    Inputs inputs = inputsOf(workspace, hovered);
+    inputs.moving = moving;
+    const bool everything = resize(inputs) || inputs != drawn_;
+    std::optional<PixelBounds> changed;
+    if (workspace.view.traced)
+        changed = traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
+    if (!everything && !changed) return;
+
+    // While the picture refines, only the part is drawn again that new tiles lie in.
+    const RgbImage& image = traced_.image();
+    const glm::ivec2 pixels(target_.width(), target_.height());
+    const bool part =
+        !everything && !workspace.comparison.visible() && glm::ivec2(image.width, image.height) == pixels;
+    if (part) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(changed->x0, pixels.y - changed->y1, changed->x1 - changed->x0, changed->y1 - changed->y0);
+    }
+    redraw(workspace, inputs);
+    glDisable(GL_SCISSOR_TEST);
+    drawn_ = std::move(inputs);
+}
+
+/// Gives the target as many pixels as the view has, or fewer while something moves.
+bool Picture::resize(const Inputs& inputs) {
+    const int divisor = drawingBudget(software_, inputs.moving).divisor;
+    return target_.resize((inputs.size.x + divisor - 1) / divisor, (inputs.size.y + divisor - 1) / divisor);
+}
+
+void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
+    const ViewFrame frame = viewFrame(inputs.state.camera, inputs.size.x, inputs.size.y);
+    const glm::ivec2 pixels(target_.width(), target_.height());
+    target_.bind();
+    counts_ = {};
+    if (inputs.traced && inputs.heatShown)
+        traced_.drawInstead(*workspace.heat.image(), inputs.heatVersion, pixels);
+    else if (inputs.traced && workspace.comparison.visible())
+        traced_.drawComparison(workspace.comparison, inputs.state.settings, pixels);
+    else if (inputs.traced)
+        traced_.draw(inputs.state.settings, pixels);
+    else
+        counts_ = raster_.draw(target_, frame, inputs.raster, inputs.moving);
+    counts_.divisor = drawingBudget(software_, inputs.moving).divisor;
+    if (inputs.overlay) drawOverlays(workspace, inputs, frame);
+    RenderTarget::unbind();
+}
+
+void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
+    const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
+    SceneOverlays::Drawing drawing =
+        overlays_.draw(workspace, frame, size, drawingBudget(software_, inputs.moving));
+    counts_.boxes = drawing.counts.boxes;
+    counts_.boxesDrawn = drawing.counts.boxesDrawn;
+    counts_.lines = drawing.counts.lines;
+    counts_.linesDrawn = drawing.counts.linesDrawn;
+
+    LineLook look{viewProjection(frame, raster_.bounds()), glm::vec2(inputs.size), inputs.scale};
+    if (!inputs.traced) {
+        look.sceneDepth = target_.depthTexture();
+        look.hiddenOpacity = kHiddenOpacity;
+    }
+    if (drawing.painted) paintLines(drawing, look);
+    target_.bindColorOnly();
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    if (!drawing.painted) drawLines(drawing, look);
+    boldLines_.upload(drawing.boldLines);
+    boldLines_.draw(look);
+    drawHandles(inputs, frame, look);
+    glDisable(GL_BLEND);
+}
+
+void Picture::drawLines(SceneOverlays::Drawing& drawing, const LineLook& look) {
+    OverlayLines lines;
+    lines.reserve(12 * drawing.boxes.size() + drawing.lines.size());
+    for (const OverlayBox& box : drawing.boxes)
+        appendBox(lines, box.lower, box.upper, box.color, box.style, box.width);
+    lines.insert(lines.end(), drawing.lines.begin(), drawing.lines.end());
+    sceneLines_.upload(lines);
+    sceneLines_.draw(look);
+}
+
+void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look) {
+    canvas_.width = target_.width();
+    canvas_.height = target_.height();
+    target_.readColors(canvas_.pixels);
+    if (look.sceneDepth != 0)
+        target_.readDepths(canvas_.depth);
+    else
+        canvas_.depth.clear();
+    const float unit = look.scale * static_cast<float>(canvas_.width) / look.viewport.x;
+    const PaintLook paint{look.viewProjection, unit, look.hiddenOpacity};
+    paintBoxes(canvas_, drawing.boxes, paint);
+    viewer::paintLines(canvas_, drawing.lines, paint);
+    target_.writeColors(canvas_.pixels);
+}
+
+/// The handles of the selected light, before everything.
+void Picture::drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look) {
+    if (inputs.selectedLight < 0) return;
+    const Light& light = inputs.state.scene->lights[static_cast<std::size_t>(inputs.selectedLight)];
+    const glm::dvec3 center(handlesOf(light)[static_cast<std::size_t>(inputs.selectedHandle)]);
+    look.sceneDepth = 0;
+    boldLines_.upload(handleLines(frame, center, inputs.hovered, handleSize(inputs.scale)));
+    boldLines_.draw(look);
+}
+
+RgbImage Picture::rasterImage(const Workspace& workspace) {
+    Inputs bare = inputsOf(workspace, std::nullopt);
+    bare.overlay = bare.traced = false;
+    resize(bare);
+    redraw(workspace, bare);
+    drawn_ = {};  // the next update() draws the overlays again
+    target_.bind();
+    RgbImage image = readFramebuffer(0, 0, bare.size.x, bare.size.y);
+    RenderTarget::unbind();
+    return image;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,78 @@
+#pragma once
+#include <optional>
+
+#include "viewer/gl/line_batch.h"
+#include "viewer/gl/render_target.h"
+#include "viewer/model/light_handles.h"
+#include "viewer/overlay/line_painter.h"
+#include "viewer/view/raster_view.h"
+#include "viewer/view/scene_overlays.h"
+#include "viewer/view/traced_view.h"
+#include "viewer/workspace/workspace.h"
+
+namespace rayscope::viewer {
+
+/// The picture area: one of the two views with the overlays on it, redrawn only when something changed.
+class Picture {
+  public:
+    Picture();
+
+    /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
+    void update(Workspace& workspace, std::optional<Grip> hovered, bool moving);
+
+    /// Copies the finished picture to the window, its lower left corner to this pixel.
+    void show(glm::ivec2 corner) const {
+        target_.copyToWindow(corner.x, corner.y, drawn_.size.x, drawn_.size.y);
+    }
+
+    /// What is shown, without overlays, as a linear image of the view's size.
+    RgbImage rasterImage(const Workspace& workspace);
+    const RgbImage& tracedImage() const { return traced_.image(); }
+    /// The traced picture as it is shown, with bloom; its revision grows when it changes.
+    const RgbImage& shownImage() const { return traced_.shownImage(); }
+    int shownRevision() const { return traced_.revision(); }
+    const SceneBounds& sceneBounds() const { return raster_.bounds(); }
+    bool computing() const { return traced_.computingBloom(); }
+    /// What the picture has of what there is to see.
+    const DrawnCounts& counts() const { return counts_; }
+
+  private:
+    /// All that the picture depends on besides the traced image.
+    struct Inputs {
+        EditState state;
+        RasterStyle raster;
+        bool traced = false, overlay = false;
+        glm::ivec2 size{0};
+        SceneOverlays::Inputs overlays;
+        int heatVersion = 0;
+        bool heatShown = false, moving = false;
+        Comparison::View comparison;
+        int selectedLight = -1, selectedHandle = 0;
+        std::optional<Grip> hovered;
+        float scale = 1.0f;
+        bool operator==(const Inputs&) const = default;
+    };
+    Inputs inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const;
+    bool resize(const Inputs& inputs);
+    void redraw(const Workspace& workspace, const Inputs& inputs);
+    void drawLines(SceneOverlays::Drawing& drawing, const LineLook& look);
+    void paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look);
+    void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
+    void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look);
+
+    bool software_;  ///< OpenGL runs on the processor
+    RenderTarget target_;
+    RasterView raster_;
+    TracedView traced_;
+    SceneOverlays overlays_;
+    LineBatch sceneLines_, boldLines_;
+    PaintCanvas canvas_;  ///< kept for its memory
+    Inputs drawn_;
+    DrawnCounts counts_;
+    std::shared_ptr<const SceneDescription> loaded_;
+};
+
+/// Sizes of the handle in pixels at this scale.
+HandleSize handleSize(float scale);
+
+}  // namespace rayscope::viewer

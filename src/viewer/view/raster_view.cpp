@@ -1,0 +1,185 @@
+#include "viewer/view/raster_view.h"
+
+#include <algorithm>
+
+namespace rayscope::viewer {
+
+namespace {
+
+constexpr int kMostLights = 8;  // as many as shaders/surface.frag has room for
+
+/// Where a light is, seen from far, and its colour.
+struct LightSpot {
+    glm::vec3 position;
+    Rgb color;
+};
+LightSpot spotOf(const PointLight& light) { return {light.position, light.color}; }
+LightSpot spotOf(const SegmentLight& light) {
+    return {(light.endpoints[0] + light.endpoints[1]) * 0.5f, (light.colors[0] + light.colors[1]) * 0.5f};
+}
+LightSpot spotOf(const ParallelogramLight& light) {
+    const auto& c = light.colors;
+    return {light.corner + (light.edges[0] + light.edges[1]) * 0.5f, (c[0] + c[1] + c[2] + c[3]) * 0.25f};
+}
+
+glm::mat4 sphereModel(const Sphere& sphere) {
+    glm::mat4 model(sphere.radius);
+    model[3] = glm::vec4(sphere.center, 1.0f);
+    return model;
+}
+
+}  // namespace
+
+RasterView::RasterView(std::size_t mostTrianglesMoving)
+    : sphere_(std::make_shared<const MeshData>(unitSphereMesh())), mostTrianglesMoving_(mostTrianglesMoving) {
+    glGenVertexArrays(1, &emptyVertexArray_);
+}
+
+RasterView::~RasterView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
+
+void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
+    scene_ = std::move(scene);
+    bounds_ = boundsOf(*scene_);
+
+    std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes;
+    for (const MeshInstance& instance : scene_->meshes) {
+        std::unique_ptr<DrawableMesh>& loaded = meshes[instance.data];
+        const auto known = meshes_.find(instance.data);
+        if (loaded) continue;
+        loaded =
+            known != meshes_.end() ? std::move(known->second) : std::make_unique<DrawableMesh>(instance.data);
+    }
+    meshes_ = std::move(meshes);
+
+    std::map<std::shared_ptr<const Texture>, GlTexture> textures;
+    for (const Material& material : scene_->materials) {
+        if (!material.kdTexture || material.kdTexture->image.empty()) continue;
+        GlTexture& loaded = textures[material.kdTexture];
+        if (!loaded.empty()) continue;
+        const auto known = textures_.find(material.kdTexture);
+        loaded =
+            known != textures_.end() ? std::move(known->second) : GlTexture::forMaterial(*material.kdTexture);
+    }
+    textures_ = std::move(textures);
+    collectItems();
+    shareTriangles();
+}
+
+void RasterView::collectItems() {
+    opaque_.clear();
+    transparent_.clear();
+    const auto add = [&](const Item& item) {
+        const bool seeThrough =
+            item.material < scene_->materials.size() && scene_->materials[item.material].opacity < 1.0f;
+        (seeThrough ? transparent_ : opaque_).push_back(item);
+    };
+    for (const MeshInstance& instance : scene_->meshes) {
+        DrawableMesh& mesh = *meshes_.at(instance.data);
+        const glm::mat4 model(matrixOf(instance.transform));
+        glm::vec3 sum(0.0f);
+        for (const glm::vec3& position : instance.data->positions) sum += position;
+        const float count = static_cast<float>(std::max<std::size_t>(instance.data->positions.size(), 1));
+        const glm::vec3 center(model * glm::vec4(sum / count, 1.0f));
+        for (const MeshBuffer::Range& range : mesh.whole().ranges()) {
+            const std::size_t slot = std::min<std::size_t>(range.slot, instance.materials.size() - 1);
+            const std::size_t material = instance.materials.empty() ? 0 : instance.materials[slot];
+            add({&mesh, range.slot, model, material, center});
+        }
+    }
+    for (const SphereInstance& sphere : scene_->spheres)
+        add({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, sphere.sphere.center});
+}
+
+/// While something moves, each mesh may have triangles in proportion to those that it really has.
+void RasterView::shareTriangles() {
+    constexpr double kFewest = 48.0;
+    double all = static_cast<double>(sphere_.triangles() * scene_->spheres.size());
+    for (const MeshInstance& instance : scene_->meshes)
+        all += static_cast<double>(instance.data->triangles.size());
+    const double share = static_cast<double>(mostTrianglesMoving_) / std::max(all, 1.0);
+    const auto limit = [&](DrawableMesh& mesh) {
+        const double most = std::max(kFewest, static_cast<double>(mesh.triangles()) * std::min(share, 1.0));
+        mesh.prepareStandIn(static_cast<std::size_t>(most));
+    };
+    for (const auto& [data, mesh] : meshes_) limit(*mesh);
+    if (!scene_->spheres.empty()) limit(sphere_);
+}
+
+/// The same for each frame, so it is kept.
+void RasterView::drawBackground(const RenderTarget& target) {
+    glDisable(GL_DEPTH_TEST);
+    if (backdrop_.resize(target.width(), target.height())) {
+        backdrop_.bind();
+        background_.use();
+        glBindVertexArray(emptyVertexArray_);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    backdrop_.copyTo(target);
+}
+
+void RasterView::setLights() {
+    glm::vec3 positions[kMostLights], colors[kMostLights];
+    const int count = std::min(static_cast<int>(scene_->lights.size()), kMostLights);
+    for (int i = 0; i < count; ++i) {
+        const LightSpot spot = std::visit([](const auto& shape) { return spotOf(shape); },
+                                          scene_->lights[static_cast<std::size_t>(i)].shape);
+        positions[i] = spot.position;
+        // Colours far above one are meant for a falloff that this view does not compute.
+        colors[i] = spot.color / std::max({spot.color.r, spot.color.g, spot.color.b, 1.0f});
+    }
+    surface_.set("lightCount", count);
+    if (count > 0) surface_.set("lightPositions", positions, count);
+    if (count > 0) surface_.set("lightColors", colors, count);
+}
+
+void RasterView::drawItem(const Item& item, const RasterStyle& style, bool moving) {
+    const MeshBuffer& mesh = moving ? item.mesh->standIn() : item.mesh->whole();
+    static const Material kNoMaterial;
+    const Material& material =
+        item.material < scene_->materials.size() ? scene_->materials[item.material] : kNoMaterial;
+    const auto texture = textures_.find(material.kdTexture);
+    const bool textured = style.textures && texture != textures_.end() && mesh.hasTexCoords();
+    surface_.set("model", item.model);
+    surface_.set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(item.model))));
+    surface_.set("useNormals", style.smoothNormals && mesh.hasNormals() ? 1 : 0);
+    surface_.set("useTexture", textured ? 1 : 0);
+    surface_.set("kd", material.kd);
+    surface_.set("ks", material.ks);
+    surface_.set("shininess", std::max(material.shininess, 1.0f));
+    // What is nearly invisible is still an object that one wants to find.
+    surface_.set("opacity", std::max(material.opacity, 0.15f));
+    if (textured) texture->second.bind(0);
+    counts_.trianglesDrawn += mesh.draw(item.slot);
+    counts_.triangles += item.mesh->whole().trianglesOf(item.slot);
+}
+
+DrawnCounts RasterView::draw(const RenderTarget& target, const ViewFrame& frame, const RasterStyle& style,
+                             bool moving) {
+    counts_ = {};
+    drawBackground(target);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    if (!scene_) return counts_;
+
+    glEnable(GL_DEPTH_TEST);
+    glPolygonMode(GL_FRONT_AND_BACK, style.wireframe ? GL_LINE : GL_FILL);
+    surface_.use();
+    surface_.set("viewProjection", viewProjection(frame, bounds_));
+    surface_.set("eye", glm::vec3(frame.eye));
+    surface_.set("kdTexture", 0);
+    setLights();
+    for (const Item& item : opaque_) drawItem(item, style, moving);
+
+    const auto distance = [&](const Item& item) { return glm::length(glm::dvec3(item.center) - frame.eye); };
+    std::sort(transparent_.begin(), transparent_.end(),
+              [&](const Item& a, const Item& b) { return distance(a) > distance(b); });
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    for (const Item& item : transparent_) drawItem(item, style, moving);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    return counts_;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,63 @@
+#pragma once
+#include <rayscope/scene.h>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "viewer/view/drawable_mesh.h"
+#include "viewer/view/drawing_budget.h"
+#include "viewer/gl/render_target.h"
+#include "viewer/gl/shader.h"
+#include "viewer/gl/texture.h"
+#include "viewer/model/projection.h"
+#include "viewer/model/raster_style.h"
+
+namespace rayscope::viewer {
+
+/// Draws the scene with OpenGL through the camera of the tracer: a light at the viewer's side and the lights
+/// of the scene without shadows, so that shapes read.
+class RasterView {
+  public:
+    /// While something moves, no more than so many triangles are drawn.
+    explicit RasterView(std::size_t mostTrianglesMoving);
+    ~RasterView();
+    RasterView(const RasterView&) = delete;
+    RasterView& operator=(const RasterView&) = delete;
+
+    /// Loads what is new in `scene` into the graphics card and forgets what is gone.
+    void setScene(std::shared_ptr<const SceneDescription> scene);
+    const SceneBounds& bounds() const { return bounds_; }
+
+    /// Fills the target: background, opaque, then transparent surfaces. Counts triangles.
+    DrawnCounts draw(const RenderTarget& target, const ViewFrame& frame, const RasterStyle& style,
+                     bool moving);
+
+  private:
+    /// One thing to draw: the triangles of a slot of a mesh, or a sphere.
+    struct Item {
+        DrawableMesh* mesh;
+        std::uint32_t slot;
+        glm::mat4 model;
+        std::size_t material;
+        glm::vec3 center;
+    };
+    void drawBackground(const RenderTarget& target);
+    void setLights();
+    void drawItem(const Item& item, const RasterStyle& style, bool moving);
+    void collectItems();
+    void shareTriangles();
+
+    Shader surface_{"surface"}, background_{"background"};
+    std::shared_ptr<const SceneDescription> scene_;
+    SceneBounds bounds_;
+    std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes_;
+    std::map<std::shared_ptr<const Texture>, GlTexture> textures_;
+    DrawableMesh sphere_;
+    std::vector<Item> opaque_, transparent_;
+    RenderTarget backdrop_;
+    std::size_t mostTrianglesMoving_;
+    DrawnCounts counts_;
+    GLuint emptyVertexArray_ = 0;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,128 @@
+#include "viewer/view/scene_overlays.h"
+
+#include <algorithm>
+
+#include "viewer/overlay/lab_overlay.h"
+#include "viewer/overlay/light_overlay.h"
+#include "viewer/overlay/line_choice.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+/// The same view with fewer pixels.
+ViewFrame shrunk(ViewFrame frame, int divisor) {
+    frame.width = std::max(1, frame.width / divisor);
+    frame.height = std::max(1, frame.height / divisor);
+    return frame;
+}
+
+}  // namespace
+
+SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
+    return {workspace.rays.version(),
+            workspace.bvh.version(),
+            workspace.rays.filter,
+            workspace.rays.search,
+            workspace.rays.surface,
+            workspace.bvh.shown,
+            workspace.lab.version(),
+            workspace.lab.shownMethod,
+            workspace.lab.overlay && workspace.lab.scene() == workspace.edit.scene.get()};
+}
+
+/// What surfaces and the lens add to the rays of the chosen sample.
+void SceneOverlays::addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const RayTree& tree = shot.tree();
+    const SurfaceChoice& choice = rays.surface;
+    for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
+        const RayNode& node = tree.nodes[static_cast<std::size_t>(i)];
+        if (!isShown(tree, {i, -1}, rays.filter)) continue;
+        if (rays.filter.vertexNormals)
+            if (const auto normals = vertexNormalsOf(*shot.world, node, tree.time))
+                append(lines_, vertexNormalLines(*normals, sceneSize / 20.0f));
+        if (choice.environment && node.hit)
+            if (const auto point = environmentOf(*shot.world, node))
+                append(lines_, environmentLines(*point, node.position, sceneSize));
+    }
+    if (choice.glossySquare)
+        for (const int i : glossySurfaces(tree))
+            if (const auto square = glossySquareOf(*shot.world, tree, i))
+                append(lines_, glossySquareLines(*square));
+    if (choice.lens)
+        if (const auto lens = lensOf(*shot.world)) append(lines_, lensLines(*lens));
+}
+
+void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+    const DebugRayFilter& filter = rays.filter;
+    for (std::size_t i = 0; i < shot.trees.size(); ++i) {
+        if (i == shot.chosen) continue;
+        // Numbers of rays that are selected or hidden belong to the chosen sample.
+        DebugRayFilter others = filter;
+        others.selected = {};
+        others.hidden.clear();
+        append(lines_, debugRayLines(shot.trees[i], others, sceneSize));
+    }
+    append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
+    addSurfaces(shot, rays, sceneSize);
+    for (const TraversalLog& log : rays.searches()) {
+        append(boxes_, traversalBoxes(log, rays.search));
+        append(lines_,
+               traversalLines(log, shot.world->bodies[log.body].geometry->input, rays.search, sceneSize));
+    }
+}
+
+void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
+    lines_.clear();
+    boxes_.clear();
+    if (const DebugRays::Shot* shot = workspace.rays.shot()) addRays(*shot, workspace.rays, sceneSize);
+    if (const LabResult* lab = workspace.lab.result(); lab && inputsOf(workspace).lab)
+        append(lines_, labFailureLines(*lab, workspace.lab.shownMethod));
+    if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
+        const BvhChoice& choice = workspace.bvh.shown;
+        const BvhInspector::Inspected* rival = workspace.bvh.rival();
+        const std::optional<IndexedTree> rivalTree =
+            rival ? std::optional<IndexedTree>(rival->indexed()) : std::nullopt;
+        append(boxes_, levelBoxes(seen->indexed(), rivalTree ? &*rivalTree : nullptr, choice));
+        append(boxes_, nodeBoxes(seen->tree(), choice.node));
+        append(boxes_, leafBoxes(seen->indexed(), choice));
+        append(lines_, leafLines(seen->indexed(), seen->geometry->input, choice));
+    }
+}
+
+SceneOverlays::Drawing SceneOverlays::draw(const Workspace& workspace, const ViewFrame& frame,
+                                           float sceneSize, const DrawingBudget& budget) {
+    const Inputs inputs = inputsOf(workspace);
+    if (inputs != built_ || sceneSize != builtSize_) {
+        rebuild(workspace, sceneSize);
+        built_ = inputs;
+        builtSize_ = sceneSize;
+    }
+    BoxChoice boxes = chooseBoxes(boxes_, shrunk(frame, budget.divisor), budget.boxes);
+    const OverlayLines rays = chooseLines(lines_, frame, budget.linePixels);
+    Drawing drawing;
+    drawing.counts.boxes = boxes.large;
+    drawing.counts.boxesDrawn = boxes.whole.size();
+    drawing.counts.lines = lines_.size();
+    drawing.counts.linesDrawn = rays.size();
+    for (const OverlayBox& box : boxes.whole)
+        if (box.width >= kBoldWidth)
+            appendBox(drawing.boldLines, box.lower, box.upper, box.color, box.style, box.width);
+    std::erase_if(boxes.whole, [](const OverlayBox& box) { return box.width >= kBoldWidth; });
+    drawing.boxes = std::move(boxes.whole);
+    append(boxes.strokes, rays);
+    for (const OverlayLine& line : boxes.strokes)
+        (isBold(line) ? drawing.boldLines : drawing.lines).push_back(line);
+    append(drawing.boldLines, lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
+                                         static_cast<double>(workspace.view.scale)));
+    constexpr std::size_t kEdges = 12;
+    drawing.painted = drawing.lines.size() + kEdges * drawing.boxes.size() > budget.mostWideLines;
+    return drawing;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,47 @@
+#pragma once
+#include "viewer/view/drawing_budget.h"
+#include "viewer/overlay/boxes.h"
+#include "viewer/workspace/workspace.h"
+
+namespace rayscope::viewer {
+
+/// Puts together what is drawn over the picture from everything that was recorded.
+class SceneOverlays {
+  public:
+    /// What the overlays are a function of, besides the camera, the lights and the size of the scene.
+    struct Inputs {
+        int raysVersion = 0, bvhVersion = 0;
+        DebugRayFilter rays;
+        TraversalChoice search;
+        SurfaceChoice surface;
+        BvhChoice bvh;
+        int labVersion = 0;
+        LabMethod labMethod = LabMethod::Float;
+        bool lab = false;
+        bool operator==(const Inputs&) const = default;
+    };
+    static Inputs inputsOf(const Workspace& workspace);
+
+    /// What there is to draw in a frame.
+    struct Drawing {
+        OverlayBoxes boxes;
+        OverlayLines lines, boldLines;  ///< both over the boxes, the latter over the former
+        bool painted = false;           ///< `boxes` and `lines` are many: paintBoxes(), paintLines()
+        DrawnCounts counts;             ///< of boxes and lines
+    };
+    /// `sceneSize` is the diagonal of the scene.
+    Drawing draw(const Workspace& workspace, const ViewFrame& frame, float sceneSize,
+                 const DrawingBudget& budget);
+
+  private:
+    void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
+    void addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
+    void rebuild(const Workspace& workspace, float sceneSize);
+
+    Inputs built_;
+    float builtSize_ = -1.0f;
+    OverlayLines lines_;
+    OverlayBoxes boxes_;
+};
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,76 @@
+#include "viewer/workspace/workspace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viewer/model/camera_controller.h"
+
+namespace rayscope::viewer {
+
+Workspace::Workspace(EditState first, Diagnostics firstNotes, int threads)
+    : edit(std::move(first)), history(edit), sceneNotes(std::move(firstNotes)), render(threads) {
+    view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
+}
+
+const SceneRequirements& Workspace::needs() {
+    if (countedScene_ != edit.scene) {
+        needs_ = requirementsOf(*edit.scene);
+        countedScene_ = edit.scene;
+    }
+    needs_.lens = edit.camera.lens.has_value();
+    return needs_;
+}
+
+glm::ivec2 Workspace::imageSize() const {
+    const glm::vec2 size = glm::round(glm::vec2(viewSize) * view.resolution);
+    return glm::max(glm::ivec2(size), glm::ivec2(1));
+}
+
+void Workspace::tell(std::string text, Severity severity) { notice = Notice{std::move(text), severity}; }
+
+void Workspace::setLights(std::vector<Light> lights) {
+    edit.scene = withLights(*edit.scene, std::move(lights));
+    view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);
+}
+
+void Workspace::show(LoadedScene loaded) {
+    if (!loaded.scene) {
+        errorMessage = loaded.error;
+        return;
+    }
+    try {
+        EditState opened = openingState(std::move(*loaded.scene), {}, {});
+        if (loaded.reload) {
+            opened.settings = edit.settings;
+            opened.camera = edit.camera;
+        }
+        edit = std::move(opened);
+    } catch (const InputError& error) {
+        errorMessage = error.what();
+        return;
+    }
+    sceneNotes = std::move(loaded.notes);
+    if (!loaded.reload) {
+        view.selectedLight = -1;
+        bvh.letGo();
+    }
+    view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
+    history.record(edit);
+    recent.add(loaded.path);
+    tell(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
+}
+
+void Workspace::undo() {
+    if (!history.canUndo()) return;
+    edit = history.undo();
+    view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);
+}
+
+void Workspace::redo() {
+    if (!history.canRedo()) return;
+    edit = history.redo();
+    view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);
+}
+
+}  // namespace rayscope::viewer

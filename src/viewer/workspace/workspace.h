@@ -1,0 +1,99 @@
+#pragma once
+// What the panels show and change. It has no window and draws nothing.
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/jobs/bvh_inspector.h"
+#include "viewer/workspace/commands.h"
+#include "viewer/jobs/comparison.h"
+#include "viewer/jobs/debug_rays.h"
+#include "viewer/model/edit_state.h"
+#include "viewer/jobs/export.h"
+#include "viewer/model/frame_times.h"
+#include "viewer/jobs/heat_map.h"
+#include "viewer/model/history.h"
+#include "viewer/jobs/lab_run.h"
+#include "viewer/model/raster_style.h"
+#include "viewer/model/recent_files.h"
+#include "viewer/jobs/render_control.h"
+#include "viewer/jobs/scene_loader.h"
+#include "viewer/jobs/trade_run.h"
+
+namespace rayscope::viewer {
+
+/// How the scene is looked at; not part of what can be undone.
+struct ViewState {
+    bool traced = false, overlay = true, sidePanel = true, flying = false, liveRay = false;
+    bool showKeys = false, showStatistics = false;
+    RasterStyle raster;
+    float resolution = 1.0f;  ///< pixels of the traced image per pixel of the view
+    double flySpeed = 1.0;    ///< scene units per second
+    int selectedLight = -1, selectedHandle = 0;
+    float scale = 1.0f;  ///< of text and controls
+};
+
+/// What the cursor is on, in the picture.
+struct CursorInfo {
+    glm::ivec2 pixel{0};  ///< of the traced image
+    std::optional<Rgb> radiance;
+    std::string object;                      ///< as the scene calls it; empty if nothing is hit
+    std::uint32_t primitive = kNoPrimitive;  ///< of the world
+    long triangle = -1;                      ///< within the object; -1 for a sphere
+};
+
+struct Notice {
+    std::string text;
+    Severity severity = Severity::Note;
+    std::chrono::steady_clock::time_point at = std::chrono::steady_clock::now();
+};
+
+struct Workspace {
+    Workspace(EditState first, Diagnostics firstNotes, int threads);
+
+    EditState edit;
+    History history;
+    Diagnostics sceneNotes;
+    ViewState view;
+    RenderControl render;
+    DebugRays rays;
+    BvhInspector bvh;
+    HeatMap heat;
+    LabRun lab;
+    TradeRun trade;
+    Comparison comparison;
+    RenderGoal goal;
+    bool bvhSeen = false;  ///< the panel of the hierarchy is open
+    SceneLoader loader;
+    RecentFiles recent{recentFilesPath()};
+    std::unique_ptr<RenderJob> job;
+    FrameTimes frameTimes;
+
+    std::optional<CursorInfo> cursor;  ///< absent outside the picture
+    std::optional<Notice> notice;      ///< in the status bar
+    std::string errorMessage;          ///< in a box that asks to be closed; empty: none
+    glm::ivec2 viewSize{1};            ///< of the picture area, in pixels
+
+    /// Commands that panels ask for; the window's loop carries them out.
+    std::vector<Command> commands;
+    bool openDialogRequested = false, renderDialogRequested = false, closeDialogs = false;
+
+    glm::ivec2 imageSize() const;
+    /// What the scene needs, with the lens of the present camera; counted once per scene.
+    const SceneRequirements& needs();
+    void tell(std::string text, Severity severity = Severity::Note);
+    void setLights(std::vector<Light> lights);
+    void open(const std::string& path) { loader.start(path, false); }
+    /// Takes over what the loader brought.
+    void show(LoadedScene loaded);
+    void undo();
+    void redo();
+
+  private:
+    std::shared_ptr<const SceneDescription> countedScene_;
+    SceneRequirements needs_;
+};
+
+}  // namespace rayscope::viewer
