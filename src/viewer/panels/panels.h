@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/view/drawing_budget.h"
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {
