@@ -28,8 +28,10 @@ struct BuildSettings {
     std::stop_token stop{};              ///< build() throws Stopped within 20 ms of a request
 };
 
+namespace bvh {
 struct BinaryTree;
 struct WideTree;
+}  // namespace bvh
 
 /// The size of a hierarchy in numbers.
 struct AccelSummary {
@@ -80,9 +82,9 @@ class Accel {
     void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
 
     /// The binary tree; null when empty or not kept.
-    const BinaryTree* binaryTree() const;
+    const bvh::BinaryTree* binaryTree() const;
     /// The tree that production rays walk; null when empty or when they walk the binary one.
-    const WideTree* wideTree() const;
+    const bvh::WideTree* wideTree() const;
     const AccelSummary& summary() const;
     const AccelInput& input() const;
     std::size_t bytes() const;

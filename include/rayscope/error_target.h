@@ -57,7 +57,7 @@ struct ErrorTargetRequest {
 
 struct ErrorTargetResult {
     RgbImage mean;  ///< of both halves, linear
-    std::shared_ptr<const World> world;
+    std::shared_ptr<const trace::World> world;
     StopReason reason = StopReason::Reached;
     std::string words;  ///< why it stopped, as a sentence
     ErrorEstimate estimate;

@@ -50,7 +50,7 @@ struct RayTree {
 };
 
 /// Traces one sample again with a recorder. Same code, same bits as the render.
-RayTree probe(const World& world, std::uint64_t seed, SampleName name);
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleName name);
 
 /// The radiance that arrives along each segment of the tree: what it and everything after it adds to the
 /// sample, divided by its throughput (0 where that is 0). Indexed like `nodes`.
@@ -61,7 +61,7 @@ std::vector<RgbSum> radianceAlong(const RayTree& tree);
 RgbSum surfaceColor(const RayNode& node);
 
 /// Where in the image a sample lies: pixel coordinates, x to the right, y downwards.
-glm::dvec2 samplePosition(const World& world, std::uint64_t seed, SampleName name);
+glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleName name);
 
 /// Whether replaying a pixel gives what the film holds, and whether each tree adds up.
 struct ReplayVerdict {
@@ -71,11 +71,11 @@ struct ReplayVerdict {
     std::vector<RgbSum> values;  ///< of the samples
     bool good() const { return matchesFilm && addsUp; }
 };
-ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, int x, int y);
+ReplayVerdict verify(const trace::World& world, const render::Film& film, std::uint64_t seed, int x, int y);
 
 /// The tree as an indented text for people, and as JSON for programs.
-std::string toText(const RayTree& tree, const World& world);
-std::string toJson(const RayTree& tree, const World& world);
+std::string toText(const RayTree& tree, const trace::World& world);
+std::string toJson(const RayTree& tree, const trace::World& world);
 
 /// The rays as line segments of a Wavefront OBJ, one group per kind; rays that miss are `missLength` long.
 std::string toObj(const RayTree& tree, float missLength);

@@ -11,8 +11,12 @@
 
 namespace rayscope {
 
+namespace trace {
 class World;
+}
+namespace render {
 class Film;
+}
 
 /// Half-open rectangle of pixels: x0 <= x < x1, y0 <= y < y1, from the top left corner.
 struct PixelBounds {
@@ -82,8 +86,8 @@ class RenderSession {
     /// state.
     RenderState wait(double seconds = 1e9);
 
-    std::shared_ptr<const World> world() const;  ///< null until compiled
-    std::shared_ptr<const Film> film() const;    ///< null until compiled
+    std::shared_ptr<const trace::World> world() const;  ///< null until compiled
+    std::shared_ptr<const render::Film> film() const;   ///< null until compiled
 
   private:
     struct State;

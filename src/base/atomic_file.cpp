@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-namespace rayscope {
+namespace rayscope::base {
 
 namespace {
 
@@ -157,4 +157,4 @@ void checkFileDestination(const std::string& path) {
     if (createBeside(destinationOf(path), path)->descriptor() < 0) throwReason(path, errno);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::base {
 
 /// Writes a file whole or not at all: a temporary file in the same folder takes its place once all bytes are
 /// in it; until then an old file of that name stays as it was. A symbolic link keeps its name and its target
@@ -31,4 +31,4 @@ class AtomicFile {
 /// Throws InputError unless a file could be created at (or replaced under) this path now.
 void checkFileDestination(const std::string& path);
 
-}  // namespace rayscope
+}  // namespace rayscope::base

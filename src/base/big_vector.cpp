@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace rayscope {
+namespace rayscope::base {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
@@ -31,4 +31,4 @@ void* allocateBig(std::size_t bytes) {
 
 void freeBig(void* memory, std::size_t bytes) noexcept { ::operator delete(memory, alignmentFor(bytes)); }
 
-}  // namespace rayscope
+}  // namespace rayscope::base

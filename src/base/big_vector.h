@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::base {
 
 /// Memory for `bytes` bytes, aligned for anything up to a cache line. From two megabytes on it lies in huge
 /// pages where the system has them: of pages of 4 KiB each has to be faulted in by itself, and the processor
@@ -44,4 +44,4 @@ struct BigAllocator {
 template <class T>
 using BigVector = std::vector<T, BigAllocator<T>>;
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace rayscope {
+namespace rayscope::base {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::string joinChoices(std::span<const std::string_view> names) {
     return text;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::base {
 
 /// The candidate that is nearest to `name` by edit distance, if it is near enough to be a slip of the pen;
 /// else "".
@@ -16,4 +16,4 @@ std::string didYouMean(std::string_view name, std::span<const std::string_view> 
 /// "a, b or c".
 std::string joinChoices(std::span<const std::string_view> names);
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -8,7 +8,7 @@
 #include <memory>
 #include <system_error>
 
-namespace rayscope {
+namespace rayscope::base {
 
 namespace {
 [[noreturn]] void throwReason(const std::string& path, int error) {
@@ -35,4 +35,4 @@ std::string readFile(const std::string& path) {
     return bytes;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-namespace rayscope {
+namespace rayscope::base {
 
 /// All bytes of a file. Throws InputError that names the file and the reason.
 std::string readFile(const std::string& path);
 
-}  // namespace rayscope
+}  // namespace rayscope::base

@@ -1,6 +1,6 @@
 #include "base/shell_word.h"
 
-namespace rayscope {
+namespace rayscope::base {
 
 std::string shellWord(const std::string& word) {
     constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./";
@@ -10,4 +10,4 @@ std::string shellWord(const std::string& word) {
     return "'" + inQuotes + "'";
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::base

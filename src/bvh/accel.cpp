@@ -4,32 +4,32 @@
 #include <stdexcept>
 
 #include "bvh/build/build.h"
+#include "bvh/build/refit.h"
 #include "bvh/isa.h"
 #include "bvh/layout/packed_primitives.h"
 #include "bvh/layout/primitive_refs.h"
-#include "bvh/build/refit.h"
 #include "bvh/layout/statistics.h"
-#include "bvh/traversal/traverse.h"
 #include "bvh/layout/wide_tree.h"
+#include "bvh/traversal/traverse.h"
 
 namespace rayscope {
 
 struct Accel::State {
     AccelInput input;
-    BinaryTree tree;
-    PackedPrimitives primitives;
-    WideTree wide;
-    kernel::WideTreeView view{};               ///< of `wide`, for every ray
-    const kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
+    bvh::BinaryTree tree;
+    bvh::PackedPrimitives primitives;
+    bvh::WideTree wide;
+    bvh::kernel::WideTreeView view{};               ///< of `wide`, for every ray
+    const bvh::kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
     AccelSummary summary;
     BuildSettings settings;
     double costWhenBuilt = 0.0;  ///< 0: refitted never
 
-    void setWide(WideTree&& layout) {
+    void setWide(bvh::WideTree&& layout) {
         wide = std::move(layout);
         view = wide.view();
     }
-    double cost() const { return kernels ? searchCost(wide) : statisticsOf(tree).sahCost; }
+    double cost() const { return kernels ? bvh::searchCost(wide) : bvh::statisticsOf(tree).sahCost; }
 };
 
 Accel::Accel() = default;
@@ -44,20 +44,20 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     state.input = input;
     state.settings = settings;
     state.settings.stop = {};
-    const kernel::Kernels& kernels = kernelsFor(settings.isa);
-    state.tree = buildBinaryTree(input, settings);
+    const bvh::kernel::Kernels& kernels = bvh::kernelsFor(settings.isa);
+    state.tree = bvh::buildBinaryTree(input, settings);
     state.summary = {.binaryNodes = state.tree.nodes.size(),
                      .binaryLevels = state.tree.levels,
                      .droppedPrimitives = state.tree.droppedPrimitives};
     if (settings.layout == BvhLayout::Binary || state.tree.nodes.empty()) {
-        state.primitives = PackedPrimitives(input, state.tree, settings.stop);
+        state.primitives = bvh::PackedPrimitives(input, state.tree, settings.stop);
         return accel;
     }
-    state.setWide(collapse(state.tree, input, settings.stop));
+    state.setWide(bvh::collapse(state.tree, input, settings.stop));
     state.summary.wideNodes = state.wide.nodes.size();
     state.summary.triangleBlocks = state.wide.blocks.size();
     state.kernels = &kernels;
-    state.summary.isa = settings.isa == Isa::Auto ? bestIsa() : settings.isa;
+    state.summary.isa = settings.isa == Isa::Auto ? bvh::bestIsa() : settings.isa;
     if (!settings.keepBinaryTree) state.tree = {};
     return accel;
 }
@@ -73,9 +73,9 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
         settings.stop = stop;
         return build(moved, settings);
     };
-    checkIndices(moved, stop);
+    bvh::checkIndices(moved, stop);
     const std::uint32_t dropped = state_->summary.droppedPrimitives;
-    if (dropped > 0 && countUnhittable(moved, stop) != dropped) return buildAnew();
+    if (dropped > 0 && bvh::countUnhittable(moved, stop) != dropped) return buildAnew();
     accel.state_ = std::make_unique<State>();
     State& state = *accel.state_;
     state.input = moved;
@@ -84,16 +84,16 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     state.summary = state_->summary;
     state.costWhenBuilt = state_->costWhenBuilt > 0.0 ? state_->costWhenBuilt : state_->cost();
     if (!state_->tree.nodes.empty()) {
-        std::optional<BinaryTree> tree = refitted(state_->tree, moved, stop);
+        std::optional<bvh::BinaryTree> tree = bvh::refitted(state_->tree, moved, stop);
         if (!tree) return buildAnew();
         state.tree = std::move(*tree);
     }
     if (state.kernels) {
-        std::optional<WideTree> wide = refitted(state_->wide, moved, stop);
+        std::optional<bvh::WideTree> wide = bvh::refitted(state_->wide, moved, stop);
         if (!wide) return buildAnew();
         state.setWide(std::move(*wide));
     } else {
-        state.primitives = PackedPrimitives(moved, state.tree, stop);
+        state.primitives = bvh::PackedPrimitives(moved, state.tree, stop);
     }
     if (state.costWhenBuilt > 0.0) state.summary.costGrowth = state.cost() / state.costWhenBuilt;
     return accel;
@@ -105,24 +105,24 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         return false;
     }
     if (state_->kernels) {
-        const bool isHit = state_->kernels->closestHit(state_->view, words(ray), *hitWords(&hit));
+        const bool isHit = state_->kernels->closestHit(state_->view, bvh::words(ray), *bvh::hitWords(&hit));
         if (!isHit) hit = Hit{};
         return isHit;
     }
-    NullTraversalObserver nobody;
-    return walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
+    bvh::NullTraversalObserver nobody;
+    return bvh::walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
-    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, words(ray));
-    return state_ && walkToAnyHit(state_->tree, state_->primitives, ray);
+    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, bvh::words(ray));
+    return state_ && bvh::walkToAnyHit(state_->tree, state_->primitives, ray);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
     if (state_ && state_->kernels) {
         state_->kernels->closestHits(state_->view, reinterpret_cast<const float*>(rays.data()),
-                                     hitWords(hits.data()), rays.size());
+                                     bvh::hitWords(hits.data()), rays.size());
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], hits[i]);
@@ -138,11 +138,11 @@ void Accel::anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded)
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i]);
 }
 
-const BinaryTree* Accel::binaryTree() const {
+const bvh::BinaryTree* Accel::binaryTree() const {
     return state_ && !state_->tree.nodes.empty() ? &state_->tree : nullptr;
 }
 
-const WideTree* Accel::wideTree() const { return state_ && state_->kernels ? &state_->wide : nullptr; }
+const bvh::WideTree* Accel::wideTree() const { return state_ && state_->kernels ? &state_->wide : nullptr; }
 
 const AccelInput& Accel::input() const {
     static const AccelInput kNothing;
@@ -156,7 +156,7 @@ const AccelSummary& Accel::summary() const {
 
 std::size_t Accel::bytes() const {
     if (!state_) return 0;
-    return sizeof(State) + state_->tree.nodes.capacity() * sizeof(BinaryNode) +
+    return sizeof(State) + state_->tree.nodes.capacity() * sizeof(bvh::BinaryNode) +
            state_->tree.primitives.capacity() * sizeof(std::uint32_t) + state_->primitives.bytes() +
            state_->wide.bytes();
 }

@@ -4,7 +4,7 @@
 
 #include "base/big_vector.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// No node lies deeper (the root is level 0), whatever is built; traversal stacks rely on it.
 inline constexpr int kMaxTreeLevel = 64;
@@ -25,10 +25,10 @@ inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
 /// A binary bounding volume hierarchy; node 0 is the root. Empty if there is nothing to hit.
 struct BinaryTree {
-    BigVector<BinaryNode> nodes;
-    BigVector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive
-    int levels = 0;                       ///< including the root
-    std::uint32_t droppedPrimitives = 0;  ///< left out because of NaN or infinite coordinates
+    base::BigVector<BinaryNode> nodes;
+    base::BigVector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive
+    int levels = 0;                             ///< including the root
+    std::uint32_t droppedPrimitives = 0;        ///< left out because of NaN or infinite coordinates
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
@@ -58,4 +58,4 @@ struct PrimitiveRef {
 };
 static_assert(sizeof(PrimitiveRef) == 32);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 #ifdef __x86_64__
 bool isAvailable(Isa isa) {
@@ -45,4 +45,4 @@ const kernel::Kernels& kernelsFor(Isa isa) {
     }
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -3,7 +3,7 @@
 
 #include "bvh/kernel/kernels.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Whether this build has kernels for an instruction set and this machine can run them.
 bool isAvailable(Isa isa);
@@ -14,4 +14,4 @@ Isa bestIsa();
 /// Throws std::invalid_argument for an instruction set that is not available.
 const kernel::Kernels& kernelsFor(Isa isa);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

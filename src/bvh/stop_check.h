@@ -2,10 +2,10 @@
 #include <rayscope/diagnostics.h>
 #include <stop_token>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 inline void throwIfStopped(const std::stop_token& stop) {
     if (stop.stop_requested()) throw Stopped{};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

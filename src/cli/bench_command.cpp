@@ -12,7 +12,7 @@
 #include "trace/body.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -27,7 +27,7 @@ nlohmann::json json(const Interval& interval) {
     return {{"median", interval.value}, {"low", interval.lower}, {"high", interval.upper}};
 }
 
-nlohmann::json json(const RayTiming& timing) {
+nlohmann::json json(const measure::RayTiming& timing) {
     nlohmann::json row = {{"rays", timing.rays},
                           {"hits", timing.hits},
                           {"mrays_per_s", timing.single},
@@ -52,7 +52,7 @@ nlohmann::json json(const RayTiming& timing) {
 }
 
 /// The name of a choice as the settings have it.
-std::string settingText(const BenchRow& row, std::string_view key) {
+std::string settingText(const measure::BenchRow& row, std::string_view key) {
     Settings settings;
     settings.bvhBuilder = row.build.builder;
     settings.bvhLayout = row.build.layout;
@@ -60,11 +60,11 @@ std::string settingText(const BenchRow& row, std::string_view key) {
     return textOf(settings, key);
 }
 
-nlohmann::json json(const BenchRow& row) {
+nlohmann::json json(const measure::BenchRow& row) {
     nlohmann::json rays;
     std::size_t different = 0;
-    for (const RayTiming& timing : row.rays) {
-        rays[std::string(benchNameOf(timing.kind))] = json(timing);
+    for (const measure::RayTiming& timing : row.rays) {
+        rays[std::string(measure::benchNameOf(timing.kind))] = json(timing);
         different += timing.mismatches;
     }
     nlohmann::json result = {{"scene", row.scene},
@@ -85,7 +85,7 @@ nlohmann::json json(const BenchRow& row) {
                              {"bytes_per_triangle", row.bytesPerPrimitive},
                              {"rays", rays},
                              {"mismatches", different}};
-    if (EmbreeRace::isAvailable())
+    if (measure::EmbreeRace::isAvailable())
         result.update({{"embree_build_ms", row.embreeBuildSeconds.value * 1e3},
                        {"embree_bytes_per_triangle", row.embreeBytesPerPrimitive},
                        {"build_ratio", json(row.buildRatio)}});
@@ -96,7 +96,7 @@ std::string ratio(const Interval& interval) {
     return fmt::format("{:5.2f} [{:.2f} {:.2f}]", interval.value, interval.lower, interval.upper);
 }
 
-void print(const BenchRow& row) {
+void print(const measure::BenchRow& row) {
     fmt::print("{}: {} triangles, {} spheres, {} thread{}\n", row.scene, row.triangles, row.spheres,
                row.threads, row.threads == 1 ? "" : "s");
     fmt::print("  {}: SAH cost {:.2f}, of random lines {:.2f}; {} levels, {} nodes",
@@ -107,18 +107,19 @@ void print(const BenchRow& row) {
     fmt::print("\n");
     fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
                row.bytesPerPrimitive);
-    if (EmbreeRace::isAvailable())
+    if (measure::EmbreeRace::isAvailable())
         fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.value * 1e3,
                    row.embreeBytesPerPrimitive, ratio(row.buildRatio));
     fmt::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
-    if (EmbreeRace::isAvailable())
+    if (measure::EmbreeRace::isAvailable())
         fmt::print(" | Embree {:>6} {:>6} {:>6} {:>6} | {:17} {:17} {:17} {:17} {}", "single", "robust",
                    "16-wide", "stream", "single/single", "single/robust", "batched/single", "batched/best",
                    "mismatches");
     fmt::print("\n");
-    for (const RayTiming& timing : row.rays) {
-        fmt::print("  {:8} {:8.2f} {:8.2f}", benchNameOf(timing.kind), timing.single, timing.batched);
-        if (EmbreeRace::isAvailable())
+    for (const measure::RayTiming& timing : row.rays) {
+        fmt::print("  {:8} {:8.2f} {:8.2f}", measure::benchNameOf(timing.kind), timing.single,
+                   timing.batched);
+        if (measure::EmbreeRace::isAvailable())
             fmt::print(" |        {:6.2f} {:6.2f} {:6.2f} {:6.2f} | {} {} {} {} {}", timing.embreeSingle,
                        timing.embreeRobust, timing.embreePacket16, timing.embreeStream,
                        ratio(timing.singleToSingle), ratio(timing.singleToRobust),
@@ -127,10 +128,10 @@ void print(const BenchRow& row) {
     }
     if (row.summary.wideNodes > 0)
         fmt::print("  {:8} {:>8} {:>8} {:>8} {:>8}\n", "per ray", "nodes", "leaves", "filter", "exact");
-    for (const RayTiming& timing : row.rays)
+    for (const measure::RayTiming& timing : row.rays)
         if (timing.nodes > 0.0)
-            fmt::print("  {:8} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", benchNameOf(timing.kind), timing.nodes,
-                       timing.leaves, timing.primitives, timing.exact);
+            fmt::print("  {:8} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", measure::benchNameOf(timing.kind),
+                       timing.nodes, timing.leaves, timing.primitives, timing.exact);
 }
 
 /// The middle of the first light, or where a lamp would stand.
@@ -148,31 +149,32 @@ glm::vec3 lightOf(const SceneDescription& scene) {
     return area.corner + 0.5f * (area.edges[0] + area.edges[1]);
 }
 
-BenchRow benchScene(const std::string& name, const BenchCommandOptions& options) {
+measure::BenchRow benchScene(const std::string& name, const BenchCommandOptions& options) {
     SceneOptions sceneOptions;
     sceneOptions.scene = name;
     sceneOptions.assignments = options.assignments;
     const RenderRequest request = openScene(sceneOptions, true);
-    const auto geometries = makeGeometry(*request.scene, false);
+    const auto geometries = trace::makeGeometry(*request.scene, false);
     const AccelInput input = geometries.empty() ? AccelInput{} : geometries[0]->input;
-    BenchOptions bench;
-    bench.build = buildSettingsOf(request.settings);
+    measure::BenchOptions bench;
+    bench.build = trace::buildSettingsOf(request.settings);
     bench.threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
     bench.size = options.size;
     bench.rounds = options.rounds;
-    return runBench(name, input, request.camera, lightOf(*request.scene), bench, [](const std::string&) {});
+    return measure::runBench(name, input, request.camera, lightOf(*request.scene), bench,
+                             [](const std::string&) {});
 }
 
 int runBenchCommand(const BenchCommandOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     for (const std::string& scene : options.scenes) {
-        const BenchRow row = benchScene(scene, options);
+        const measure::BenchRow row = benchScene(scene, options);
         print(row);
         std::fflush(stdout);
         rows.push_back(json(row));
     }
-    if (!options.jsonFile.empty()) writeFileAtomically(options.jsonFile, rows.dump(2) + "\n");
+    if (!options.jsonFile.empty()) base::writeFileAtomically(options.jsonFile, rows.dump(2) + "\n");
     return kDone;
 }
 
@@ -196,4 +198,4 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runBenchCommand(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -18,7 +18,7 @@
 #include "render/cast_rays.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -83,14 +83,15 @@ struct CastCounts {
 };
 
 /// Answers one step of rays and appends the answers to the file.
-void answer(const World& world, std::span<const Ray> rays, bool any, AtomicFile& output, CastCounts& counts) {
+void answer(const trace::World& world, std::span<const Ray> rays, bool any, base::AtomicFile& output,
+            CastCounts& counts) {
     std::vector<Hit> hits(any ? 0 : rays.size());
     std::vector<std::uint8_t> occluded(any ? rays.size() : 0);
     const auto start = std::chrono::steady_clock::now();
     if (any)
-        castAny(world, rays, occluded);
+        render::castAny(world, rays, occluded);
     else
-        castClosest(world, rays, hits);
+        render::castClosest(world, rays, hits);
     counts.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     counts.rays += rays.size();
     for (const Hit& hit : hits) counts.hits += hit.primitive != kNoPrimitive;
@@ -102,7 +103,7 @@ void answer(const World& world, std::span<const Ray> rays, bool any, AtomicFile&
 int runCast(const CastOptions& options) {
     const InterruptGuard interrupt;
     RayFile file(options.rays);
-    AtomicFile output(options.output);
+    base::AtomicFile output(options.output);
     RenderRequest request = openScene(options.scene, options.quiet);
     // Everything at the start of the shutter: one body, in which triangles count first, then spheres.
     request.settings.motionBlur = false;
@@ -113,7 +114,7 @@ int runCast(const CastOptions& options) {
     oneapi::tbb::task_arena arena(threads);
     CastCounts counts;
     arena.execute([&] {
-        const auto world = compile({request.scene, request.settings, request.camera, 1, 1});
+        const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1});
         std::vector<Ray> rays;
         while (!interrupt.interrupted() && file.next(rays)) answer(*world, rays, options.any, output, counts);
     });
@@ -146,4 +147,4 @@ void addCastCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runCast(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -1,7 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 /// Exit codes that scripts rely on.
 enum ExitCode : int {
@@ -26,4 +26,4 @@ void addTradeCommand(CLI::App& program, int& exitCode);
 void addCompareCommand(CLI::App& program, int& exitCode);
 void addSettingsCommand(CLI::App& program, int& exitCode);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -9,7 +9,7 @@
 #include "cli/commands.h"
 #include "post/develop.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -22,15 +22,15 @@ struct CompareCommandOptions {
 };
 
 nlohmann::json toJson(const ErrorMeasures& e) {
-    return {{"rmse", numberOrNull(e.rmse)},
-            {"relmse", numberOrNull(e.relMse)},
-            {"relmse_trimmed", numberOrNull(e.relMseTrimmed)},
-            {"smape", numberOrNull(e.smape)},
-            {"max", numberOrNull(e.maximum)},
+    return {{"rmse", base::numberOrNull(e.rmse)},
+            {"relmse", base::numberOrNull(e.relMse)},
+            {"relmse_trimmed", base::numberOrNull(e.relMseTrimmed)},
+            {"smape", base::numberOrNull(e.smape)},
+            {"max", base::numberOrNull(e.maximum)},
             {"max_at", {e.maximumX, e.maximumY}},
-            {"mean_difference", numberOrNull(e.meanDifference)},
-            {"ssim", numberOrNull(e.ssim)},
-            {"flip", numberOrNull(e.flip)},
+            {"mean_difference", base::numberOrNull(e.meanDifference)},
+            {"ssim", base::numberOrNull(e.ssim)},
+            {"flip", base::numberOrNull(e.flip)},
             {"pixels", e.pixels},
             {"pixels_compared", e.pixelsCompared},
             {"non_finite_a", e.nonFiniteImage},
@@ -59,7 +59,7 @@ std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
 /// Colours in formats for looking, the values themselves in the others.
 void writeMap(const std::string& path, const Image<double>& map, double range) {
     RgbImage picture = colorMapped(map, range);
-    if (!isDisplayFormat(path))
+    if (!post::isDisplayFormat(path))
         for (std::size_t i = 0; i < map.pixels.size(); ++i)
             picture.pixels[i] = Rgb(static_cast<float>(map.pixels[i]));
     writeImage(path, picture);
@@ -80,7 +80,7 @@ void writeTiles(const CompareCommandOptions& options, const Image<double>& map, 
             for (int x = tile.x0; x < tile.x1; ++x) tiles.at(x, y) = score;
     }
     if (options.map.ends_with(".csv"))
-        writeFileAtomically(options.map, table);
+        base::writeFileAtomically(options.map, table);
     else
         writeMap(options.map, tiles, rangeOf(options, tiles, metric));
 }
@@ -100,7 +100,7 @@ bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& 
 int runCompare(const CompareCommandOptions& options) {
     const ErrorMetric metric = errorMetricNamed(options.metric);
     if (!options.difference.empty()) checkImageDestination(options.difference);
-    if (!options.map.empty()) checkFileDestination(options.map);
+    if (!options.map.empty()) base::checkFileDestination(options.map);
     const RgbImage image = readImage(options.image), reference = readImage(options.reference);
     const ErrorMeasures errors = measureErrors(image, reference, options.measure);
     const Image<double> map = errorMap(image, reference, metric, options.measure);
@@ -112,7 +112,7 @@ int runCompare(const CompareCommandOptions& options) {
     if (!options.difference.empty()) {
         const double range = rangeOf(options, map, metric);
         writeMap(options.difference, map, range);
-        if (isDisplayFormat(options.difference) && !options.json)
+        if (post::isDisplayFormat(options.difference) && !options.json)
             fmt::print("{}: {} of each pixel, from black for 0 to white for {:.6g}\n", options.difference,
                        options.metric, range);
     }
@@ -171,4 +171,4 @@ void addCompareCommand(CLI::App& program, int& exitCode) {
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

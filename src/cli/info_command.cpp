@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -109,4 +109,4 @@ void addInfoCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runInfo(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 volatile std::sig_atomic_t interruptCount = 0;
@@ -30,4 +30,4 @@ InterruptGuard::~InterruptGuard() {
 
 bool InterruptGuard::interrupted() const { return interruptCount > 0; }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

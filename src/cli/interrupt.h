@@ -1,6 +1,6 @@
 #pragma once
 
-namespace rayscope {
+namespace rayscope::cli {
 
 /// While it lives, the first Ctrl+C is noted and the second ends the program at once with exit code 130.
 class InterruptGuard {
@@ -12,4 +12,4 @@ class InterruptGuard {
     bool interrupted() const;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -5,7 +5,7 @@
 
 #include "cli/interrupt.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 /// Asks for a stop as soon as the user does; a measurement looks at it between samples.
 class InterruptToStop {
@@ -25,4 +25,4 @@ class InterruptToStop {
     std::jthread watcher_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -10,7 +10,7 @@
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -49,7 +49,7 @@ int runLabCommand(const LabOptions& options) {
     if (!options.folder.empty()) {
         std::error_code error;
         std::filesystem::create_directories(options.folder, error);
-        checkFileDestination((std::filesystem::path(options.folder) / "lab.json").string());
+        base::checkFileDestination((std::filesystem::path(options.folder) / "lab.json").string());
     }
     const InterruptToStop interrupt;
     LabRequest request = requestOf(options);
@@ -103,4 +103,4 @@ void addLabCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runLabCommand(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -12,7 +12,7 @@
 #include "cli/usage.h"
 #include "render/crash_report.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -70,14 +70,14 @@ int runProgram(std::vector<std::string> arguments) {
 
 }  // namespace
 
-}  // namespace rayscope
+}  // namespace rayscope::cli
 
 int main(int argc, char** argv) {
     // A limit on the size of files should fail a write, as a full disk does, not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
-    rayscope::installCrashReport();
+    rayscope::render::installCrashReport();
     try {
-        return rayscope::runProgram(std::vector<std::string>(argv + 1, argv + argc));
+        return rayscope::cli::runProgram(std::vector<std::string>(argv + 1, argv + argc));
     } catch (const rayscope::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
     } catch (const std::bad_alloc&) {
@@ -85,5 +85,5 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());
     }
-    return rayscope::kWrongInput;
+    return rayscope::cli::kWrongInput;
 }

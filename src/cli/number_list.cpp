@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 [[noreturn]] void throwExpected(const std::string& option, const std::string& what, const std::string& text) {
@@ -46,4 +46,4 @@ glm::ivec2 parsePair(const std::string& option, const std::string& text, char se
     return {static_cast<int>(n[0]), static_cast<int>(n[1])};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 /// "1,2.5,-3" as `count` finite numbers. Throws CLI::ValidationError that names the option and the expected
 /// form.
@@ -14,4 +14,4 @@ glm::vec3 parseVector(const std::string& option, const std::string& text);
 /// "WxH" or "X,Y" as two whole numbers of at least `lowest`.
 glm::ivec2 parsePair(const std::string& option, const std::string& text, char separator, int lowest);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -12,7 +12,7 @@
 #include "probe/traversal_log.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -33,8 +33,8 @@ struct ProbeOptions {
 }
 
 /// The searches of the ray that the option names by its number in the tree, "s" before those of shadow rays.
-std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, const std::string& name,
-                                     BvhLayout layout) {
+std::vector<probe::TraversalLog> searchesOf(const trace::World& world, const RayTree& tree,
+                                            const std::string& name, BvhLayout layout) {
     const bool isShadow = name.starts_with("s");
     const std::string digits = name.substr(isShadow ? 1 : 0);
     std::size_t number = 0;
@@ -42,21 +42,23 @@ std::vector<TraversalLog> searchesOf(const World& world, const RayTree& tree, co
     const std::size_t count = isShadow ? tree.shadowRays.size() : tree.nodes.size();
     if (error != std::errc{} || end != digits.data() + digits.size() || number >= count)
         noSuchRay(name, tree);
-    return isShadow ? recordAnyHit(world, tree.shadowRays[number].ray, tree.time, layout)
-                    : recordClosestHit(world, tree.nodes[number].ray, tree.time, layout);
+    return isShadow ? probe::recordAnyHit(world, tree.shadowRays[number].ray, tree.time, layout)
+                    : probe::recordClosestHit(world, tree.nodes[number].ray, tree.time, layout);
 }
 
 /// What the options ask for, as one JSON object.
-std::string asJson(const RayTree& tree, const World& world, const std::vector<TraversalLog>& searches,
-                   const std::vector<Explanation>& explanations) {
+std::string asJson(const RayTree& tree, const trace::World& world,
+                   const std::vector<probe::TraversalLog>& searches,
+                   const std::vector<probe::Explanation>& explanations) {
     nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
-    for (const TraversalLog& log : searches)
-        j["traversal"].push_back(nlohmann::ordered_json::parse(toJson(log)));
-    for (const Explanation& why : explanations) {
-        nlohmann::ordered_json entry = {
-            {"symptom", nameOf(why.symptom)}, {"cause", nameOf(why.cause)}, {"sentence", why.sentence}};
+    for (const probe::TraversalLog& log : searches)
+        j["traversal"].push_back(nlohmann::ordered_json::parse(probe::toJson(log)));
+    for (const probe::Explanation& why : explanations) {
+        nlohmann::ordered_json entry = {{"symptom", probe::nameOf(why.symptom)},
+                                        {"cause", probe::nameOf(why.cause)},
+                                        {"sentence", why.sentence}};
         entry["rays"] = nlohmann::ordered_json::array();
-        for (const Evidence& e : why.evidence)
+        for (const probe::Evidence& e : why.evidence)
             entry["rays"].push_back(
                 {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
         j["explanation"].push_back(std::move(entry));
@@ -71,23 +73,23 @@ int runProbe(const ProbeOptions& options) {
         throw CLI::ValidationError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
                                                           request.width, request.height));
     const auto world =
-        compile({request.scene, request.settings, request.camera, request.width, request.height});
-    const RayTree tree = probe(*world, request.seed, {pixel.x, pixel.y, options.sample});
-    std::vector<TraversalLog> searches;
+        trace::compile({request.scene, request.settings, request.camera, request.width, request.height});
+    const RayTree tree = probeSample(*world, request.seed, {pixel.x, pixel.y, options.sample});
+    std::vector<probe::TraversalLog> searches;
     if (!options.traversal.empty())
         searches = searchesOf(*world, tree, options.traversal,
                               options.layout == "wide" ? BvhLayout::Wide : BvhLayout::Binary);
     fmt::print("{}", toText(tree, *world));
-    for (const TraversalLog& log : searches) fmt::print("{}", toText(log));
+    for (const probe::TraversalLog& log : searches) fmt::print("{}", probe::toText(log));
     if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
-    std::vector<Explanation> explanations;
+    std::vector<probe::Explanation> explanations;
     if (options.explain)
-        explanations =
-            explainPixel(*world, request.seed, pixel.x, pixel.y, samplesToExplain(request.settings));
-    for (const Explanation& why : explanations) fmt::print("{}", toText(why));
+        explanations = probe::explainPixel(*world, request.seed, pixel.x, pixel.y,
+                                           probe::samplesToExplain(request.settings));
+    for (const probe::Explanation& why : explanations) fmt::print("{}", probe::toText(why));
     if (options.explain && explanations.empty()) fmt::print("nothing stands out about this pixel\n");
     if (!options.jsonFile.empty())
-        writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
+        base::writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
     return kDone;
 }
 
@@ -121,4 +123,4 @@ void addProbeCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runProbe(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

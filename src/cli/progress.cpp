@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 ProgressStyle progressStyle(const std::string& option, bool quiet) {
     if (option == "json") return ProgressStyle::Json;
@@ -60,4 +60,4 @@ void Progress::finish(const RenderStatus& status) {
     if (drawn_) fmt::print(stderr, "\n");
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -2,7 +2,7 @@
 #include <rayscope/render_session.h>
 #include <string>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 enum class ProgressStyle { Bar, Json, None };
 
@@ -27,4 +27,4 @@ void showBar(double fraction, const std::string& phase, double remainingSeconds)
 /// "1:02:03", "2:03" or "0.42 s".
 std::string durationText(double seconds);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

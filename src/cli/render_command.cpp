@@ -23,7 +23,7 @@
 #include "render/image_metadata.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -80,8 +80,8 @@ int waitFor(RenderSession& session, const RenderOptions& options, const Interrup
 struct Rendered {
     RgbImage mean;
     RenderStatus status;
-    std::shared_ptr<const World> world;
-    std::shared_ptr<const Film> film;  ///< null if rendered to a target
+    std::shared_ptr<const trace::World> world;
+    std::shared_ptr<const render::Film> film;  ///< null if rendered to a target
     int exitCode = kDone;
     std::string words;  ///< why it stopped, if that is worth a line
 };
@@ -94,15 +94,15 @@ std::string aovPath(const std::string& output, std::string_view name) {
     return path.string();
 }
 
-void writeAovs(const RenderOptions& options, const std::vector<Aov>& wanted, const RenderRequest& request,
-               const Rendered& rendered, const ImageMetadata& metadata) {
+void writeAovs(const RenderOptions& options, const std::vector<probe::Aov>& wanted,
+               const RenderRequest& request, const Rendered& rendered, const ImageMetadata& metadata) {
     if (wanted.empty() || !rendered.world || !rendered.film) return;
     const int samples = std::max(1, rendered.film->completeSamples());
-    const AovRequest job{*rendered.world, rendered.film.get(), request.seed,
-                         samples,         request.region,      options.scene.threads};
-    const std::vector<RgbImage> images = renderAovs(job, wanted);
+    const probe::AovRequest job{*rendered.world, rendered.film.get(), request.seed,
+                                samples,         request.region,      options.scene.threads};
+    const std::vector<RgbImage> images = probe::renderAovs(job, wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i)
-        writeImage(aovPath(options.outputs.front(), infoOf(wanted[i]).name), images[i], metadata);
+        writeImage(aovPath(options.outputs.front(), probe::infoOf(wanted[i]).name), images[i], metadata);
 }
 
 bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
@@ -117,8 +117,8 @@ BadSample firstBadSample(const Rendered& rendered, const RenderRequest& request,
     int samples = rendered.status.samples;
     if (rendered.film) rendered.film->sums(pixel.x, pixel.y, samples);
     for (int index = 0; index < samples; ++index) {
-        const RayTree tree = probe(*rendered.world, request.seed, {pixel.x, pixel.y, index});
-        if (std::string cause = causeOfNonFinite(tree, *rendered.world); !cause.empty())
+        const RayTree tree = probeSample(*rendered.world, request.seed, {pixel.x, pixel.y, index});
+        if (std::string cause = probe::causeOfNonFinite(tree, *rendered.world); !cause.empty())
             return {index, cause};
     }
     return {};
@@ -196,9 +196,10 @@ int runRender(const RenderOptions& options) {
     }
     if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
     request.region = regionFor(options, request);
-    std::vector<Aov> aovs;
-    for (const std::string& name : options.aovs) aovs.push_back(aovNamed(name));
-    for (const Aov aov : aovs) checkImageDestination(aovPath(options.outputs.front(), infoOf(aov).name));
+    std::vector<probe::Aov> aovs;
+    for (const std::string& name : options.aovs) aovs.push_back(probe::aovNamed(name));
+    for (const probe::Aov aov : aovs)
+        checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(aov).name));
     if (!aovs.empty() && options.target.wanted())
         throw CLI::ValidationError("--aov", "needs a fixed number of samples: leave out --target-error");
     request.keepBinaryTrees = !aovs.empty();
@@ -209,17 +210,17 @@ int runRender(const RenderOptions& options) {
     const RenderStatus& status = rendered.status;
     int exitCode = rendered.exitCode;
     const ImageMetadata metadata =
-        imageMetadata(*request.scene, request.settings, request.seed, status.samples);
+        render::imageMetadata(*request.scene, request.settings, request.seed, status.samples);
     for (const std::string& output : options.outputs)
-        writeImage(output, develop(mean, request.settings, isDisplayFormat(output)), metadata,
+        writeImage(output, post::develop(mean, request.settings, post::isDisplayFormat(output)), metadata,
                    request.settings.tone);
     if (exitCode != kInterrupted) writeAovs(options, aovs, request, rendered, metadata);
     if (!options.statsFile.empty() && rendered.world) {
         const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         const int threads = options.scene.threads > 0 ? options.scene.threads
                                                       : static_cast<int>(std::thread::hardware_concurrency());
-        writeFileAtomically(options.statsFile,
-                            renderStatsJson(request, status, *rendered.world, threads, total));
+        base::writeFileAtomically(options.statsFile,
+                                  renderStatsJson(request, status, *rendered.world, threads, total));
     }
     if (!rendered.words.empty()) fmt::print(stderr, "{}\n", rendered.words);
     if (reportNonFinite(options, request, rendered) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
@@ -244,7 +245,7 @@ void addRenderCommand(CLI::App& program, int& exitCode) {
     command->add_option("--pixelbounds", options->pixelBounds,
                         "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
     std::vector<std::string_view> names;
-    for (const AovInfo& info : aovTable()) names.push_back(info.name);
+    for (const probe::AovInfo& info : probe::aovTable()) names.push_back(info.name);
     command
         ->add_option(
             "--aov", options->aovs,
@@ -262,4 +263,4 @@ void addRenderCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runRender(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

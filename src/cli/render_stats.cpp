@@ -6,15 +6,15 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
-std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status, const World& world,
-                            int threads, double totalSeconds) {
+std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status,
+                            const trace::World& world, int threads, double totalSeconds) {
     nlohmann::json settings;
     for (const std::string_view key : settingKeys())
         settings[std::string(key)] = textOf(request.settings, key);
     nlohmann::json bodies = nlohmann::json::array();
-    for (const Body& body : world.bodies) {
+    for (const trace::Body& body : world.bodies) {
         nlohmann::json row = {{"triangles", body.geometry->input.triangles.size()},
                               {"spheres", body.geometry->input.spheres.size()}};
         if (body.accel) {
@@ -49,4 +49,4 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
     return stats.dump(2) + "\n";
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

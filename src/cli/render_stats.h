@@ -2,10 +2,10 @@
 #include <rayscope/render_session.h>
 #include <string>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 /// Everything that was counted and timed, as JSON.
-std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status, const World& world,
-                            int threads, double totalSeconds);
+std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status,
+                            const trace::World& world, int threads, double totalSeconds);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -8,7 +8,7 @@
 #include "base/shell_word.h"
 #include "cli/number_list.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
     addSceneTo(command, sceneRequired);
@@ -53,7 +53,7 @@ CameraDescription chooseCamera(const SceneDescription& scene, const SceneOptions
         }
         if (!found)
             throw InputError(fmt::format("{} has no camera '{}'; it has {}", scene.path, options.camera,
-                                         joinChoices(names)));
+                                         base::joinChoices(names)));
         camera = *found;
     }
     if (!options.lookFrom.empty()) camera.lookFrom = parseVector("--look-from", options.lookFrom);
@@ -130,7 +130,7 @@ std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int samp
     const auto add = [&](std::string_view option, const std::string& value) {
         if (value.empty()) return;
         if (!option.empty()) words += fmt::format(" {}", option);
-        words += " " + shellWord(value);
+        words += " " + base::shellWord(value);
     };
     add("", options.scene);
     add("--size", options.size);
@@ -145,4 +145,4 @@ std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int samp
     return words + fmt::format(" --pixel {},{} --sample {}", pixel.x, pixel.y, sample);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 struct SceneOptions {
     std::string scene;
@@ -40,4 +40,4 @@ std::vector<SettingAssignment> parseAssignments(const SceneOptions& options);
 /// The settings that differ from the defaults, as a [settings] table for a scene file.
 std::string dumpSettings(const Settings& settings);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

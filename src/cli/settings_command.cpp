@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -76,4 +76,4 @@ void addSettingsCommand(CLI::App& program, int& exitCode) {
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-namespace rayscope {
+namespace rayscope::cli {
 
 void TargetOptions::addTo(CLI::App& command) {
     command
@@ -73,4 +73,4 @@ ErrorTargetResult renderToTarget(const RenderRequest& render, const TargetOption
     return result;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

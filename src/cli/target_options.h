@@ -6,7 +6,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 struct TargetOptions {
     double error = 0.0, confidence = 0.95;
@@ -22,4 +22,4 @@ ErrorTargetResult renderToTarget(const RenderRequest& request, const TargetOptio
                                  int mostSamples, int threads, const InterruptGuard& interrupt,
                                  ProgressStyle style);
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -10,7 +10,7 @@
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -56,16 +56,16 @@ void printSummary(const TradeResult& r, const std::string& scene) {
 
 void writeReports(const TradeResult& result, const std::string& folder) {
     const std::filesystem::path path(folder);
-    writeFileAtomically((path / "trade.json").string(), tradeJson(result));
-    writeFileAtomically((path / "trade.csv").string(), tradeCsv(result));
-    writeFileAtomically((path / "trade.html").string(), tradeHtml(result));
+    base::writeFileAtomically((path / "trade.json").string(), tradeJson(result));
+    base::writeFileAtomically((path / "trade.csv").string(), tradeCsv(result));
+    base::writeFileAtomically((path / "trade.html").string(), tradeHtml(result));
 }
 
 int runTrade(const TradeOptions& options) {
     if (!options.folder.empty()) {
         std::error_code error;
         std::filesystem::create_directories(options.folder, error);
-        checkFileDestination((std::filesystem::path(options.folder) / "trade.json").string());
+        base::checkFileDestination((std::filesystem::path(options.folder) / "trade.json").string());
     }
     const InterruptToStop interrupt;
     TradeRequest request;
@@ -118,4 +118,4 @@ void addTradeCommand(CLI::App& program, int& exitCode) {
     command->callback([options, &exitCode] { exitCode = runTrade(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -4,7 +4,7 @@
 
 #include "base/nearest_name.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -34,9 +34,9 @@ std::string usageError(const CLI::App& program, const CLI::ParseError& error,
         const bool option = name.starts_with("--") && name.size() > 2;
         if (option && std::find(known.begin(), known.end(), name) == known.end())
             return fmt::format("unknown option '{}' of '{}'{}", name, command.get_name(),
-                               didYouMean(name, known));
+                               base::didYouMean(name, known));
     }
     return error.what();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -3,7 +3,7 @@
 #include "cli/scene_options.h"
 #include "viewer/viewer.h"
 
-namespace rayscope {
+namespace rayscope::cli {
 
 namespace {
 
@@ -13,7 +13,7 @@ std::optional<glm::vec3> optionalVector(const std::string& option, const std::st
 }
 
 int runView(const SceneOptions& options) {
-    ViewerOptions viewer;
+    viewer::ViewerOptions viewer;
     viewer.scene = options.scene;
     const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
     viewer.width = size.x;
@@ -24,18 +24,18 @@ int runView(const SceneOptions& options) {
                      optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),
                      options.fov};
     viewer.threads = options.threads;
-    return runViewer(viewer);
+    return viewer::runViewer(viewer);
 }
 
 }  // namespace
 
 void addViewCommand(CLI::App& program, int& exitCode) {
     auto options = std::make_shared<SceneOptions>();
-    options->scene = kDefaultScene;
+    options->scene = viewer::kDefaultScene;
     options->size = "1280x720";
     CLI::App* command = program.add_subcommand("view", "Open the window (the default command)");
     options->addTo(*command, false);
     command->callback([options, &exitCode] { exitCode = runView(*options); });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::cli

@@ -22,7 +22,7 @@ Rgb cubeHelix(double f) {
                              f + swing * (-0.29227 * c - 0.90649 * s), f + swing * 1.97294 * c);
     Rgb linear;
     for (int k = 0; k < 3; ++k)
-        linear[k] = srgbToLinear(static_cast<float>(std::clamp(encoded[k], 0.0, 1.0)));
+        linear[k] = image::srgbToLinear(static_cast<float>(std::clamp(encoded[k], 0.0, 1.0)));
     return linear;
 }
 

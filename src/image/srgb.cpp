@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::image {
 
 float srgbToLinear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
@@ -30,4 +30,4 @@ std::uint8_t encodeByte(float linear, ToneCurve curve) {
     return static_cast<std::uint8_t>(255.0f * linearToSrgb(linear) + 0.5f);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -2,7 +2,7 @@
 #include <rayscope/image.h>
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::image {
 
 /// The two directions of the piecewise curve of IEC 61966-2-1, for values from 0 to 1.
 float srgbToLinear(float encoded);
@@ -15,4 +15,4 @@ float decodeByte(std::uint8_t code);
 /// 1 are clamped and NaN becomes 0.
 std::uint8_t encodeByte(float linear, ToneCurve curve);
 
-}  // namespace rayscope
+}  // namespace rayscope::image

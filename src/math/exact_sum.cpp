@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::math {
 
 namespace {
 
@@ -109,4 +109,4 @@ ExactSum signedVolume(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c
     return sum;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::math

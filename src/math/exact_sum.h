@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::math {
 
 /// A sum of products of up to three floats without any rounding: what geometric predicates are judged by.
 ///
@@ -37,4 +37,4 @@ void addDeterminant(ExactSum& sum, const glm::vec3& a, const glm::vec3& b, const
 /// points.
 ExactSum signedVolume(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p);
 
-}  // namespace rayscope
+}  // namespace rayscope::math

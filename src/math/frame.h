@@ -2,7 +2,7 @@
 #include <rayscope/vector.h>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::math {
 
 /// Two unit vectors that make a right-handed orthonormal frame with a unit vector.
 struct Frame {
@@ -17,4 +17,4 @@ inline Frame frameAround(const glm::dvec3& n) {
     return {{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::math

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rayscope {
+namespace rayscope::math {
 
 double spawnDistance(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal) {
     const glm::dvec3 rounding = 0x1p-24 * glm::abs(point) + glm::dvec3(0x1p-149);
@@ -27,4 +27,4 @@ glm::vec3 spawnOrigin(const glm::dvec3& point, const glm::dvec3& magnitude, cons
     return origin;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::math

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/vector.h>
 
-namespace rayscope {
+namespace rayscope::math {
 
 /// Where a ray that leaves a surface starts: the float point nearest to `point` that lies on the side of the
 /// surface to which `normal` points, even if every rounding since `point` was computed went the wrong way.
@@ -22,4 +22,4 @@ glm::vec3 spawnOrigin(const glm::dvec3& point, const glm::dvec3& magnitude, cons
 /// Bound of the distance between spawnOrigin() and the surface, for callers that state an accuracy.
 double spawnDistance(const glm::dvec3& point, const glm::dvec3& magnitude, const glm::dvec3& normal);
 
-}  // namespace rayscope
+}  // namespace rayscope::math

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rayscope {
+namespace rayscope::post {
 
 namespace {
 
@@ -71,4 +71,4 @@ RgbImage applyBloom(const RgbImage& image, const Settings& settings) {
     return glow;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::post

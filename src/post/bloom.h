@@ -3,7 +3,7 @@
 #include <rayscope/settings.h>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::post {
 
 /// One-dimensional filter weights for offsets −radius … radius; they sum to 1. The two-dimensional filter is
 /// the outer product with itself. A Gaussian weight is the integral over its pixel, by error functions, so
@@ -21,4 +21,4 @@ RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel)
 /// image itself.
 RgbImage applyBloom(const RgbImage& image, const Settings& settings);
 
-}  // namespace rayscope
+}  // namespace rayscope::post

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rayscope {
+namespace rayscope::post {
 
 namespace {
 
@@ -60,4 +60,4 @@ Rgb mapColor(ColorMap map, double share) {
     return fitted({lightness, 0.0, 0.0});
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::post

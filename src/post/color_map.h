@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::post {
 
 /// How a number becomes a colour. All three grow evenly in lightness, so that people with any colour vision,
 /// and black-and-white prints, keep the order of the values.
@@ -18,4 +18,4 @@ inline constexpr std::string_view kColorMapNames[] = {"spectrum", "blue-gold", "
 /// Computed along a path in Oklab (Ottosson 2020, "A perceptual color space for image processing").
 Rgb mapColor(ColorMap map, double share);
 
-}  // namespace rayscope
+}  // namespace rayscope::post

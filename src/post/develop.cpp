@@ -4,7 +4,7 @@
 
 #include "post/bloom.h"
 
-namespace rayscope {
+namespace rayscope::post {
 
 RgbImage develop(const RgbImage& mean, const Settings& settings, bool forDisplay) {
     RgbImage image = applyBloom(mean, settings);
@@ -16,4 +16,4 @@ RgbImage develop(const RgbImage& mean, const Settings& settings, bool forDisplay
 
 bool isDisplayFormat(std::string_view path) { return path.ends_with(".png") || path.ends_with(".PNG"); }
 
-}  // namespace rayscope
+}  // namespace rayscope::post

@@ -15,7 +15,7 @@
 #include "sampling/sample_stream.h"
 #include "trace/radiance.inl"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -48,20 +48,21 @@ struct Costs {
 
 Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
     using Clock = std::chrono::steady_clock;
-    const World& world = request.world;
+    const trace::World& world = request.world;
     Costs costs;
     const Clock::time_point start = Clock::now();
-    NullObserver silent;
+    trace::NullObserver silent;
     for (int index = 0; index < request.samples; ++index) {
-        const SampleResult result = radiance(world, request.seed, {x, y, index}, silent);
+        const trace::SampleResult result = trace::radiance(world, request.seed, {x, y, index}, silent);
         costs.rays += static_cast<double>(result.rays);
         costs.notFinite += isFinite(result.radiance) ? 0 : 1;
     }
     costs.microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
     for (int index = 0; counted && index < request.samples; ++index) {
-        const SampleStream stream(world.settings.sampler, request.seed, x, y, index, world.settings.spp);
-        CountingObserver observer(world, world.moves ? stream.get1D(Dim::Time) : 0.0f);
-        radiance(world, request.seed, {x, y, index}, observer);
+        const sampling::SampleStream stream(world.settings.sampler, request.seed, x, y, index,
+                                            world.settings.spp);
+        CountingObserver observer(world, world.moves ? stream.get1D(sampling::Dim::Time) : 0.0f);
+        trace::radiance(world, request.seed, {x, y, index}, observer);
         costs.nodes += static_cast<double>(observer.counted().nodes);
         costs.tests += static_cast<double>(observer.counted().tests);
     }
@@ -70,14 +71,14 @@ Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
 }
 
 /// The surface behind the centre of a pixel, through the centre of the lens, at the start of the shutter.
-std::optional<Interaction> surfaceAt(const World& world, int x, int y) {
+std::optional<trace::Interaction> surfaceAt(const trace::World& world, int x, int y) {
     const Ray ray = world.camera.pinholeRay(glm::dvec2(x, y) + 0.5);
     Hit hit;
     if (!world.closestHit(ray, 0.0f, hit)) return std::nullopt;
-    return interactionAt(world, ray, 0.0f, {0.0, world.camera.pixelAngle()}, hit);
+    return trace::interactionAt(world, ray, 0.0f, {0.0, world.camera.pixelAngle()}, hit);
 }
 
-Rgb surfaceValue(const World& world, const std::optional<Interaction>& at, Aov aov) {
+Rgb surfaceValue(const trace::World& world, const std::optional<trace::Interaction>& at, Aov aov) {
     const bool isNumber = aov == Aov::Primitive || aov == Aov::Material;
     if (!at) return grey(isNumber ? -1.0 : 0.0);
     switch (aov) {
@@ -94,13 +95,13 @@ Rgb surfaceValue(const World& world, const std::optional<Interaction>& at, Aov a
     }
 }
 
-Rgb filmValue(const Film* film, int x, int y, Aov aov) {
+Rgb filmValue(const render::Film* film, int x, int y, Aov aov) {
     int samples = 0;
     if (film == nullptr) return grey(0.0);
-    const PixelSums sums = film->sums(x, y, samples);
+    const render::PixelSums sums = film->sums(x, y, samples);
     if (aov == Aov::Samples) return grey(samples);
     if (samples < 2) return grey(0.0);
-    const double n = samples, mean = luminance(sums.radiance) / n;
+    const double n = samples, mean = render::luminance(sums.radiance) / n;
     const double variance = std::max(0.0, (sums.squaredLuminance / n - mean * mean) * n / (n - 1.0));
     return grey(aov == Aov::Variance ? variance : std::sqrt(variance / n));
 }
@@ -127,8 +128,8 @@ bool isOfFilm(Aov aov) { return aov >= Aov::Samples; }
 
 template <class Count>
 void CountingObserver::inEachBody(const Ray& ray, Count&& count) {
-    for (const Body& body : world_.bodies) {
-        const BinaryTree* tree = world_.settings.bvh && body.accel ? body.accel->binaryTree() : nullptr;
+    for (const trace::Body& body : world_.bodies) {
+        const bvh::BinaryTree* tree = world_.settings.bvh && body.accel ? body.accel->binaryTree() : nullptr;
         if (tree == nullptr) {
             counter_.tests += world_.settings.bvh ? 0
                                                   : body.geometry->input.triangles.size() +
@@ -144,26 +145,26 @@ void CountingObserver::inEachBody(const Ray& ray, Count&& count) {
 }
 
 void CountingObserver::countClosest(const Ray& ray) {
-    inEachBody(ray, [&](const BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+    inEachBody(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
         Hit hit;
-        closestHit(tree, input, atRest, hit, counter_);
+        bvh::closestHit(tree, input, atRest, hit, counter_);
         return false;
     });
 }
 
-void CountingObserver::lightSampled(const LightConnection& light, const glm::dvec3&) {
+void CountingObserver::lightSampled(const trace::LightConnection& light, const glm::dvec3&) {
     const bool traced = light.visibility != Visibility::FacingAway &&
                         world_.lights[static_cast<std::size_t>(light.light)].castsShadows;
     if (!traced) return;
-    const Ray ray = shadowRay(light.from, light.at.position);
+    const Ray ray = trace::shadowRay(light.from, light.at.position);
     if (world_.attenuatesShadows) return countClosest(ray);
-    inEachBody(ray, [&](const BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+    inEachBody(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
         Hit hit;
         return anyHitWatched(tree, input, atRest, counter_, hit);
     });
 }
 
-SampleCost costAt(const World& world, std::uint64_t seed, int x, int y, int samples) {
+SampleCost costAt(const trace::World& world, std::uint64_t seed, int x, int y, int samples) {
     AovRequest request{world};
     request.seed = seed;
     request.samples = samples;
@@ -182,11 +183,11 @@ Aov aovNamed(std::string_view name) {
         names.push_back(info.name);
     }
     throw InputError(fmt::format("no extra image is called '{}'{}; there are {}", name,
-                                 didYouMean(std::string(name), names), fmt::join(names, ", ")));
+                                 base::didYouMean(std::string(name), names), fmt::join(names, ", ")));
 }
 
 std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov> wanted) {
-    const World& world = request.world;
+    const trace::World& world = request.world;
     const PixelBounds region = request.region.value_or(PixelBounds{0, world.width, 0, world.height});
     std::vector<RgbImage> images(wanted.size(), RgbImage(world.width, world.height));
     const auto wants = [&](auto&& condition) { return std::any_of(wanted.begin(), wanted.end(), condition); };
@@ -214,4 +215,4 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
     return images;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -8,10 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rayscope {
-
-class World;
-class Film;
+namespace rayscope::probe {
 
 enum class Aov {
     Normal,
@@ -44,12 +41,12 @@ Aov aovNamed(std::string_view name);
 struct SampleCost {
     double nodes = 0.0, tests = 0.0, rays = 0.0;
 };
-SampleCost costAt(const World& world, std::uint64_t seed, int x, int y, int samples);
+SampleCost costAt(const trace::World& world, std::uint64_t seed, int x, int y, int samples);
 
 /// What the images are made of.
 struct AovRequest {
-    const World& world;
-    const Film* film = nullptr;  ///< for samples, variance and error; without one these are 0
+    const trace::World& world;
+    const render::Film* film = nullptr;  ///< for samples, variance and error; without one these are 0
     std::uint64_t seed = 0;
     int samples = 1;  ///< per pixel, that are replayed for what is counted and timed
     std::optional<PixelBounds> region = std::nullopt;  ///< absent: the whole image; outside it pixels are 0
@@ -61,4 +58,4 @@ struct AovRequest {
 /// material −1.
 std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov> wanted);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

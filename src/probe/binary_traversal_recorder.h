@@ -5,12 +5,12 @@
 #include "bvh/traversal/traverse.h"
 #include "probe/traversal_log.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// Writes down a walk through a binary tree.
 class BinaryTraversalRecorder {
   public:
-    BinaryTraversalRecorder(TraversalLog& log, const BinaryTree& tree, const AccelInput& input)
+    BinaryTraversalRecorder(TraversalLog& log, const bvh::BinaryTree& tree, const AccelInput& input)
         : log_(log), tree_(tree), input_(input), query_(log.ray), bound_(log.ray.tMax) {}
 
     // What an observer of closestHit() is told. A far child that has to wait is not reported by the walk: it
@@ -33,10 +33,10 @@ class BinaryTraversalRecorder {
     }
     void tested(std::uint32_t primitive, bool hit) {
         Hit found;
-        if (hit) IndexedPrimitives::hitsPrimitive(query_, input_, primitive, bound_, found);
+        if (hit) bvh::IndexedPrimitives::hitsPrimitive(query_, input_, primitive, bound_, found);
         found.primitive = primitive;
         Hit best{bound_, closest_, 0.0f, 0.0f};
-        const bool closer = hit && keepCloser(found, best);
+        const bool closer = hit && bvh::keepCloser(found, best);
         add(closer ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive, hit ? found.t : kNoDistance,
             bound_);
         if (!closer) return;
@@ -59,14 +59,15 @@ class BinaryTraversalRecorder {
     }
     float entryOf(std::uint32_t node) const {
         float entry;
-        if (!intersectBox(planes(tree_.nodes[node]), query_.box, query_.box.tMax, entry)) return kNoDistance;
+        if (!bvh::intersectBox(bvh::planes(tree_.nodes[node]), query_.box, query_.box.tMax, entry))
+            return kNoDistance;
         return static_cast<float>(entry / query_.box.scale);
     }
     /// A new box is the root or a child of the node that was entered last.
     std::uint32_t boxOf(std::uint32_t node) {
         const auto [known, isNew] = known_.try_emplace(node, static_cast<std::uint32_t>(log_.boxes.size()));
         if (isNew) {
-            const BinaryNode& n = tree_.nodes[node];
+            const bvh::BinaryNode& n = tree_.nodes[node];
             log_.boxes.push_back({node, lastEntered_, n.isLeaf(), n.lower, n.upper});
         }
         return known->second;
@@ -76,9 +77,9 @@ class BinaryTraversalRecorder {
     }
 
     TraversalLog& log_;
-    const BinaryTree& tree_;
+    const bvh::BinaryTree& tree_;
     const AccelInput& input_;
-    RayQuery query_;
+    bvh::RayQuery query_;
     std::unordered_map<std::uint32_t, std::uint32_t> known_;  ///< node → box
     float bound_;
     std::uint32_t closest_ = kNoPrimitive;
@@ -86,6 +87,6 @@ class BinaryTraversalRecorder {
     std::uint32_t children_ = kNone;  ///< first child of the node that was entered last, if it has any
     int rejected_ = 0;                ///< of these children
 };
-static_assert(TraversalObserver<BinaryTraversalRecorder>);
+static_assert(bvh::TraversalObserver<BinaryTraversalRecorder>);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

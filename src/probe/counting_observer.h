@@ -3,7 +3,7 @@
 #include "trace/path_observer.h"
 #include "trace/shadow_ray.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// Counts what a walk through the binary tree does.
 struct TraversalCounter {
@@ -14,22 +14,23 @@ struct TraversalCounter {
     void tested(std::uint32_t, bool) { ++tests; }
     static void waits(std::uint32_t) {}
 };
-static_assert(TraversalObserver<TraversalCounter>);
+static_assert(bvh::TraversalObserver<TraversalCounter>);
 
 /// The walk of walkToAnyHit(), watched: it enters a box that is hit, says which children wait, and ends at
 /// the first hit.
-template <TraversalObserver O>
-bool anyHitWatched(const BinaryTree& tree, const AccelInput& input, const Ray& ray, O& observer, Hit& hit) {
-    if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
-    const RayQuery query(ray);
-    const IndexedPrimitives primitives{input, tree.primitives};
-    std::uint32_t stack[kMaxTreeLevel + 1] = {0};
+template <bvh::TraversalObserver O>
+bool anyHitWatched(const bvh::BinaryTree& tree, const AccelInput& input, const Ray& ray, O& observer,
+                   Hit& hit) {
+    if (tree.nodes.empty() || !bvh::RayQuery::isTraceable(ray)) return false;
+    const bvh::RayQuery query(ray);
+    const bvh::IndexedPrimitives primitives{input, tree.primitives};
+    std::uint32_t stack[bvh::kMaxTreeLevel + 1] = {0};
     int waiting = 1;
     float entry;
     while (waiting > 0) {
         const std::uint32_t number = stack[--waiting];
-        const BinaryNode& node = tree.nodes[number];
-        if (!intersectBox(planes(node), query.box, query.box.tMax, entry)) {
+        const bvh::BinaryNode& node = tree.nodes[number];
+        if (!bvh::intersectBox(bvh::planes(node), query.box, query.box.tMax, entry)) {
             observer.missed(number);
             continue;
         }
@@ -56,13 +57,13 @@ bool anyHitWatched(const BinaryTree& tree, const AccelInput& input, const Ray& r
 /// shadow ray counts as far as its first surface.
 class CountingObserver {
   public:
-    CountingObserver(const World& world, float time) : world_(world), time_(time) {}
+    CountingObserver(const trace::World& world, float time) : world_(world), time_(time) {}
 
-    void segment(const Segment& segment) { ray_ = segment.ray; }
-    void hit(const Interaction&) { countClosest(ray_); }
-    void lightSampled(const LightConnection& light, const glm::dvec3&);
+    void segment(const trace::Segment& segment) { ray_ = segment.ray; }
+    void hit(const trace::Interaction&) { countClosest(ray_); }
+    void lightSampled(const trace::LightConnection& light, const glm::dvec3&);
     static void added(const glm::dvec3&) {}
-    void ended(const Segment& segment, RayEnd why) {
+    void ended(const trace::Segment& segment, RayEnd why) {
         if (why == RayEnd::Missed) countClosest(segment.ray);
     }
 
@@ -73,10 +74,10 @@ class CountingObserver {
     void inEachBody(const Ray& ray, Count&& count);
     void countClosest(const Ray& ray);
 
-    const World& world_;
+    const trace::World& world_;
     float time_;
     Ray ray_;
     TraversalCounter counter_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -9,7 +9,7 @@
 
 #include "probe/explain_parts.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 std::string_view nameOf(Symptom symptom) {
     constexpr std::string_view kNames[] = {"not a number", "black", "bright", "noisy", "slow"};
@@ -46,7 +46,8 @@ std::string toText(const Explanation& why) {
 
 int samplesToExplain(const Settings& settings) { return std::min(settings.spp, 64); }
 
-std::vector<Explanation> explainPixel(const World& world, std::uint64_t seed, int x, int y, int samples) {
+std::vector<Explanation> explainPixel(const trace::World& world, std::uint64_t seed, int x, int y,
+                                      int samples) {
     const PixelEvidence pixel = gatherEvidence(world, seed, x, y, samples);
     std::vector<Explanation> all;
     const auto add = [&](std::optional<Explanation> found) {
@@ -62,4 +63,4 @@ std::vector<Explanation> explainPixel(const World& world, std::uint64_t seed, in
     return all;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::probe {
 
 enum class Symptom { NotFinite, Black, Bright, Noisy, Slow };
 
@@ -50,6 +50,7 @@ int samplesToExplain(const Settings& settings);
 
 /// What stands out about the pixel in its first `samples` samples, the worst first; nothing if it is
 /// ordinary. Says "unknown" rather than guess.
-std::vector<Explanation> explainPixel(const World& world, std::uint64_t seed, int x, int y, int samples);
+std::vector<Explanation> explainPixel(const trace::World& world, std::uint64_t seed, int x, int y,
+                                      int samples);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

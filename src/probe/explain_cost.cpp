@@ -9,7 +9,7 @@
 #include "probe/explain_parts.h"
 #include "render/film.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -63,7 +63,7 @@ struct Typical {
 /// Medians over places all over the picture, of its first sample each.
 Typical typicalCosts(const PixelEvidence& pixel) {
     constexpr int kPlaces = 7;
-    const World& world = pixel.world;
+    const trace::World& world = pixel.world;
     std::vector<double> nodes, tests, rays;
     for (int i = 0; i < kPlaces * kPlaces; ++i) {
         const int x = (2 * (i % kPlaces) + 1) * world.width / (2 * kPlaces),
@@ -116,7 +116,7 @@ std::optional<Explanation> explainNoisy(const PixelEvidence& pixel) {
     for (const RayTree& tree : pixel.trees) {
         double sums[kWays] = {};
         for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-            sums[wayOf(tree, static_cast<int>(i))] += luminance(tree.nodes[i].contribution);
+            sums[wayOf(tree, static_cast<int>(i))] += render::luminance(tree.nodes[i].contribution);
         for (int way = 0; way < kWays; ++way) byWay[way].push_back(sums[way]);
     }
     double most = 0.0;
@@ -186,4 +186,4 @@ std::optional<Explanation> explainSlow(const PixelEvidence& pixel) {
     return why;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -8,7 +8,7 @@
 #include "probe/names.h"
 #include "render/film.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -62,7 +62,7 @@ std::string blockerOf(const PixelEvidence& pixel, const Evidence& evidence) {
 bool reflectsNothing(const PixelEvidence& pixel, const Evidence& evidence) {
     const RayNode& node =
         pixel.trees[static_cast<std::size_t>(evidence.sample)].nodes[static_cast<std::size_t>(evidence.node)];
-    const SurfaceMaterial& material = pixel.world.materials[static_cast<std::size_t>(node.material)];
+    const trace::SurfaceMaterial& material = pixel.world.materials[static_cast<std::size_t>(node.material)];
     return node.kd == Rgb(0.0f) && material.ks == glm::dvec3(0.0);
 }
 
@@ -127,10 +127,10 @@ std::optional<Explanation> explainBright(const PixelEvidence& pixel) {
     double all = 0.0;
     for (std::size_t sample = 0; sample < pixel.trees.size(); ++sample) {
         const RayTree& tree = pixel.trees[sample];
-        all += luminance(tree.radiance);
+        all += render::luminance(tree.radiance);
         for (std::size_t i = 0; i < tree.shadowRays.size(); ++i) {
             const auto light = static_cast<std::size_t>(tree.shadowRays[i].light);
-            const double adds = luminance(tree.shadowRays[i].contribution);
+            const double adds = render::luminance(tree.shadowRays[i].contribution);
             byLight[light] += adds;
             if (adds <= most[light]) continue;
             most[light] = adds;
@@ -152,4 +152,4 @@ std::optional<Explanation> explainBright(const PixelEvidence& pixel) {
         {strongest[best]}};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

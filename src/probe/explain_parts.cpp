@@ -12,26 +12,26 @@
 #include "probe/traversal_log.h"
 #include "probe/tree_index.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
-PixelEvidence gatherEvidence(const World& world, std::uint64_t seed, int x, int y, int samples) {
+PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples) {
     PixelEvidence pixel{world, seed, {}, {}};
     std::vector<RgbSum> values;
     for (int index = 0; index < samples; ++index) {
-        pixel.trees.push_back(probe(world, seed, {x, y, index}));
+        pixel.trees.push_back(probeSample(world, seed, {x, y, index}));
         values.push_back(pixel.trees.back().radiance);
     }
     pixel.statistics = statisticsOf(values);
     return pixel;
 }
 
-std::string placeOf(const World& world, std::uint32_t primitive) {
-    const PrimitiveName name = world.nameOf(primitive);
+std::string placeOf(const trace::World& world, std::uint32_t primitive) {
+    const trace::PrimitiveName name = world.nameOf(primitive);
     const std::string object = objectName(world, static_cast<int>(name.range->object));
     return name.range->mesh ? fmt::format("triangle {} of {}", name.inObject, object) : object;
 }
 
-double normalDeviation(const World& world, const RayNode& node, float time) {
+double normalDeviation(const trace::World& world, const RayNode& node, float time) {
     const auto normals = vertexNormalsOf(world, node, time);
     if (!normals || !world.settings.normalInterpolation) return 0.0;
     const glm::dvec3 a(normals->position[0]), b(normals->position[1]), c(normals->position[2]);
@@ -68,9 +68,9 @@ std::array<glm::vec3, 3> cornersOf(const AccelInput& input, std::uint32_t primit
 
 }  // namespace
 
-std::uint32_t duplicateOnTheWay(const World& world, const Ray& ray, float time) {
+std::uint32_t duplicateOnTheWay(const trace::World& world, const Ray& ray, float time) {
     for (const TraversalLog& log : recordClosestHit(world, ray, time)) {
-        const Body& body = world.bodies[log.body];
+        const trace::Body& body = world.bodies[log.body];
         std::vector<std::uint32_t> met;  // duplicates need not share a leaf
         for (const TraversalBox& box : log.boxes) {
             if (!box.leaf) continue;
@@ -126,4 +126,4 @@ std::optional<Explanation> explainNotFinite(const PixelEvidence& pixel) {
     return std::nullopt;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

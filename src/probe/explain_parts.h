@@ -6,16 +6,16 @@
 #include "probe/pixel_samples.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// The samples of a pixel with everything that is asked of them more than once.
 struct PixelEvidence {
-    const World& world;
+    const trace::World& world;
     std::uint64_t seed;
     std::vector<RayTree> trees;
     SampleStatistics statistics;
 };
-PixelEvidence gatherEvidence(const World& world, std::uint64_t seed, int x, int y, int samples);
+PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples);
 
 std::optional<Explanation> explainNotFinite(const PixelEvidence& pixel);
 std::optional<Explanation> explainBlack(const PixelEvidence& pixel);
@@ -24,12 +24,12 @@ std::optional<Explanation> explainNoisy(const PixelEvidence& pixel);
 std::optional<Explanation> explainSlow(const PixelEvidence& pixel);
 
 /// "triangle 7 of mesh 0 'box'".
-std::string placeOf(const World& world, std::uint32_t primitive);
+std::string placeOf(const trace::World& world, std::uint32_t primitive);
 /// The largest angle, in degrees, between the normals that a triangle's vertices have and its own; 0 without
 /// normals. NaN if a normal is not a number.
-double normalDeviation(const World& world, const RayNode& node, float time);
+double normalDeviation(const trace::World& world, const RayNode& node, float time);
 /// A primitive in a leaf that the ray searches which lies exactly where another one does; kNoPrimitive if
 /// there is none.
-std::uint32_t duplicateOnTheWay(const World& world, const Ray& ray, float time);
+std::uint32_t duplicateOnTheWay(const trace::World& world, const Ray& ray, float time);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

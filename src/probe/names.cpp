@@ -4,7 +4,7 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 std::string_view nameOf(RayKind kind) {
     constexpr std::string_view names[] = {"camera", "reflection", "glossy", "transparent"};
@@ -27,7 +27,7 @@ std::string_view nameOf(TraversalEvent event) {
     return names[static_cast<int>(event)];
 }
 
-std::string objectName(const World& world, int object) {
+std::string objectName(const trace::World& world, int object) {
     const SceneDescription& scene = *world.description;
     const auto index = static_cast<std::size_t>(object);
     if (index < scene.meshes.size()) return fmt::format("mesh {} '{}'", index, scene.meshes[index].name);
@@ -35,4 +35,4 @@ std::string objectName(const World& world, int object) {
     return fmt::format("sphere {} '{}'", sphere, scene.spheres[sphere].name);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

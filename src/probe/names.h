@@ -5,7 +5,7 @@
 
 #include "probe/traversal_log.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 std::string_view nameOf(RayKind kind);
 std::string_view nameOf(RayEnd end);
@@ -13,6 +13,6 @@ std::string_view nameOf(Visibility visibility);
 std::string_view nameOf(TraversalEvent event);
 
 /// "mesh 0 'dragon'" or "sphere 2", as the scene calls the object with this number.
-std::string objectName(const World& world, int object);
+std::string objectName(const trace::World& world, int object);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

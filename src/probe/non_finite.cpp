@@ -6,7 +6,7 @@
 
 #include "probe/names.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -19,7 +19,7 @@ bool fitsFloat(const RgbSum& v) { return isFinite(Rgb(v)); }
 
 std::string text(const RgbSum& v) { return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z); }
 
-std::string placeOf(const RayNode& node, std::size_t index, const World& world) {
+std::string placeOf(const RayNode& node, std::size_t index, const trace::World& world) {
     const std::string ray = fmt::format("{} ray {}", nameOf(node.kind), index);
     return node.object >= 0 ? fmt::format("where {} meets {}", ray, objectName(world, node.object))
                             : "on " + ray;
@@ -44,7 +44,7 @@ std::string wrongWith(const ShadowRay& ray) {
 
 }  // namespace
 
-std::string causeOfNonFinite(const RayTree& tree, const World& world) {
+std::string causeOfNonFinite(const RayTree& tree, const trace::World& world) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const RayNode& node = tree.nodes[i];
         std::string wrong = wrongWith(node);
@@ -62,4 +62,4 @@ std::string causeOfNonFinite(const RayTree& tree, const World& world) {
     return {};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

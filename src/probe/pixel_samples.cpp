@@ -6,7 +6,7 @@
 #include "render/film.h"
 #include "trace/radiance.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -18,12 +18,12 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
-PixelSamples replayPixel(const World& world, std::uint64_t seed, int x, int y, int count) {
+PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count) {
     PixelSamples samples;
-    NullObserver silent;
+    trace::NullObserver silent;
     for (int index = 0; index < count; ++index) {
         const SampleName name{x, y, index};
-        const SampleResult result = radiance(world, seed, name, silent);
+        const trace::SampleResult result = trace::radiance(world, seed, name, silent);
         samples.values.push_back(result.radiance);
         samples.rays.push_back(static_cast<std::uint32_t>(result.rays));
         samples.positions.push_back(samplePosition(world, seed, name) - glm::dvec2(x, y));
@@ -40,7 +40,7 @@ SampleStatistics statisticsOf(const std::vector<RgbSum>& values) {
     double squares = 0.0;
     // Welford's updates: no difference of large sums.
     for (const RgbSum& value : values) {
-        const double x = luminance(value), before = s.mean;
+        const double x = render::luminance(value), before = s.mean;
         s.luminance.push_back(x);
         s.mean += (x - before) / static_cast<double>(s.luminance.size());
         squares += (x - before) * (x - s.mean);
@@ -57,4 +57,4 @@ SampleStatistics statisticsOf(const std::vector<RgbSum>& values) {
     return s;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

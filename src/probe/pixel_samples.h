@@ -2,7 +2,7 @@
 #include <rayscope/probe.h>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// The first samples of a pixel, replayed.
 struct PixelSamples {
@@ -10,7 +10,7 @@ struct PixelSamples {
     std::vector<glm::dvec2> positions;  ///< within the pixel, 0 … 1, y downwards
     std::vector<std::uint32_t> rays;    ///< traced for each
 };
-PixelSamples replayPixel(const World& world, std::uint64_t seed, int x, int y, int count);
+PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count);
 
 /// Luminances of samples and what they say about each other.
 struct SampleStatistics {
@@ -23,4 +23,4 @@ struct SampleStatistics {
 };
 SampleStatistics statisticsOf(const std::vector<RgbSum>& values);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -6,7 +6,7 @@
 #include "probe/names.h"
 #include "probe/traversal_log.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -80,19 +80,19 @@ std::string toJson(const TraversalLog& log) {
         advance(state, step);
         nlohmann::json entry = {{"event", nameOf(step.event)},
                                 {isBoxEvent(step.event) ? "box" : "primitive", step.number},
-                                {"t", numberOrNull(step.t)},
-                                {"closest_so_far", numberOrNull(state.bound)},
+                                {"t", base::numberOrNull(step.t)},
+                                {"closest_so_far", base::numberOrNull(state.bound)},
                                 {"stack", nlohmann::json::array()}};
         for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
-            entry["stack"].push_back({{"box", waiting->box}, {"t", numberOrNull(waiting->t)}});
+            entry["stack"].push_back({{"box", waiting->box}, {"t", base::numberOrNull(waiting->t)}});
         j["steps"].push_back(std::move(entry));
     }
     if (log.hit.primitive != kNoPrimitive)
         j["hit"] = {{"primitive", log.hit.primitive},
-                    {"t", numberOrNull(log.hit.t)},
+                    {"t", base::numberOrNull(log.hit.t)},
                     {"u", log.hit.u},
                     {"v", log.hit.v}};
     return j.dump(2) + "\n";
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -20,34 +20,35 @@ nlohmann::json json(const V& v) {
     return nlohmann::json::array({v.x, v.y, v.z});
 }
 
-std::string describe(const RayNode& node, const World& world) {
-    std::string line = fmt::format("{} ray, throughput {}", nameOf(node.kind), text(node.throughput));
-    if (!node.hit) return line + fmt::format(": {}, adds {}", nameOf(node.end), text(node.contribution));
-    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+std::string describe(const RayNode& node, const trace::World& world) {
+    std::string line = fmt::format("{} ray, throughput {}", probe::nameOf(node.kind), text(node.throughput));
+    if (!node.hit)
+        return line + fmt::format(": {}, adds {}", probe::nameOf(node.end), text(node.contribution));
+    const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
     return line +
            fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}', normal {}, adds {}, {}",
-                       node.primitiveHit.t, objectName(world, node.object),
+                       node.primitiveHit.t, probe::objectName(world, node.object),
                        name.range->mesh ? "triangle" : "number", name.inObject, node.primitiveHit.u,
                        node.primitiveHit.v,
                        world.description->materials[static_cast<std::size_t>(node.material)].name,
-                       text(node.normal), text(node.contribution), nameOf(node.end));
+                       text(node.normal), text(node.contribution), probe::nameOf(node.end));
 }
 
-nlohmann::json nodeJson(const RayNode& node, const World& world) {
+nlohmann::json nodeJson(const RayNode& node, const trace::World& world) {
     nlohmann::json j = {{"parent", node.parent},
-                        {"kind", nameOf(node.kind)},
+                        {"kind", probe::nameOf(node.kind)},
                         {"depth", node.depth},
                         {"origin", json(node.ray.origin)},
                         {"direction", json(node.ray.direction)},
                         {"throughput", json(node.throughput)},
                         {"contribution", json(node.contribution)},
-                        {"end", nameOf(node.end)},
+                        {"end", probe::nameOf(node.end)},
                         {"hit", nullptr}};
     if (!node.hit) return j;
-    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
     j["hit"] = {{"t", node.primitiveHit.t},
                 {"primitive", node.primitiveHit.primitive},
-                {"object", objectName(world, node.object)},
+                {"object", probe::objectName(world, node.object)},
                 {"triangle", name.inObject},
                 {"u", node.primitiveHit.u},
                 {"v", node.primitiveHit.v},
@@ -76,7 +77,7 @@ glm::vec3 endOf(const RayNode& node, float missLength) {
 
 }  // namespace
 
-std::string toText(const RayTree& tree, const World& world) {
+std::string toText(const RayTree& tree, const trace::World& world) {
     std::string out = fmt::format("pixel {},{} sample {}: radiance {}\n", tree.name.x, tree.name.y,
                                   tree.name.index, text(tree.radiance));
     // Shadow rays are recorded in the order of the nodes they belong to.
@@ -91,13 +92,13 @@ std::string toText(const RayTree& tree, const World& world) {
              ++shadow) {
             const ShadowRay& ray = tree.shadowRays[shadow];
             out += fmt::format("{}  light {} sample {} at {}: {}, adds {}\n", indent, ray.light, ray.sample,
-                               text(ray.to), nameOf(ray.visibility), text(ray.contribution));
+                               text(ray.to), probe::nameOf(ray.visibility), text(ray.contribution));
         }
     }
     return out;
 }
 
-std::string toJson(const RayTree& tree, const World& world) {
+std::string toJson(const RayTree& tree, const trace::World& world) {
     nlohmann::json j = {{"pixel", {tree.name.x, tree.name.y}},
                         {"sample", tree.name.index},
                         {"radiance", json(tree.radiance)},
@@ -111,7 +112,7 @@ std::string toJson(const RayTree& tree, const World& world) {
                                     {"from", json(ray.from)},
                                     {"to", json(ray.to)},
                                     {"color", json(ray.color)},
-                                    {"visibility", nameOf(ray.visibility)},
+                                    {"visibility", probe::nameOf(ray.visibility)},
                                     {"contribution", json(ray.contribution)}});
     return j.dump(2) + "\n";
 }
@@ -128,8 +129,9 @@ std::string toObj(const RayTree& tree, float missLength) {
         vertices += 2;
     };
     for (const RayNode& node : tree.nodes)
-        line(node.hit ? nameOf(node.kind) : nameOf(node.end), node.ray.origin, endOf(node, missLength));
-    for (const ShadowRay& ray : tree.shadowRays) line(nameOf(ray.visibility), ray.from, ray.to);
+        line(node.hit ? probe::nameOf(node.kind) : probe::nameOf(node.end), node.ray.origin,
+             endOf(node, missLength));
+    for (const ShadowRay& ray : tree.shadowRays) line(probe::nameOf(ray.visibility), ray.from, ray.to);
     return out;
 }
 

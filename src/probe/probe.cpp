@@ -7,7 +7,7 @@ namespace rayscope {
 
 namespace {
 
-SampleStream streamOf(const World& world, std::uint64_t seed, SampleName name) {
+sampling::SampleStream streamOf(const trace::World& world, std::uint64_t seed, SampleName name) {
     return {world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp};
 }
 
@@ -21,12 +21,12 @@ RgbSum dividedBy(const RgbSum& value, const RgbSum& factor) {
 
 }  // namespace
 
-RayTree probe(const World& world, std::uint64_t seed, SampleName name) {
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleName name) {
     RayTree tree;
     tree.name = name;
-    if (world.moves) tree.time = streamOf(world, seed, name).get1D(Dim::Time);
-    RayTreeRecorder recorder(tree, world);
-    tree.radiance = radiance(world, seed, name, recorder).radiance;
+    if (world.moves) tree.time = streamOf(world, seed, name).get1D(sampling::Dim::Time);
+    probe::RayTreeRecorder recorder(tree, world);
+    tree.radiance = trace::radiance(world, seed, name, recorder).radiance;
     return tree;
 }
 
@@ -46,8 +46,8 @@ RgbSum surfaceColor(const RayNode& node) {
     return dividedBy(node.contribution, node.throughput * (node.hit ? node.opacity : 1.0));
 }
 
-glm::dvec2 samplePosition(const World& world, std::uint64_t seed, SampleName name) {
-    return glm::dvec2(name.x, name.y) + glm::dvec2(streamOf(world, seed, name).get2D(Dim::Pixel));
+glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleName name) {
+    return glm::dvec2(name.x, name.y) + glm::dvec2(streamOf(world, seed, name).get2D(sampling::Dim::Pixel));
 }
 
 }  // namespace rayscope

@@ -4,14 +4,14 @@
 #include "trace/path_observer.h"
 #include "trace/shadow_ray.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// Writes down everything that happens while a sample is traced.
 class RayTreeRecorder {
   public:
-    RayTreeRecorder(RayTree& tree, const World& world) : tree_(tree), world_(world) {}
+    RayTreeRecorder(RayTree& tree, const trace::World& world) : tree_(tree), world_(world) {}
 
-    void segment(const Segment& segment) {
+    void segment(const trace::Segment& segment) {
         RayNode node;
         node.kind = segment.kind;
         node.depth = segment.depth;
@@ -22,7 +22,7 @@ class RayTreeRecorder {
         latestAtDepth_.back() = static_cast<int>(tree_.nodes.size());
         tree_.nodes.push_back(node);
     }
-    void hit(const Interaction& at) {
+    void hit(const trace::Interaction& at) {
         RayNode& node = tree_.nodes.back();
         node.hit = true;
         node.primitiveHit = at.hit;
@@ -35,14 +35,14 @@ class RayTreeRecorder {
         node.normal = glm::vec3(at.normal);
         node.kd = Rgb(at.kd);
     }
-    void lightSampled(const LightConnection& light, const glm::dvec3& value) {
+    void lightSampled(const trace::LightConnection& light, const glm::dvec3& value) {
         ShadowRay ray;
         ray.node = static_cast<int>(tree_.nodes.size()) - 1;
         ray.light = light.light;
         ray.sample = light.sample;
         ray.from = light.from;
         ray.to = glm::vec3(light.at.position);
-        ray.ray = shadowRay(light.from, light.at.position);
+        ray.ray = trace::shadowRay(light.from, light.at.position);
         ray.color = Rgb(light.at.color);
         ray.visibility = light.visibility;
         ray.contribution = value;
@@ -52,22 +52,22 @@ class RayTreeRecorder {
         tree_.nodes.back().contribution += value;
         tree_.addends.push_back(value);
     }
-    void ended(const Segment& segment, RayEnd why) {
+    void ended(const trace::Segment& segment, RayEnd why) {
         tree_.nodes[static_cast<std::size_t>(latestAtDepth_[static_cast<std::size_t>(segment.depth)])].end =
             why;
     }
 
   private:
-    int parentOf(const Segment& segment) const {
+    int parentOf(const trace::Segment& segment) const {
         if (segment.kind == RayKind::Camera) return -1;
         const int depth = segment.kind == RayKind::Transparent ? segment.depth : segment.depth - 1;
         return latestAtDepth_[static_cast<std::size_t>(depth)];
     }
 
     RayTree& tree_;
-    const World& world_;
+    const trace::World& world_;
     std::vector<int> latestAtDepth_;
 };
-static_assert(PathObserver<RayTreeRecorder>);
+static_assert(trace::PathObserver<RayTreeRecorder>);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

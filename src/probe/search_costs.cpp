@@ -5,9 +5,9 @@
 
 #include "probe/counting_observer.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
-ViewRays raysOfView(const World& world, std::uint64_t seed, std::size_t body, int columns, int rows) {
+ViewRays raysOfView(const trace::World& world, std::uint64_t seed, std::size_t body, int columns, int rows) {
     ViewRays rays;
     columns = std::min(columns, world.width);
     rows = std::min(rows, world.height);
@@ -20,7 +20,7 @@ ViewRays raysOfView(const World& world, std::uint64_t seed, std::size_t body, in
         for (int column = 0; column < columns; ++column) {
             const int x = (2 * column + 1) * world.width / (2 * columns),
                       y = (2 * row + 1) * world.height / (2 * rows);
-            const RayTree tree = probe(world, seed, {x, y, 0});
+            const RayTree tree = probeSample(world, seed, {x, y, 0});
             for (const RayNode& node : tree.nodes) rays.closest.push_back(atRest(node.ray, tree.time));
             for (const ShadowRay& shadow : tree.shadowRays)
                 if (shadow.visibility != Visibility::FacingAway)
@@ -29,13 +29,13 @@ ViewRays raysOfView(const World& world, std::uint64_t seed, std::size_t body, in
     return rays;
 }
 
-SearchCosts searchCosts(const BinaryTree& tree, const AccelInput& input, const ViewRays& rays) {
+SearchCosts searchCosts(const bvh::BinaryTree& tree, const AccelInput& input, const ViewRays& rays) {
     TraversalCounter counter;
     Hit hit;
-    for (const Ray& ray : rays.closest) closestHit(tree, input, ray, hit, counter);
+    for (const Ray& ray : rays.closest) bvh::closestHit(tree, input, ray, hit, counter);
     for (const Ray& ray : rays.any) anyHitWatched(tree, input, ray, counter, hit);
     const double count = static_cast<double>(std::max<std::size_t>(rays.count(), 1));
     return {static_cast<double>(counter.nodes) / count, static_cast<double>(counter.tests) / count};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -7,7 +7,7 @@
 #include "bvh/binary_tree.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// The rays that the first sample of some pixels sends out, in the frame in which a body rests.
 struct ViewRays {
@@ -16,13 +16,13 @@ struct ViewRays {
 };
 
 /// Of at most columns × rows pixels, spread evenly over the picture.
-ViewRays raysOfView(const World& world, std::uint64_t seed, std::size_t body, int columns, int rows);
+ViewRays raysOfView(const trace::World& world, std::uint64_t seed, std::size_t body, int columns, int rows);
 
 /// Per ray.
 struct SearchCosts {
     double nodes = 0.0;  ///< boxes entered
     double tests = 0.0;  ///< primitives tested
 };
-SearchCosts searchCosts(const BinaryTree& tree, const AccelInput& input, const ViewRays& rays);
+SearchCosts searchCosts(const bvh::BinaryTree& tree, const AccelInput& input, const ViewRays& rays);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -7,7 +7,7 @@
 #include "bvh/intersect/ray_query.h"
 #include "bvh/layout/statistics.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -34,12 +34,12 @@ struct Item {
 };
 
 Item itemOf(const AccelInput& input, std::uint32_t primitive) {
-    PrimitiveBox planes;
+    bvh::PrimitiveBox planes;
     if (primitive >= input.triangles.size()) {
-        planes = boxOf(input.spheres[primitive - input.triangles.size()]);
+        planes = bvh::boxOf(input.spheres[primitive - input.triangles.size()]);
     } else {
         const glm::uvec3& corner = input.triangles[primitive];
-        planes = boxOf(input.vertices[corner.x], input.vertices[corner.y], input.vertices[corner.z]);
+        planes = bvh::boxOf(input.vertices[corner.x], input.vertices[corner.y], input.vertices[corner.z]);
     }
     const float* p = planes.planes;
     const glm::vec3 lower(p[0], p[1], p[2]), upper(p[4], p[5], p[6]);
@@ -48,10 +48,11 @@ Item itemOf(const AccelInput& input, std::uint32_t primitive) {
 
 /// Goes through them without storing them: a root may have millions.
 template <class Visit>
-void forEachBelow(const BinaryTree& tree, const AccelInput& input, std::uint32_t node, const Visit& visit) {
+void forEachBelow(const bvh::BinaryTree& tree, const AccelInput& input, std::uint32_t node,
+                  const Visit& visit) {
     std::vector<std::uint32_t> open{node};
     while (!open.empty()) {
-        const BinaryNode& n = tree.nodes[open.back()];
+        const bvh::BinaryNode& n = tree.nodes[open.back()];
         open.pop_back();
         if (!n.isLeaf()) open.insert(open.end(), {n.first, n.first + 1});
         for (std::uint32_t slot = n.first; n.isLeaf() && slot < n.first + n.count; ++slot)
@@ -118,15 +119,16 @@ std::vector<SplitCurve::Plane> planesOf(const AxisBins& along, std::uint32_t all
         const bool isSplit = before > 0 && before < all && area > 0.0;
         const double place =
             static_cast<double>(along.lowest) + static_cast<double>(i) / static_cast<double>(along.perUnit);
-        planes.push_back(
-            {place, isSplit ? kTraversalCost + kIntersectionCost * weighed / area : kNoCost, before});
+        planes.push_back({place,
+                          isSplit ? bvh::kTraversalCost + bvh::kIntersectionCost * weighed / area : kNoCost,
+                          before});
     }
     return planes;
 }
 
 }  // namespace
 
-SplitCurve splitCurve(const BinaryTree& tree, const AccelInput& input, std::uint32_t node, int bins) {
+SplitCurve splitCurve(const bvh::BinaryTree& tree, const AccelInput& input, std::uint32_t node, int bins) {
     Whole whole;
     forEachBelow(tree, input, node, [&](const Item& item) { whole.add(item); });
     AxisBins along[] = {{whole, 0, bins}, {whole, 1, bins}, {whole, 2, bins}};
@@ -136,7 +138,7 @@ SplitCurve splitCurve(const BinaryTree& tree, const AccelInput& input, std::uint
     const double area = whole.box.halfArea();
     SplitCurve curve;
     curve.primitives = whole.count;
-    curve.leafCost = kIntersectionCost * static_cast<double>(whole.count);
+    curve.leafCost = bvh::kIntersectionCost * static_cast<double>(whole.count);
     curve.made = kNoCost;
     for (const AxisBins& axis : along)
         curve.axes[static_cast<std::size_t>(axis.axis)] = planesOf(axis, whole.count, area);
@@ -147,8 +149,8 @@ SplitCurve splitCurve(const BinaryTree& tree, const AccelInput& input, std::uint
         forEachBelow(tree, input, child, [&](const Item& item) { some.add(item); });
         weighed += some.box.halfArea() * some.count;
     }
-    curve.made = kTraversalCost + kIntersectionCost * weighed / area;
+    curve.made = bvh::kTraversalCost + bvh::kIntersectionCost * weighed / area;
     return curve;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -7,7 +7,7 @@
 #include <rayscope/accel.h>
 #include "bvh/binary_tree.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// The surface area heuristic over the planes that a binned builder tries. Costs are those of a line that
 /// meets the node's box, with leaves below (MacDonald, Booth 1990): kTraversalCost + kIntersectionCost ·
@@ -26,6 +26,6 @@ struct SplitCurve {
 };
 
 /// Of the primitives below `node`, with `bins` ≥ 2 per axis.
-SplitCurve splitCurve(const BinaryTree& tree, const AccelInput& input, std::uint32_t node, int bins);
+SplitCurve splitCurve(const bvh::BinaryTree& tree, const AccelInput& input, std::uint32_t node, int bins);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

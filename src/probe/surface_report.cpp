@@ -7,7 +7,7 @@
 #include "math/frame.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
@@ -36,11 +36,11 @@ std::vector<glm::dvec2> apertureOutline(LensShape shape) {
 
 }  // namespace
 
-std::optional<VertexNormals> vertexNormalsOf(const World& world, const RayNode& node, float time) {
+std::optional<VertexNormals> vertexNormalsOf(const trace::World& world, const RayNode& node, float time) {
     if (!node.hit) return std::nullopt;
-    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
     if (name.range->mesh == nullptr || name.range->mesh->normals.empty()) return std::nullopt;
-    const Geometry& geometry = *name.body->geometry;
+    const trace::Geometry& geometry = *name.body->geometry;
     const glm::uvec3 corner = geometry.input.triangles[name.inBody];
     const glm::uvec3 index = name.range->mesh->triangles[name.inObject];
     VertexNormals result;
@@ -58,15 +58,15 @@ std::optional<VertexNormals> vertexNormalsOf(const World& world, const RayNode& 
     return result;
 }
 
-std::optional<TexelQuad> texelsOf(const World& world, const RayNode& node) {
+std::optional<TexelQuad> texelsOf(const trace::World& world, const RayNode& node) {
     if (!node.hit) return std::nullopt;
-    const MipTexture* texture = world.materials[static_cast<std::size_t>(node.material)].texture;
-    const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+    const shading::MipTexture* texture = world.materials[static_cast<std::size_t>(node.material)].texture;
+    const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
     if (texture == nullptr || name.range->mesh == nullptr || name.range->mesh->texCoords.empty())
         return std::nullopt;
     const RgbImage& image = texture->source()->image;
-    const BilinearTap tap =
-        bilinearTap(image.width, image.height, glm::dvec2(node.uv), texture->source()->wrap);
+    const shading::BilinearTap tap =
+        shading::bilinearTap(image.width, image.height, glm::dvec2(node.uv), texture->source()->wrap);
     TexelQuad quad;
     quad.width = image.width;
     quad.height = image.height;
@@ -88,18 +88,18 @@ std::optional<TexelQuad> texelsOf(const World& world, const RayNode& node) {
     return quad;
 }
 
-std::optional<EnvironmentPoint> environmentOf(const World& world, const RayNode& node) {
+std::optional<EnvironmentPoint> environmentOf(const trace::World& world, const RayNode& node) {
     if (!world.environment || (node.hit && !world.settings.reflectionMap)) return std::nullopt;
     if (!node.hit && node.end != RayEnd::Missed) return std::nullopt;
     EnvironmentPoint point;
     point.direction = node.hit ? mirroredDirection(node) : glm::dvec3(node.ray.direction);
-    point.color = Rgb(lookup(*world.environment, point.direction));
+    point.color = Rgb(shading::lookup(*world.environment, point.direction));
     if (world.environment->equirect) {
         const glm::dvec3& d = point.direction;
         point.s = glm::degrees(std::atan2(d.x, -d.z));
         point.t = glm::degrees(std::atan2(d.y, std::hypot(d.x, d.z)));
     } else {
-        const CubePoint onCube = cubePoint(point.direction);
+        const shading::CubePoint onCube = shading::cubePoint(point.direction);
         point.face = onCube.face;
         point.s = onCube.s;
         point.t = onCube.t;
@@ -121,7 +121,7 @@ std::vector<int> glossySurfaces(const RayTree& tree) {
     return surfaces;
 }
 
-std::optional<GlossySquare> glossySquareOf(const World& world, const RayTree& tree, int number) {
+std::optional<GlossySquare> glossySquareOf(const trace::World& world, const RayTree& tree, int number) {
     const RayNode& node = tree.nodes[static_cast<std::size_t>(number)];
     GlossySquare square;
     for (const RayNode& child : tree.nodes) {
@@ -132,7 +132,7 @@ std::optional<GlossySquare> glossySquareOf(const World& world, const RayTree& tr
     }
     if (square.rays == 0) return std::nullopt;
     const glm::dvec3 direction = mirroredDirection(node);
-    const Frame frame = frameAround(direction);
+    const math::Frame frame = math::frameAround(direction);
     const double shininess =
         std::max(world.materials[static_cast<std::size_t>(node.material)].shininess, 1e-6);
     const double deviation = static_cast<double>(world.settings.glossySigma) / (3.0 * shininess);
@@ -142,8 +142,8 @@ std::optional<GlossySquare> glossySquareOf(const World& world, const RayTree& tr
     return square;
 }
 
-std::optional<LensReport> lensOf(const World& world) {
-    const Camera& camera = world.camera;
+std::optional<LensReport> lensOf(const trace::World& world) {
+    const trace::Camera& camera = world.camera;
     if (!camera.hasLens()) return std::nullopt;
     LensReport lens;
     const glm::dvec2 size(world.width, world.height);
@@ -166,4 +166,4 @@ std::optional<LensReport> lensOf(const World& world) {
     return lens;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -6,7 +6,7 @@
 #include "shading/environment_lookup.h"
 #include "shading/texture_lookup.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// The vertices of the triangle that a ray met and their normals, in world space at the time of the ray.
 struct VertexNormals {
@@ -14,7 +14,7 @@ struct VertexNormals {
     double weight[3];  ///< barycentric, of the point that was hit
 };
 /// Nothing for spheres, misses and meshes without normals.
-std::optional<VertexNormals> vertexNormalsOf(const World& world, const RayNode& node, float time);
+std::optional<VertexNormals> vertexNormalsOf(const trace::World& world, const RayNode& node, float time);
 
 /// The two by two texels around the point that was hit, in the finest level of the texture.
 struct TexelQuad {
@@ -26,7 +26,7 @@ struct TexelQuad {
     Rgb result{0.0f};     ///< the weighted sum
 };
 /// Nothing where no texture was looked up. The mipmap filter may read coarser levels beside these texels.
-std::optional<TexelQuad> texelsOf(const World& world, const RayNode& node);
+std::optional<TexelQuad> texelsOf(const trace::World& world, const RayNode& node);
 
 /// Where a direction meets the environment map.
 struct EnvironmentPoint {
@@ -36,7 +36,7 @@ struct EnvironmentPoint {
     Rgb color{0.0f};
 };
 /// For a ray that missed; and, with the reflection map, for one that hit: along its reflection.
-std::optional<EnvironmentPoint> environmentOf(const World& world, const RayNode& node);
+std::optional<EnvironmentPoint> environmentOf(const trace::World& world, const RayNode& node);
 const char* faceName(int face);
 
 /// The square through which the rays of a glossy reflection go: it stands at distance 0.3 along the mirrored
@@ -48,7 +48,7 @@ struct GlossySquare {
 };
 /// The nodes whose surfaces sent glossy rays.
 std::vector<int> glossySurfaces(const RayTree& tree);
-std::optional<GlossySquare> glossySquareOf(const World& world, const RayTree& tree, int node);
+std::optional<GlossySquare> glossySquareOf(const trace::World& world, const RayTree& tree, int node);
 
 /// The lens of the camera and the planes that it makes sharp.
 struct LensReport {
@@ -58,6 +58,6 @@ struct LensReport {
     std::vector<glm::vec3>
         sharpZone[2];  ///< corners of the picture before and behind it; empty without a zone
 };
-std::optional<LensReport> lensOf(const World& world);
+std::optional<LensReport> lensOf(const trace::World& world);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

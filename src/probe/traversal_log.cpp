@@ -7,11 +7,11 @@
 #include "probe/wide_traversal.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
-TraversalLog startLog(const World& world, std::size_t number, const Ray& ray, float time) {
+TraversalLog startLog(const trace::World& world, std::size_t number, const Ray& ray, float time) {
     TraversalLog log;
     log.body = number;
     log.ray = ray;
@@ -25,25 +25,25 @@ TraversalLog startLog(const World& world, std::size_t number, const Ray& ray, fl
 }
 
 /// Records the search through one body; false if it has no tree of this layout.
-bool searchBody(const Body& body, const World& world, TraversalLog& log) {
-    if (!world.settings.bvh || !body.accel || !RayQuery::isTraceable(log.ray)) return false;
+bool searchBody(const trace::Body& body, const trace::World& world, TraversalLog& log) {
+    if (!world.settings.bvh || !body.accel || !bvh::RayQuery::isTraceable(log.ray)) return false;
     if (log.layout == BvhLayout::Wide) {
-        const WideTree* wide = body.accel->wideTree();
+        const bvh::WideTree* wide = body.accel->wideTree();
         if (wide != nullptr) recordWideSearch(*wide, log);
         return wide != nullptr;
     }
-    const BinaryTree* tree = body.accel->binaryTree();
+    const bvh::BinaryTree* tree = body.accel->binaryTree();
     if (tree == nullptr) return false;
     const AccelInput& input = body.geometry->input;
     BinaryTraversalRecorder recorder(log, *tree, input);
     Hit hit;
     const bool found = log.anyHit ? anyHitWatched(*tree, input, log.ray, recorder, hit)
-                                  : closestHit(*tree, input, log.ray, hit, recorder);
+                                  : bvh::closestHit(*tree, input, log.ray, hit, recorder);
     if (found) log.hit = hit;
     return true;
 }
 
-std::vector<TraversalLog> record(const World& world, const Ray& ray, float time, BvhLayout layout,
+std::vector<TraversalLog> record(const trace::World& world, const Ray& ray, float time, BvhLayout layout,
                                  bool anyHit) {
     std::vector<TraversalLog> logs;
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -99,12 +99,14 @@ TraversalState stateAfter(const TraversalLog& log, std::size_t steps) {
     return state;
 }
 
-std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time, BvhLayout layout) {
+std::vector<TraversalLog> recordClosestHit(const trace::World& world, const Ray& ray, float time,
+                                           BvhLayout layout) {
     return record(world, ray, time, layout, false);
 }
 
-std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time, BvhLayout layout) {
+std::vector<TraversalLog> recordAnyHit(const trace::World& world, const Ray& ray, float time,
+                                       BvhLayout layout) {
     return record(world, ray, time, layout, true);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -8,9 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace rayscope {
-
+namespace rayscope::trace {
 class World;
+}
+
+namespace rayscope::probe {
 
 enum class TraversalEvent {
     Entered,  ///< the box is searched now
@@ -74,10 +76,10 @@ TraversalState stateAfter(const TraversalLog& log, std::size_t steps);
 ///
 /// The wide tree is walked by the portable kernel. Kernels of other instruction sets round distances to boxes
 /// otherwise, and may enter a box more or less where a ray passes along its side; their hits are the same.
-std::vector<TraversalLog> recordClosestHit(const World& world, const Ray& ray, float time,
+std::vector<TraversalLog> recordClosestHit(const trace::World& world, const Ray& ray, float time,
                                            BvhLayout layout = BvhLayout::Binary);
 /// The search for any hit, as shadow rays do it; bodies after the first hit are not searched.
-std::vector<TraversalLog> recordAnyHit(const World& world, const Ray& ray, float time,
+std::vector<TraversalLog> recordAnyHit(const trace::World& world, const Ray& ray, float time,
                                        BvhLayout layout = BvhLayout::Binary);
 
 /// "enters node 12".
@@ -88,4 +90,4 @@ std::string summary(const TraversalLog& log);
 std::string toText(const TraversalLog& log);
 std::string toJson(const TraversalLog& log);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

@@ -4,12 +4,12 @@
 
 #include "bvh/layout/statistics.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
 /// All nodes, parents before children and left before right.
-std::vector<std::uint32_t> preorder(const BinaryTree& tree) {
+std::vector<std::uint32_t> preorder(const bvh::BinaryTree& tree) {
     std::vector<std::uint32_t> order, stack;
     if (!tree.nodes.empty()) stack.push_back(0);
     order.reserve(tree.nodes.size());
@@ -17,7 +17,7 @@ std::vector<std::uint32_t> preorder(const BinaryTree& tree) {
         const std::uint32_t number = stack.back();
         stack.pop_back();
         order.push_back(number);
-        const BinaryNode& node = tree.nodes[number];
+        const bvh::BinaryNode& node = tree.nodes[number];
         if (!node.isLeaf()) stack.insert(stack.end(), {node.first + 1, node.first});
     }
     return order;
@@ -29,16 +29,16 @@ std::size_t TreeIndex::leafNumber(std::uint32_t node) const {
     return static_cast<std::size_t>(std::find(leaves.begin(), leaves.end(), node) - leaves.begin());
 }
 
-TreeIndex indexTree(const BinaryTree& tree) {
+TreeIndex indexTree(const bvh::BinaryTree& tree) {
     TreeIndex index;
     const std::size_t count = tree.nodes.size();
-    index.parent.assign(count, kNoNode);
+    index.parent.assign(count, bvh::kNoNode);
     index.level.assign(count, 0);
     index.primitives.assign(count, 0);
     index.cost.assign(count, 0.0);
     const std::vector<std::uint32_t> order = preorder(tree);
     for (const std::uint32_t number : order) {
-        const BinaryNode& node = tree.nodes[number];
+        const bvh::BinaryNode& node = tree.nodes[number];
         if (node.isLeaf()) {
             index.leaves.push_back(number);
             continue;
@@ -49,19 +49,19 @@ TreeIndex indexTree(const BinaryTree& tree) {
         }
     }
     // Sums go from the leaves upwards. If the root has no area, every relative area counts as 1.
-    const bool hasArea = count > 0 && halfArea(tree.nodes[0]) > 0.0;
+    const bool hasArea = count > 0 && bvh::halfArea(tree.nodes[0]) > 0.0;
     for (auto it = order.rbegin(); it != order.rend(); ++it) {
-        const BinaryNode& node = tree.nodes[*it];
+        const bvh::BinaryNode& node = tree.nodes[*it];
         if (node.isLeaf()) {
             index.primitives[*it] = node.count;
-            index.cost[*it] = kIntersectionCost * node.count;
+            index.cost[*it] = bvh::kIntersectionCost * node.count;
             continue;
         }
-        const double area = halfArea(node);
-        double cost = kTraversalCost;
+        const double area = bvh::halfArea(node);
+        double cost = bvh::kTraversalCost;
         for (const std::uint32_t child : {node.first, node.first + 1}) {
             index.primitives[*it] += index.primitives[child];
-            const double share = hasArea && area > 0.0 ? halfArea(tree.nodes[child]) / area : 1.0;
+            const double share = hasArea && area > 0.0 ? bvh::halfArea(tree.nodes[child]) / area : 1.0;
             cost += share * index.cost[child];
         }
         index.cost[*it] = cost;
@@ -69,14 +69,14 @@ TreeIndex indexTree(const BinaryTree& tree) {
     return index;
 }
 
-std::vector<std::uint32_t> nodesAtLevel(const BinaryTree& tree, const TreeIndex& index, int level,
+std::vector<std::uint32_t> nodesAtLevel(const bvh::BinaryTree& tree, const TreeIndex& index, int level,
                                         bool leavesAbove) {
     std::vector<std::uint32_t> nodes, stack;
     if (!tree.nodes.empty()) stack.push_back(0);
     while (!stack.empty()) {
         const std::uint32_t number = stack.back();
         stack.pop_back();
-        const BinaryNode& node = tree.nodes[number];
+        const bvh::BinaryNode& node = tree.nodes[number];
         if (index.level[number] == level || (leavesAbove && node.isLeaf()))
             nodes.push_back(number);
         else if (!node.isLeaf())
@@ -85,40 +85,40 @@ std::vector<std::uint32_t> nodesAtLevel(const BinaryTree& tree, const TreeIndex&
     return nodes;
 }
 
-std::span<const std::uint32_t> primitivesOfLeaf(const BinaryTree& tree, std::uint32_t number) {
-    const BinaryNode& node = tree.nodes[number];
+std::span<const std::uint32_t> primitivesOfLeaf(const bvh::BinaryTree& tree, std::uint32_t number) {
+    const bvh::BinaryNode& node = tree.nodes[number];
     if (!node.isLeaf()) return {};
     return std::span(tree.primitives).subspan(node.first, node.count);
 }
 
-double childOverlap(const BinaryTree& tree, std::uint32_t number) {
-    const BinaryNode& node = tree.nodes[number];
+double childOverlap(const bvh::BinaryTree& tree, std::uint32_t number) {
+    const bvh::BinaryNode& node = tree.nodes[number];
     if (node.isLeaf()) return 0.0;
-    const BinaryNode &left = tree.nodes[node.first], &right = tree.nodes[node.first + 1];
-    BinaryNode shared{};
+    const bvh::BinaryNode &left = tree.nodes[node.first], &right = tree.nodes[node.first + 1];
+    bvh::BinaryNode shared{};
     shared.lower = glm::max(left.lower, right.lower);
     shared.upper = glm::min(left.upper, right.upper);
     const bool meets = glm::all(glm::lessThanEqual(shared.lower, shared.upper));
-    const double area = halfArea(node);
-    return meets && area > 0.0 ? halfArea(shared) / area : 0.0;
+    const double area = bvh::halfArea(node);
+    return meets && area > 0.0 ? bvh::halfArea(shared) / area : 0.0;
 }
 
-LevelComparison compareAtLevel(const BinaryTree& a, const TreeIndex& indexA, const BinaryTree& b,
+LevelComparison compareAtLevel(const bvh::BinaryTree& a, const TreeIndex& indexA, const bvh::BinaryTree& b,
                                const TreeIndex& indexB, int level) {
     LevelComparison result;
-    const BinaryTree* trees[] = {&a, &b};
+    const bvh::BinaryTree* trees[] = {&a, &b};
     const TreeIndex* indices[] = {&indexA, &indexB};
     for (int side = 0; side < 2; ++side) {
-        const BinaryTree& tree = *trees[side];
+        const bvh::BinaryTree& tree = *trees[side];
         if (tree.nodes.empty()) continue;
         result.sahCost[side] = indices[side]->cost[0];
-        const double rootArea = halfArea(tree.nodes[0]);
+        const double rootArea = bvh::halfArea(tree.nodes[0]);
         for (const std::uint32_t node : nodesAtLevel(tree, *indices[side], level, false)) {
             ++result.boxes[side];
-            result.met[side] += rootArea > 0.0 ? halfArea(tree.nodes[node]) / rootArea : 1.0;
+            result.met[side] += rootArea > 0.0 ? bvh::halfArea(tree.nodes[node]) / rootArea : 1.0;
         }
     }
     return result;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

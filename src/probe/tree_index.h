@@ -6,7 +6,7 @@
 
 #include "bvh/binary_tree.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// Facts about all nodes of a tree; every vector but `leaves` is indexed by node.
 struct TreeIndex {
@@ -22,20 +22,20 @@ struct TreeIndex {
     std::size_t leafNumber(std::uint32_t node) const;
 };
 
-TreeIndex indexTree(const BinaryTree& tree);
+TreeIndex indexTree(const bvh::BinaryTree& tree);
 
 /// The nodes of one level, in preorder. With `leavesAbove` the leaves that end higher up, too: together the
 /// boxes then hold every primitive.
-std::vector<std::uint32_t> nodesAtLevel(const BinaryTree& tree, const TreeIndex& index, int level,
+std::vector<std::uint32_t> nodesAtLevel(const bvh::BinaryTree& tree, const TreeIndex& index, int level,
                                         bool leavesAbove);
 
 /// The primitives of a leaf, as in Hit::primitive; none for an inner node.
-std::span<const std::uint32_t> primitivesOfLeaf(const BinaryTree& tree, std::uint32_t node);
+std::span<const std::uint32_t> primitivesOfLeaf(const bvh::BinaryTree& tree, std::uint32_t node);
 
 /// How much the boxes of a node's two children overlap: half the area of what they share, relative to the
 /// node's. 0 for leaves and where nothing is shared; a line that meets the node enters both children at least
 /// this often.
-double childOverlap(const BinaryTree& tree, std::uint32_t node);
+double childOverlap(const bvh::BinaryTree& tree, std::uint32_t node);
 
 /// Two trees over the same primitives, seen at one level.
 struct LevelComparison {
@@ -45,7 +45,7 @@ struct LevelComparison {
     double met[2] = {0.0, 0.0};
     double sahCost[2] = {0.0, 0.0};  ///< of the whole trees
 };
-LevelComparison compareAtLevel(const BinaryTree& a, const TreeIndex& indexA, const BinaryTree& b,
+LevelComparison compareAtLevel(const bvh::BinaryTree& a, const TreeIndex& indexA, const bvh::BinaryTree& b,
                                const TreeIndex& indexB, int level);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

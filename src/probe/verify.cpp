@@ -11,12 +11,12 @@ namespace {
 bool sameBits(const RgbSum& a, const RgbSum& b) { return std::memcmp(&a, &b, sizeof(RgbSum)) == 0; }
 }  // namespace
 
-ReplayVerdict verify(const World& world, const Film& film, std::uint64_t seed, int x, int y) {
+ReplayVerdict verify(const trace::World& world, const render::Film& film, std::uint64_t seed, int x, int y) {
     ReplayVerdict verdict;
     verdict.film = film.sums(x, y, verdict.samples).radiance;
     verdict.addsUp = true;
     for (int index = 0; index < verdict.samples; ++index) {
-        const RayTree tree = probe(world, seed, {x, y, index});
+        const RayTree tree = probeSample(world, seed, {x, y, index});
         RgbSum sum(0.0);
         for (const RgbSum& addend : tree.addends) sum += addend;
         verdict.addsUp = verdict.addsUp && sameBits(sum, tree.radiance);

@@ -10,53 +10,54 @@
 // clang-format on
 #include "bvh/kernel/walk.inl"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 namespace {
 
-using kernel::ChildRef, kernel::HitWords, kernel::Search, kernel::TriangleBlock, kernel::WideNode;
+using bvh::kernel::ChildRef, bvh::kernel::HitWords, bvh::kernel::Search, bvh::kernel::TriangleBlock,
+    bvh::kernel::WideNode;
 
 constexpr float kNoDistance = std::numeric_limits<float>::quiet_NaN();
 
-PrimitiveBox boxOfChild(const WideNode& node, int lane) {
+bvh::PrimitiveBox boxOfChild(const WideNode& node, int lane) {
     const auto& p = node.planes;
     return {{p[0][lane], p[2][lane], p[4][lane], 0.0f, p[1][lane], p[3][lane], p[5][lane], 0.0f}};
 }
 
-glm::vec3 lowerOf(const PrimitiveBox& box) { return {box.planes[0], box.planes[1], box.planes[2]}; }
-glm::vec3 upperOf(const PrimitiveBox& box) { return {box.planes[4], box.planes[5], box.planes[6]}; }
+glm::vec3 lowerOf(const bvh::PrimitiveBox& box) { return {box.planes[0], box.planes[1], box.planes[2]}; }
+glm::vec3 upperOf(const bvh::PrimitiveBox& box) { return {box.planes[4], box.planes[5], box.planes[6]}; }
 
 /// Nodes, and after them blocks and spheres, count from 0.
-std::uint32_t numberOf(const WideTree& tree, ChildRef ref) {
-    if (ref >= kernel::kSphereTag)
-        return static_cast<std::uint32_t>(tree.blocks.size()) + (ref & kernel::kSphereIndexMask);
-    return (ref & kernel::kTagMask) != 0 ? ref & kernel::kBlockIndexMask : ref;
+std::uint32_t numberOf(const bvh::WideTree& tree, ChildRef ref) {
+    if (ref >= bvh::kernel::kSphereTag)
+        return static_cast<std::uint32_t>(tree.blocks.size()) + (ref & bvh::kernel::kSphereIndexMask);
+    return (ref & bvh::kernel::kTagMask) != 0 ? ref & bvh::kernel::kBlockIndexMask : ref;
 }
 
-int trianglesOf(ChildRef block) { return static_cast<int>(kernel::trianglesIn(block)); }
+int trianglesOf(ChildRef block) { return static_cast<int>(bvh::kernel::trianglesIn(block)); }
 
 /// The root's box is stored nowhere: nothing needs it but those who look.
-void findRootBox(const WideTree& tree, TraversalBox& box) {
-    box.lower = glm::vec3(kernel::kInfinity);
+void findRootBox(const bvh::WideTree& tree, TraversalBox& box) {
+    box.lower = glm::vec3(bvh::kernel::kInfinity);
     box.upper = -box.lower;
     const auto include = [&](glm::vec3 lower, glm::vec3 upper) {
         box.lower = glm::min(box.lower, lower);
         box.upper = glm::max(box.upper, upper);
     };
-    if (tree.root >= kernel::kSphereTag) {
-        const float* s = tree.spheres[tree.root & kernel::kSphereIndexMask].sphere;
-        const PrimitiveBox own = boxOf(Sphere{{s[0], s[1], s[2]}, s[3]});
+    if (tree.root >= bvh::kernel::kSphereTag) {
+        const float* s = tree.spheres[tree.root & bvh::kernel::kSphereIndexMask].sphere;
+        const bvh::PrimitiveBox own = bvh::boxOf(Sphere{{s[0], s[1], s[2]}, s[3]});
         include(lowerOf(own), upperOf(own));
-    } else if ((tree.root & kernel::kTagMask) != 0) {
-        const TriangleBlock& block = tree.blocks[tree.root & kernel::kBlockIndexMask];
+    } else if ((tree.root & bvh::kernel::kTagMask) != 0) {
+        const TriangleBlock& block = tree.blocks[tree.root & bvh::kernel::kBlockIndexMask];
         for (const auto& corner : block.corner)
             for (int lane = 0; lane < trianglesOf(tree.root); ++lane) {
                 const glm::vec3 place(corner[0][lane], corner[1][lane], corner[2][lane]);
                 include(place, place);
             }
     } else {
-        for (int lane = 0; lane < kernel::kWidth; ++lane) {
-            const PrimitiveBox child = boxOfChild(tree.nodes[tree.root], lane);
+        for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
+            const bvh::PrimitiveBox child = boxOfChild(tree.nodes[tree.root], lane);
             if (child.planes[0] <= child.planes[4]) include(lowerOf(child), upperOf(child));
         }
     }
@@ -65,7 +66,7 @@ void findRootBox(const WideTree& tree, TraversalBox& box) {
 /// Writes down what a walk through the wide tree tells.
 class WideRecorder {
   public:
-    WideRecorder(TraversalLog& log, const WideTree& tree) : log_(log), tree_(tree), query_(log.ray) {
+    WideRecorder(TraversalLog& log, const bvh::WideTree& tree) : log_(log), tree_(tree), query_(log.ray) {
         findRootBox(tree, log_.boxes[boxOf(tree.root)]);
         const glm::vec3 lower = log_.boxes[0].lower, upper = log_.boxes[0].upper;
         entries_[0] = entryOf({{lower.x, lower.y, lower.z, 0.0f, upper.x, upper.y, upper.z, 0.0f}});
@@ -76,10 +77,11 @@ class WideRecorder {
         add(TraversalEvent::Entered, box, entries_[box], search);
         current_ = static_cast<int>(box);
     }
-    void children(const WideNode& node, unsigned mask, const kernel::Lanes& entry, const Search& search) {
+    void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
+                  const Search& search) {
         bound_ = search.best.t;
-        for (int lane = 0; lane < kernel::kWidth; ++lane) {
-            const PrimitiveBox planes = boxOfChild(node, lane);
+        for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
+            const bvh::PrimitiveBox planes = boxOfChild(node, lane);
             if (!(planes.planes[0] <= planes.planes[4])) continue;
             const std::uint32_t box = boxOf(node.child[lane]);
             log_.boxes[box].lower = lowerOf(planes);
@@ -108,7 +110,7 @@ class WideRecorder {
     void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) {
         const Hit found{hit.t, primitive, hit.u, hit.v};
         Hit best{search.best.t, search.best.primitive, 0.0f, 0.0f};
-        const bool isCloser = isHit && keepCloser(found, best);
+        const bool isCloser = isHit && bvh::keepCloser(found, best);
         add(isCloser ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive, isHit ? hit.t : kNoDistance,
             search);
         if (isCloser) log_.hit = found;
@@ -116,16 +118,17 @@ class WideRecorder {
 
   private:
     /// Where the ray enters a box, whatever it has hit; NaN if it does not.
-    float entryOf(const PrimitiveBox& box) const {
+    float entryOf(const bvh::PrimitiveBox& box) const {
         float entry;
-        if (!intersectBox(box.planes, query_.box, query_.box.tMax, entry)) return kNoDistance;
+        if (!bvh::intersectBox(box.planes, query_.box, query_.box.tMax, entry)) return kNoDistance;
         return static_cast<float>(entry / query_.box.scale);
     }
     /// A new box is the root or a child of the node that was entered last.
     std::uint32_t boxOf(ChildRef ref) {
         const auto [known, isNew] = known_.try_emplace(ref, static_cast<std::uint32_t>(log_.boxes.size()));
         if (isNew) {
-            log_.boxes.push_back({numberOf(tree_, ref), current_, (ref & kernel::kTagMask) != 0, {}, {}});
+            log_.boxes.push_back(
+                {numberOf(tree_, ref), current_, (ref & bvh::kernel::kTagMask) != 0, {}, {}});
             entries_.push_back(kNoDistance);
         }
         return known->second;
@@ -135,8 +138,8 @@ class WideRecorder {
     }
 
     TraversalLog& log_;
-    const WideTree& tree_;
-    RayQuery query_;
+    const bvh::WideTree& tree_;
+    bvh::RayQuery query_;
     std::unordered_map<ChildRef, std::uint32_t> known_;  ///< ref → box
     std::vector<float> entries_;                         ///< of boxes, where they were tested last
     int current_ = -1;                                   ///< box
@@ -147,7 +150,7 @@ class WideRecorder {
 struct Watcher {
     WideRecorder* to;
     void entered(ChildRef ref, const Search& search) const { to->entered(ref, search); }
-    void children(const WideNode& node, unsigned mask, const kernel::Lanes& entry,
+    void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
                   const Search& search) const {
         to->children(node, mask, entry, search);
     }
@@ -166,9 +169,9 @@ struct Watcher {
 
 }  // namespace
 
-void recordWideSearch(const WideTree& tree, TraversalLog& log) {
+void recordWideSearch(const bvh::WideTree& tree, TraversalLog& log) {
     WideRecorder recorder(log, tree);
-    kernel::searchWatched(tree.view(), words(log.ray), log.anyHit, Watcher{&recorder});
+    bvh::kernel::searchWatched(tree.view(), bvh::words(log.ray), log.anyHit, Watcher{&recorder});
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

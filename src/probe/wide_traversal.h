@@ -2,10 +2,10 @@
 #include "bvh/layout/wide_tree.h"
 #include "probe/traversal_log.h"
 
-namespace rayscope {
+namespace rayscope::probe {
 
 /// Walks the wide tree with the ray of the log, for any hit if the log says so, and writes down what the walk
 /// does. The ray must be traceable.
-void recordWideSearch(const WideTree& tree, TraversalLog& log);
+void recordWideSearch(const bvh::WideTree& tree, TraversalLog& log);
 
-}  // namespace rayscope
+}  // namespace rayscope::probe

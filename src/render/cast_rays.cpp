@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-namespace rayscope {
+namespace rayscope::render {
 
 namespace {
 
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kGrain = 2048;
 
 /// The hierarchy that answers for the whole world; null if there is none, or more than one.
-const Accel* onlyAccel(const World& world) {
+const Accel* onlyAccel(const trace::World& world) {
     const bool one = world.settings.bvh && world.bodies.size() == 1 && !world.moves;
     return one ? world.bodies[0].accel.get() : nullptr;
 }
@@ -26,7 +26,7 @@ void forBlocks(std::size_t count, Answer answer) {
 
 }  // namespace
 
-void castClosest(const World& world, std::span<const Ray> rays, std::span<Hit> hits) {
+void castClosest(const trace::World& world, std::span<const Ray> rays, std::span<Hit> hits) {
     assert(rays.size() == hits.size());
     const Accel* accel = onlyAccel(world);
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
@@ -38,7 +38,7 @@ void castClosest(const World& world, std::span<const Ray> rays, std::span<Hit> h
     });
 }
 
-void castAny(const World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded) {
+void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded) {
     assert(rays.size() == occluded.size());
     const Accel* accel = onlyAccel(world);
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
@@ -47,4 +47,4 @@ void castAny(const World& world, std::span<const Ray> rays, std::span<std::uint8
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

@@ -5,11 +5,11 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// Answers many rays on the threads of the calling arena, at the start of the shutter; the answers are those
 /// of World::closestHit() and World::anyHit(). Both spans have the same length.
-void castClosest(const World& world, std::span<const Ray> rays, std::span<Hit> hits);
-void castAny(const World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded);
+void castClosest(const trace::World& world, std::span<const Ray> rays, std::span<Hit> hits);
+void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded);
 
-}  // namespace rayscope
+}  // namespace rayscope::render

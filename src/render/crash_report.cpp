@@ -11,7 +11,7 @@
 
 #include "base/shell_word.h"
 
-namespace rayscope {
+namespace rayscope::render {
 
 namespace {
 
@@ -158,15 +158,16 @@ std::vector<std::string> assignmentsOf(const RenderRequest& request) {
 
 std::string probeCommandOf(const RenderRequest& request) {
     const CameraDescription& camera = request.camera;
-    std::string words = fmt::format("rayscope probe {} --size {}x{}", shellWord(request.scene->path),
+    std::string words = fmt::format("rayscope probe {} --size {}x{}", base::shellWord(request.scene->path),
                                     request.width, request.height);
     for (const CameraDescription& known : request.scene->cameras)
         if (known.name == camera.name && &known != request.scene->cameras.data())
-            words += " --camera " + shellWord(camera.name);
+            words += " --camera " + base::shellWord(camera.name);
     words += fmt::format(" --look-from {} --look-at {} --up {} --fov {}", vectorText(camera.lookFrom),
                          vectorText(camera.lookAt), vectorText(camera.up), camera.fov);
     if (request.seed != 0) words += fmt::format(" --seed {}", request.seed);
-    for (const std::string& assignment : assignmentsOf(request)) words += " --set " + shellWord(assignment);
+    for (const std::string& assignment : assignmentsOf(request))
+        words += " --set " + base::shellWord(assignment);
     return words;
 }
 
@@ -199,4 +200,4 @@ void installCrashReport() {
     for (const int signal : kSignals) sigaction(signal, &action, nullptr);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

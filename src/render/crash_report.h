@@ -6,7 +6,7 @@
 
 #include <rayscope/path.h>
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// The command line that traces one sample of a request again: `rayscope probe SCENE …` without the pixel. It
 /// names the settings that differ from the defaults, and the camera in full; a lens comes with the name of
@@ -45,4 +45,4 @@ class BusySample {
     std::atomic<int> y_{0}, index_{kNone};
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace rayscope {
+namespace rayscope::render {
 
 namespace {
 int tilesAcross(int pixels) { return (pixels + Film::kTileSize - 1) / Film::kTileSize; }
@@ -89,4 +89,4 @@ RgbImage Film::mean() const {
     return image;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// What the film keeps of a pixel: sums over its samples 0 … n − 1 in this order.
 struct PixelSums {
@@ -76,4 +76,4 @@ class Film {
     std::vector<std::unique_ptr<Tile>> tiles_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::render

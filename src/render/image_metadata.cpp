@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace rayscope {
+namespace rayscope::render {
 
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples) {
@@ -15,4 +15,4 @@ ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& setti
     return metadata;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

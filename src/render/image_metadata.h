@@ -5,10 +5,10 @@
 
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// What travels inside an image file: program and version, scene, settings, seed, samples per pixel.
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples);
 
-}  // namespace rayscope
+}  // namespace rayscope::render

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// How many samples each pixel should have after the next pass. The plan decides how soon an image is seen,
 /// never what it looks like.
@@ -10,4 +10,4 @@ inline int nextPassTarget(int samples, int targetSamples, bool progressive) {
     return std::min(samples + step, targetSamples);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

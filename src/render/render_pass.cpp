@@ -4,15 +4,15 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 
-namespace rayscope {
+namespace rayscope::render {
 
-bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
+bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters) {
     const std::vector<int> targets(static_cast<std::size_t>(film.tileCount()), targetSamples);
     return renderPass(world, seed, film, targets, control, counters);
 }
 
-bool renderPass(const World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
+bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
                 const PassControl& control, RenderCounters& counters) {
     // Tiles are claimed in order from one counter: neighbours start together, and no thread is left with a
     // long tail. The counters also tell the thread sanitizer, which does not see into TBB, that a task starts
@@ -37,4 +37,4 @@ bool renderPass(const World& world, std::uint64_t seed, Film& film, std::span<co
     return !control.endsEarly();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

@@ -6,7 +6,7 @@
 #include "render/render_tile.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::render {
 
 /// How a pass is ended early: `stop` drops the tiles in flight, `drain` lets them finish and starts no more.
 struct PassControl {
@@ -17,11 +17,11 @@ struct PassControl {
 
 /// Brings every tile of the film to `targetSamples` on the threads of the calling arena. Returns false if it
 /// was stopped; the film is valid either way and a later pass goes on from it.
-bool renderPass(const World& world, std::uint64_t seed, Film& film, int targetSamples,
+bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters);
 
 /// The same with a number of samples for each tile.
-bool renderPass(const World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
+bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
                 const PassControl& control, RenderCounters& counters);
 
-}  // namespace rayscope
+}  // namespace rayscope::render

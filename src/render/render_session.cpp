@@ -67,7 +67,7 @@ void RenderSession::finishTiles() {
 }
 
 RenderStatus RenderSession::status() const {
-    std::shared_ptr<Film> film;
+    std::shared_ptr<render::Film> film;
     RenderStatus status;
     double doneAtStart = 0.0, runningSeconds = 0.0;
     {
@@ -77,7 +77,7 @@ RenderStatus RenderSession::status() const {
         status.rays = state_->counters.rays;
         status.nonFiniteSamples = state_->counters.nonFiniteSamples;
         doneAtStart = state_->doneAtStart;
-        if (status.state == RenderState::Rendering) runningSeconds = secondsSince(state_->started);
+        if (status.state == RenderState::Rendering) runningSeconds = render::secondsSince(state_->started);
     }
     if (!film || status.targetSamples == 0) return status;
     status.samples = std::min(film->completeSamples(), status.targetSamples);
@@ -89,9 +89,9 @@ RenderStatus RenderSession::status() const {
 }
 
 int RenderSession::collect(const std::function<void(const TileView&)>& take, double budgetSeconds) {
-    const SessionClock::time_point start = SessionClock::now();
+    const render::SessionClock::time_point start = render::SessionClock::now();
     State& s = *state_;
-    std::shared_ptr<Film> film;
+    std::shared_ptr<render::Film> film;
     {
         const std::scoped_lock guard(s.lock);
         film = s.film;
@@ -103,19 +103,19 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
         s.nextTile = 0;
     }
     int delivered = 0;
-    Film::TileCopy copy;
+    render::Film::TileCopy copy;
     std::vector<Rgb> mean;
     // Go on where the last call ran out of time, so that no tile starves.
     for (int visited = 0; visited < film->tileCount();
          ++visited, s.nextTile = (s.nextTile + 1) % film->tileCount()) {
-        if (delivered > 0 && secondsSince(start) > budgetSeconds) break;
+        if (delivered > 0 && render::secondsSince(start) > budgetSeconds) break;
         const int tile = s.nextTile;
         std::uint32_t& seen = s.collectedVersions[static_cast<std::size_t>(tile)];
         if (film->version(tile) == seen) continue;
         film->read(tile, copy);
         seen = copy.version;
         mean.clear();
-        for (const PixelSums& pixel : copy.pixels)
+        for (const render::PixelSums& pixel : copy.pixels)
             mean.push_back(Rgb(pixel.radiance / static_cast<double>(copy.samples)));
         const PixelBounds bounds = film->tileBounds(tile);
         take({bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, film->width(),
@@ -132,16 +132,17 @@ RenderState RenderSession::wait(double seconds) {
         return state != RenderState::Compiling && state != RenderState::Rendering;
     };
     const auto limit = std::chrono::duration<double>(std::min(seconds, 1e8));
-    state_->changedState.wait_for(guard, std::chrono::duration_cast<SessionClock::duration>(limit), settled);
+    state_->changedState.wait_for(guard, std::chrono::duration_cast<render::SessionClock::duration>(limit),
+                                  settled);
     return state_->status.state;
 }
 
-std::shared_ptr<const World> RenderSession::world() const {
+std::shared_ptr<const trace::World> RenderSession::world() const {
     const std::scoped_lock guard(state_->lock);
     return state_->world;
 }
 
-std::shared_ptr<const Film> RenderSession::film() const {
+std::shared_ptr<const render::Film> RenderSession::film() const {
     const std::scoped_lock guard(state_->lock);
     return state_->film;
 }

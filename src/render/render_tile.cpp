@@ -7,7 +7,7 @@
 #include "render/crash_report.h"
 #include "trace/radiance_batch.h"
 
-namespace rayscope {
+namespace rayscope::render {
 
 namespace {
 bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
@@ -48,7 +48,7 @@ class MissingSamples {
 };
 }  // namespace
 
-bool renderTile(const World& world, std::uint64_t seed, Film& film, int tile, int targetSamples,
+bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int tile, int targetSamples,
                 const std::stop_token& stop, RenderCounters& counters) {
     Film::TileCopy copy;
     film.read(tile, copy);
@@ -57,8 +57,8 @@ bool renderTile(const World& world, std::uint64_t seed, Film& film, int tile, in
     std::uint64_t rays = 0, nonFinite = 0;
     Busy busy;
     MissingSamples missing(bounds, copy.samples, targetSamples);
-    std::array<SampleName, RadianceBatch::kSize> room;
-    RadianceBatch batch(world, seed);
+    std::array<SampleName, trace::RadianceBatch::kSize> room;
+    trace::RadianceBatch batch(world, seed);
     for (auto names = missing.take(room); !names.empty(); names = missing.take(room)) {
         batch.start(names);
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -66,9 +66,9 @@ bool renderTile(const World& world, std::uint64_t seed, Film& film, int tile, in
             busy.sample.set(names[i].x, names[i].y, names[i].index);
             batch.trace(i);
         }
-        const std::span<const SampleResult> results = batch.finish();
+        const std::span<const trace::SampleResult> results = batch.finish();
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const SampleResult& sample = results[i];
+            const trace::SampleResult& sample = results[i];
             const int column = names[i].x - bounds.x0, row = names[i].y - bounds.y0;
             PixelSums& pixel = copy.pixels[static_cast<std::size_t>(row * (bounds.x1 - bounds.x0) + column)];
             pixel.radiance += sample.radiance;
@@ -85,4 +85,4 @@ bool renderTile(const World& world, std::uint64_t seed, Film& film, int tile, in
     return true;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::render

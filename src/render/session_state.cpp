@@ -38,7 +38,7 @@ void RenderSession::State::run() {
     for (;;) {
         RenderRequest request;
         std::uint64_t number = 0;
-        PassControl control;
+        render::PassControl control;
         {
             std::unique_lock guard(lock);
             changedState.wait(guard, [&] { return quitting || (pending && !paused); });
@@ -57,22 +57,22 @@ void RenderSession::State::run() {
 }
 
 void RenderSession::State::serve(const RenderRequest& request, std::uint64_t number,
-                                 const PassControl& control) {
+                                 const render::PassControl& control) {
     RenderState outcome = RenderState::Idle;
     std::string message;
     try {
-        describeForCrashReport(request);
-        const SessionClock::time_point start = SessionClock::now();
-        std::shared_ptr<const World> compiled;
+        render::describeForCrashReport(request);
+        const render::SessionClock::time_point start = render::SessionClock::now();
+        std::shared_ptr<const trace::World> compiled;
         arena.execute([&] {
-            compiled = compile({request.scene, request.settings, request.camera, request.width,
-                                request.height, request.keepBinaryTrees},
-                               world.get(), control.stop);
+            compiled = trace::compile({request.scene, request.settings, request.camera, request.width,
+                                       request.height, request.keepBinaryTrees},
+                                      world.get(), control.stop);
         });
         {
             const std::scoped_lock guard(lock);
             world = compiled;
-            status.compileSeconds = secondsSince(start);
+            status.compileSeconds = render::secondsSince(start);
             status.buildSeconds = compiled->buildSeconds;
             status.treeGrowth = compiled->treeGrowth;
         }
@@ -98,7 +98,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
 void RenderSession::State::prepareFilm(const RenderRequest& request) {
     const std::scoped_lock guard(lock);
     if (!film || !filmRequest || !continues(*filmRequest, request)) {
-        film = std::make_shared<Film>(request.width, request.height, regionOf(request));
+        film = std::make_shared<render::Film>(request.width, request.height, regionOf(request));
         counters.rays = 0;
         counters.nonFiniteSamples = 0;
         status.elapsedSeconds = 0.0;
@@ -106,20 +106,21 @@ void RenderSession::State::prepareFilm(const RenderRequest& request) {
     filmRequest = request;
     status.state = RenderState::Rendering;
     status.targetSamples = request.settings.spp;
-    started = SessionClock::now();
+    started = render::SessionClock::now();
     doneAtStart = film->doneFraction(request.settings.spp);
 }
 
-bool RenderSession::State::renderPasses(const RenderRequest& request, const PassControl& control) {
+bool RenderSession::State::renderPasses(const RenderRequest& request, const render::PassControl& control) {
     const int wanted = request.settings.spp;
     bool complete = true;
     for (int samples = film->completeSamples(); complete && samples < wanted;
          samples = film->completeSamples()) {
-        const int target = nextPassTarget(samples, wanted, request.progressive);
-        arena.execute([&] { complete = renderPass(*world, request.seed, *film, target, control, counters); });
+        const int target = render::nextPassTarget(samples, wanted, request.progressive);
+        arena.execute(
+            [&] { complete = render::renderPass(*world, request.seed, *film, target, control, counters); });
     }
     const std::scoped_lock guard(lock);
-    status.elapsedSeconds += secondsSince(started);
+    status.elapsedSeconds += render::secondsSince(started);
     return complete;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 /// A bijection of 64-bit numbers that spreads every input bit over all output bits (the finaliser of
 /// SplitMix64: Steele, Lea, Flood 2014, "Fast Splittable Pseudorandom Number Generators", constants of
@@ -28,4 +28,4 @@ constexpr std::uint64_t derivedKey(std::uint64_t key, std::uint64_t b) {
 /// The upper 24 bits as a float in [0, 1): every value is exact and none rounds up to 1.
 constexpr float toUnitFloat(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

@@ -5,7 +5,7 @@
 #include "sampling/hash.h"
 #include "sampling/sobol.h"
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 PathKey PathKey::child(std::uint32_t branch) const {
     // Never 0, which is the root's.
@@ -144,4 +144,4 @@ float SamplePoints::get1D(int k) const {
     return x < 1.0f ? x : 1.0f - 0x1p-24f;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

@@ -3,7 +3,7 @@
 #include <rayscope/vector.h>
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 /// What a random number decides. Named, so that a feature which draws more shifts nobody else's numbers.
 enum class Dim : std::uint32_t { Pixel, Lens, Time, Light, Glossy };
@@ -65,4 +65,4 @@ class SampleStream {
     int samplesPerPixel_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

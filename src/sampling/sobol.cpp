@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::uint32_t owenScramble(std::uint32_t value, std::uint32_t seed) {
     return reverseBits(owenScrambleReversed(reverseBits(value), seed));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

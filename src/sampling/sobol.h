@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 inline constexpr int kSobolDimensions = 8;
 
@@ -34,4 +34,4 @@ constexpr std::uint32_t owenScrambleReversed(std::uint32_t reversed, std::uint32
     return reversed;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

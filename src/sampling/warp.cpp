@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 namespace {
 
@@ -105,4 +105,4 @@ glm::dvec2 sampleAperture(LensShape shape, const glm::vec2& u) {
     return concentricDisk(glm::dvec2(u));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

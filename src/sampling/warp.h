@@ -2,7 +2,7 @@
 #include <rayscope/settings.h>
 #include <rayscope/vector.h>
 
-namespace rayscope {
+namespace rayscope::sampling {
 
 /// Standard normal deviate from a uniform number in [0, 1): the inverse of the cumulative distribution, so
 /// that stratified input stays stratified. Relative error below 1e-15; finite for every float input.
@@ -12,4 +12,4 @@ double normalDeviate(float u);
 /// area.
 glm::dvec2 sampleAperture(LensShape shape, const glm::vec2& u);
 
-}  // namespace rayscope
+}  // namespace rayscope::sampling

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// One corner of a face: zero-based indices of position, texture coordinate and normal; −1: not given.
 struct Corner {
@@ -50,4 +50,4 @@ class CornerTable {
     std::vector<std::uint32_t> slots_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

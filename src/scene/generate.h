@@ -3,7 +3,7 @@
 // coordinates where they make sense, Y up, around the origin.
 #include <rayscope/scene.h>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// A rectangle in the plane z = 0 that faces +z; two triangles.
 struct QuadShape {
@@ -67,4 +67,4 @@ struct MonkeyShape {
 };
 MeshData generate(const MonkeyShape& shape);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -1,7 +1,7 @@
 // Flat things: the rectangle and the box.
 #include "scene/generate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -42,4 +42,4 @@ MeshData generate(const BoxShape& shape) {
     return mesh;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

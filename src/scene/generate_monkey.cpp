@@ -8,7 +8,7 @@
 
 #include "scene/generate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -143,4 +143,4 @@ class SurfaceNet {
 
 MeshData generate(const MonkeyShape& shape) { return SurfaceNet(shape.resolution).build(); }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

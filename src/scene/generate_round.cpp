@@ -6,7 +6,7 @@
 
 #include "scene/generate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -129,4 +129,4 @@ MeshData generate(const IcosphereShape& shape) {
     return mesh;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -9,7 +9,7 @@
 
 #include "scene/generate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -184,4 +184,4 @@ MeshData generate(const TeapotShape& shape) {
     return mesh.finish();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

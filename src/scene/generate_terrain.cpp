@@ -6,7 +6,7 @@
 
 #include "scene/generate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -90,4 +90,4 @@ MeshData generate(const TerrainShape& shape) {
     return mesh;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -6,7 +6,7 @@
 
 #include "scene/toml_record.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -97,4 +97,4 @@ RgbImage generateSky(int width, int height) {
     return image;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

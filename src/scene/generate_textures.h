@@ -5,7 +5,7 @@
 
 #include "scene/toml_values.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// The keys of a texture table with `generate`, besides `wrap`.
 std::span<const std::string_view> generatedTextureKeys();
@@ -18,4 +18,4 @@ RgbImage readGeneratedTexture(const TomlValue& value);
 /// middle.
 RgbImage generateSky(int width, int height);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

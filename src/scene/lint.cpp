@@ -23,7 +23,7 @@ class Linter {
         for (const CameraDescription& camera : scene_.cameras) lintCamera(camera);
         if (scene_.lights.empty()) warn("no light: surfaces are black unless shading is off");
         if (scene_.meshes.empty() && scene_.spheres.empty()) warn("no mesh and no sphere: nothing to see");
-        for (Diagnostic& found : lintRange(scene_)) found_.push_back(std::move(found));
+        for (Diagnostic& found : scene::lintRange(scene_)) found_.push_back(std::move(found));
         return std::move(found_);
     }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -114,4 +114,4 @@ class RangeLinter {
 
 Diagnostics lintRange(const SceneDescription& scene) { return RangeLinter(scene).run(); }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

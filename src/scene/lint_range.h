@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/scene.h>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// The range in which hits are proven right whatever the scene: sizes between these, and a centre at most so
 /// many sizes away from the origin (docs/numerics.md).
@@ -11,4 +11,4 @@ inline constexpr double kLeastSize = 0x1p-60, kLargestSize = 0x1p60, kFarthestIn
 /// proven ones, coordinates that overflow, and shapes so small for their place that float cannot hold them.
 Diagnostics lintRange(const SceneDescription& scene);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -55,8 +55,8 @@ Light lightBeside(const CameraDescription& camera) {
 }
 
 SceneDescription loadBareObj(const std::string& path, Diagnostics& notes) {
-    TextureCache textures;
-    ObjMesh mesh = readObj(path, textures, notes);
+    scene::TextureCache textures;
+    scene::ObjMesh mesh = scene::readObj(path, textures, notes);
     SceneDescription scene;
     scene.path = path;
     scene.materials = std::move(mesh.materials);
@@ -72,9 +72,10 @@ SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
     const std::string_view name = std::string_view(path).substr(kBuiltin.size());
     if (std::find(kBuiltinNames.begin(), kBuiltinNames.end(), name) == kBuiltinNames.end())
         throw InputError(fmt::format("no built-in scene is named '{}'{}; expected {}", name,
-                                     didYouMean(name, kBuiltinNames), joinChoices(kBuiltinNames)));
+                                     base::didYouMean(name, kBuiltinNames),
+                                     base::joinChoices(kBuiltinNames)));
     const std::string file = path + ".toml";
-    SceneDescription scene = readTomlScene(file, readSource(file), notes);
+    SceneDescription scene = scene::readTomlScene(file, scene::readSource(file), notes);
     scene.path = path;
     return scene;
 }
@@ -83,7 +84,7 @@ SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
 
 SceneDescription loadScene(const std::string& path, Diagnostics& notes) {
     if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes);
-    if (hasSuffix(path, ".toml")) return readTomlScene(path, readSource(path), notes);
+    if (hasSuffix(path, ".toml")) return scene::readTomlScene(path, scene::readSource(path), notes);
     if (hasSuffix(path, ".obj")) return loadBareObj(path, notes);
     throw InputError("a scene is a .toml file, an .obj file or builtin:NAME", {path});
 }
@@ -92,7 +93,7 @@ std::vector<BuiltinScene> builtinScenes() {
     std::vector<BuiltinScene> list;
     for (const std::string_view name : kBuiltinNames) {
         const std::string file = fmt::format("{}{}.toml", kBuiltin, name);
-        list.push_back({std::string(name), titleOf(file, readSource(file))});
+        list.push_back({std::string(name), scene::titleOf(file, scene::readSource(file))});
     }
     return list;
 }

@@ -9,7 +9,7 @@
 
 #include "scene/source_files.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::vector<Material> readMtl(const std::string& path, TextureCache& textures, D
     return MtlReader(path, textures, notes).read();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

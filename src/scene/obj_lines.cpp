@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -62,4 +62,4 @@ ObjLines::int_type ObjLines::underflow() {
     return traits_type::to_int_type(text_[begin]);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// Feeds the text of an OBJ file to a reader of streams line by line, and so knows the line that is being
 /// read, which the callbacks of tinyobjloader do not tell. Skips a byte order mark, joins lines that end in a
@@ -29,4 +29,4 @@ class ObjLines : public std::streambuf {
     std::string_view current_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

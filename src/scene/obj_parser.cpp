@@ -14,7 +14,7 @@
 #include "scene/obj_lines.h"
 #include "scene/source_files.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -215,4 +215,4 @@ void failObjIndex(const std::string& path, int line, std::string_view what, std:
     throw InputError(fmt::format("{} {} is out of range: {}", what, index, range), {path, line, 0});
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

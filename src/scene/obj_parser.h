@@ -5,7 +5,7 @@
 
 #include "scene/corner_table.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// An OBJ file as it was written: indices are zero-based but not yet checked against what the file defines.
 struct ParsedObj {
@@ -40,4 +40,4 @@ ParsedObj parseObj(const std::string& path);
 [[noreturn]] void failObjIndex(const std::string& path, int line, std::string_view what, std::int64_t index,
                                std::size_t count);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

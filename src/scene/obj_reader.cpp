@@ -11,7 +11,7 @@
 #include "scene/source_files.h"
 #include "scene/triangulate.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -181,4 +181,4 @@ ObjMesh readObj(const std::string& path, TextureCache& textures, Diagnostics& no
     return {assemble(obj), std::move(materials)};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -3,7 +3,7 @@
 
 #include "scene/textures.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// What an OBJ file holds: one mesh, and the materials of its slots.
 struct ObjMesh {
@@ -16,4 +16,4 @@ struct ObjMesh {
 /// is out of range or nothing can be seen; what is missing beside it or ignored goes to `notes`.
 ObjMesh readObj(const std::string& path, TextureCache& textures, Diagnostics& notes);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -13,7 +13,7 @@
 
 #include "embedded_scenes.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string resolvePath(const std::string& base, std::string name) {
     return (folders.front() / name).string();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

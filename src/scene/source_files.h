@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// The whole file. Throws InputError if it cannot be read.
 std::string readSource(const std::string& path);
@@ -18,4 +18,4 @@ bool fileExists(const std::string& path);
 /// installation and in the user's cache folder.
 std::string resolvePath(const std::string& base, std::string name);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -1,6 +1,6 @@
 #include "scene/textures.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 std::shared_ptr<const Texture> TextureCache::open(const std::string& path, TextureWrap wrap) {
     std::shared_ptr<const Texture>& texture = textures_[{path, wrap}];
@@ -8,4 +8,4 @@ std::shared_ptr<const Texture> TextureCache::open(const std::string& path, Textu
     return texture;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -3,7 +3,7 @@
 
 #include <map>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// Opens each image once per scene, however many materials show it.
 class TextureCache {
@@ -15,4 +15,4 @@ class TextureCache {
     std::map<std::pair<std::string, TextureWrap>, std::shared_ptr<const Texture>> textures_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

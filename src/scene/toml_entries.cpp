@@ -3,7 +3,7 @@
 #include "scene/generate_textures.h"
 #include "scene/toml_shapes.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -223,7 +223,7 @@ CameraDescription readCamera(const TomlValue& value) {
 Light readLight(const TomlValue& value) {
     const toml::table& body = readTable(value);
     const toml::node* type = body.get("type");
-    if (!type) value.fail(fmt::format("a light needs the key 'type': {}", joinChoices(kLightTypes)));
+    if (!type) value.fail(fmt::format("a light needs the key 'type': {}", base::joinChoices(kLightTypes)));
     const std::size_t kind = readChoice({value.file, *type, "type"}, kLightTypes);
 
     Light light;
@@ -268,4 +268,4 @@ EnvironmentEntry readEnvironment(const TomlValue& value) {
     return entry;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

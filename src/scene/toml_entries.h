@@ -5,7 +5,7 @@
 
 #include "scene/toml_record.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// A word of the file that must be looked up elsewhere, and where it stands.
 struct TextAt {
@@ -49,4 +49,4 @@ MeshEntry readMesh(const TomlValue& value);
 SphereEntry readSphere(const TomlValue& value);
 EnvironmentEntry readEnvironment(const TomlValue& value);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -11,7 +11,7 @@
 #include "base/nearest_name.h"
 #include "scene/toml_values.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 template <class T>
 struct Field {
@@ -34,7 +34,7 @@ inline void checkKeys(const std::string& file, const toml::table& table, std::st
     for (auto&& [key, node] : table) {
         if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
         throw InputError(fmt::format("unknown key '{}' in {}{}; expected {}", key.str(), owner,
-                                     didYouMean(key.str(), keys), joinChoices(keys)),
+                                     base::didYouMean(key.str(), keys), base::joinChoices(keys)),
                          positionIn(file, key.source()));
     }
 }
@@ -119,4 +119,4 @@ Field<T> table(std::string_view key, std::optional<R> T::*member, const Record<R
             }};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

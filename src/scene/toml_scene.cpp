@@ -11,7 +11,7 @@
 #include "scene/textures.h"
 #include "scene/toml_entries.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -103,10 +103,10 @@ class SceneBuilder {
         std::vector<std::string_view> known;
         for (const auto& [key, index] : materialIndices_) known.push_back(key);
         const std::string choices =
-            known.empty() ? "the scene defines none" : fmt::format("expected {}", joinChoices(known));
-        throw InputError(
-            fmt::format("undefined material '{}'{}; {}", name->text, didYouMean(name->text, known), choices),
-            name->position);
+            known.empty() ? "the scene defines none" : fmt::format("expected {}", base::joinChoices(known));
+        throw InputError(fmt::format("undefined material '{}'{}; {}", name->text,
+                                     base::didYouMean(name->text, known), choices),
+                         name->position);
     }
 
     /// The material of whatever names none.
@@ -252,4 +252,4 @@ std::string titleOf(const std::string& path, std::string_view text) {
     return title ? readText({path, *title, "title"}) : std::string{};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

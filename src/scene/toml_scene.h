@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// Reads the text of a scene file. `path` names it in messages and anchors relative paths.
 SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes);
@@ -11,4 +11,4 @@ SceneDescription readTomlScene(const std::string& path, std::string_view text, D
 /// The `title` of a scene file, without opening anything else that it names.
 std::string titleOf(const std::string& path, std::string_view text);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -3,7 +3,7 @@
 #include "scene/generate.h"
 #include "scene/toml_record.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -64,9 +64,9 @@ MeshData readShape(const TomlValue& value) {
     std::vector<std::string_view> names;
     for (const ShapeReader& shape : kShapes) names.push_back(shape.name);
     const toml::node* name = readTable(value).get("shape");
-    if (!name) value.fail(fmt::format("needs the key 'shape': {}", joinChoices(names)));
+    if (!name) value.fail(fmt::format("needs the key 'shape': {}", base::joinChoices(names)));
     const ShapeReader& shape = kShapes[readChoice({value.file, *name, "shape"}, names)];
     return shape.read(value, fmt::format("the shape '{}'", shape.name));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

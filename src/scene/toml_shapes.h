@@ -3,9 +3,9 @@
 
 #include "scene/toml_values.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// Reads { shape = "box", … } and makes the mesh.
 MeshData readShape(const TomlValue& value);
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

@@ -7,7 +7,7 @@
 #include "base/nearest_name.h"
 #include "image/srgb.h"
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -93,12 +93,12 @@ int readWhole(const TomlValue& value, int lowest, int highest) {
 }
 
 std::size_t readChoice(const TomlValue& value, std::span<const std::string_view> names) {
-    const std::string expected = joinChoices(names);
+    const std::string expected = base::joinChoices(names);
     if (!value.node.is_string()) value.failKind(expected);
     const std::string& text = value.node.as_string()->get();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return i;
-    value.fail(fmt::format("expected {}, got '{}'{}", expected, text, didYouMean(text, names)));
+    value.fail(fmt::format("expected {}, got '{}'{}", expected, text, base::didYouMean(text, names)));
 }
 
 const toml::array& readArray(const TomlValue& value, std::size_t size, std::string_view what) {
@@ -122,7 +122,7 @@ Rgb readColor(const TomlValue& value, const Interval& range) {
     const toml::node* srgb = table->get("srgb");
     if (!srgb || table->size() != 1) value.fail("expected a colour: [r, g, b] or { srgb = [r, g, b] }");
     const Rgb encoded = readVector<3>({value.file, *srgb, "srgb"}, kFraction);
-    return {srgbToLinear(encoded.r), srgbToLinear(encoded.g), srgbToLinear(encoded.b)};
+    return {image::srgbToLinear(encoded.r), image::srgbToLinear(encoded.g), image::srgbToLinear(encoded.b)};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

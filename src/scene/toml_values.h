@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 /// The numbers a key accepts. Both ends belong to it unless they are open.
 struct Interval {
@@ -65,4 +65,4 @@ glm::vec<N, float> readVector(const TomlValue& value, const Interval& range = kA
     return vector;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

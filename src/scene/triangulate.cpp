@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::scene {
 
 namespace {
 
@@ -71,4 +71,4 @@ void triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triang
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles[made++] = {ring[0], ring[i], ring[i + 1]};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::scene

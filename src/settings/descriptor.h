@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::settings {
 
 /// What every descriptor says, whatever its type.
 struct SettingText {
@@ -47,4 +47,4 @@ struct Choice {
     IdleReason idle = alwaysActive;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::settings

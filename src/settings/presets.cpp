@@ -48,8 +48,8 @@ const Preset& presetNamed(std::string_view name) {
         if (preset.name == name) return preset;
         names.push_back(preset.name);
     }
-    throw InputError(
-        fmt::format("unknown preset '{}': expected {}{}", name, joinChoices(names), didYouMean(name, names)));
+    throw InputError(fmt::format("unknown preset '{}': expected {}{}", name, base::joinChoices(names),
+                                 base::didYouMean(name, names)));
 }
 
 void applyPreset(Settings& settings, const Preset& preset, bool blurred) {

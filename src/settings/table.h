@@ -5,7 +5,7 @@
 
 #include "settings/descriptor.h"
 
-namespace rayscope {
+namespace rayscope::settings {
 
 namespace idle {
 constexpr std::string_view unless(bool active, std::string_view reason) {
@@ -182,4 +182,4 @@ consteval std::size_t countFields() {
 static_assert(detail::countFields<Settings>() == std::tuple_size_v<decltype(kSettingsTable)>,
               "every field of Settings needs a row in the table, and only one");
 
-}  // namespace rayscope
+}  // namespace rayscope::settings

@@ -11,14 +11,14 @@ namespace rayscope {
 
 namespace {
 
-void parse(const Toggle& row, Settings& settings, std::string_view value) {
+void parse(const settings::Toggle& row, Settings& settings, std::string_view value) {
     if (value != "true" && value != "false")
         throw InputError(fmt::format("setting '{}': expected true or false, got '{}'", row.text.key, value));
     settings.*row.member = value == "true";
 }
 
 template <class T>
-void parse(const Range<T>& row, Settings& settings, std::string_view value) {
+void parse(const settings::Range<T>& row, Settings& settings, std::string_view value) {
     T number{};
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
     const bool whole = error == std::errc{} && end == value.data() + value.size();
@@ -30,57 +30,57 @@ void parse(const Range<T>& row, Settings& settings, std::string_view value) {
 }
 
 template <class E, std::size_t N>
-void parse(const Choice<E, N>& row, Settings& settings, std::string_view value) {
+void parse(const settings::Choice<E, N>& row, Settings& settings, std::string_view value) {
     for (std::size_t i = 0; i < N; ++i) {
         if (row.names[i] != value) continue;
         settings.*row.member = static_cast<E>(i);
         return;
     }
     throw InputError(fmt::format("setting '{}': expected {}, got '{}'{}", row.text.key,
-                                 joinChoices(row.names), value, didYouMean(value, row.names)));
+                                 base::joinChoices(row.names), value, base::didYouMean(value, row.names)));
 }
 
-std::string print(const Toggle& row, const Settings& settings) {
+std::string print(const settings::Toggle& row, const Settings& settings) {
     return settings.*row.member ? "true" : "false";
 }
 template <class T>
-std::string print(const Range<T>& row, const Settings& settings) {
+std::string print(const settings::Range<T>& row, const Settings& settings) {
     return fmt::format("{}", settings.*row.member);
 }
 template <class E, std::size_t N>
-std::string print(const Choice<E, N>& row, const Settings& settings) {
+std::string print(const settings::Choice<E, N>& row, const Settings& settings) {
     return std::string(row.names[static_cast<std::size_t>(settings.*row.member)]);
 }
 
-void describeKind(const Toggle&, SettingInfo& info) { info.kind = "boolean"; }
+void describeKind(const settings::Toggle&, SettingInfo& info) { info.kind = "boolean"; }
 template <class T>
-void describeKind(const Range<T>& row, SettingInfo& info) {
+void describeKind(const settings::Range<T>& row, SettingInfo& info) {
     info.kind = std::is_integral_v<T> ? "integer" : "number";
     info.lowest = static_cast<double>(row.lowest);
     info.highest = static_cast<double>(row.highest);
 }
 template <class E, std::size_t N>
-void describeKind(const Choice<E, N>& row, SettingInfo& info) {
+void describeKind(const settings::Choice<E, N>& row, SettingInfo& info) {
     info.kind = "choice";
     info.choices.assign(row.names.begin(), row.names.end());
 }
 
 [[noreturn]] void throwUnknown(std::string_view key) {
     const auto keys = settingKeys();
-    throw InputError(fmt::format("unknown setting '{}'{}", key, didYouMean(key, keys)));
+    throw InputError(fmt::format("unknown setting '{}'{}", key, base::didYouMean(key, keys)));
 }
 
 }  // namespace
 
 std::vector<std::string_view> settingKeys() {
     std::vector<std::string_view> keys;
-    forEachSetting([&](const auto& row) { keys.push_back(row.text.key); });
+    settings::forEachSetting([&](const auto& row) { keys.push_back(row.text.key); });
     return keys;
 }
 
 Invalidates changed(const Settings& a, const Settings& b) {
     Invalidates worst = Invalidates::Nothing;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         if (a.*row.member != b.*row.member) worst = std::max(worst, row.invalidates);
     });
     return worst;
@@ -88,7 +88,7 @@ Invalidates changed(const Settings& a, const Settings& b) {
 
 void assign(Settings& settings, std::string_view key, std::string_view value) {
     bool known = false;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         if (row.text.key != key) return;
         known = true;
         parse(row, settings, value);
@@ -99,7 +99,7 @@ void assign(Settings& settings, std::string_view key, std::string_view value) {
 std::string textOf(const Settings& settings, std::string_view key) {
     std::string text;
     bool known = false;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         if (row.text.key != key) return;
         known = true;
         text = print(row, settings);
@@ -111,7 +111,7 @@ std::string textOf(const Settings& settings, std::string_view key) {
 std::vector<SettingInfo> describeSettings() {
     std::vector<SettingInfo> list;
     const Settings defaults;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         SettingInfo info;
         info.key = row.text.key;
         info.group = row.text.group;

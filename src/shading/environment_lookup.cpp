@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 namespace {
 
@@ -91,4 +91,4 @@ glm::dvec3 lookup(const Environment& environment, const glm::dvec3& direction) {
     return environment.equirect ? lookupEquirect(environment.equirect->image, d) : lookupCube(environment, d);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/scene.h>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 /// Where a direction meets the cube: the face (in the order +x −x +y −y +z −z) and the position on it, both
 /// coordinates in [0, 1] with (0, 0) at the upper left corner of the face's image. Faces are oriented as the
@@ -20,4 +20,4 @@ glm::dvec3 cubeDirection(int face, double s, double t);
 /// taken.
 glm::dvec3 lookup(const Environment& environment, const glm::dvec3& direction);
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

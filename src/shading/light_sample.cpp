@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 namespace {
 
@@ -58,4 +58,4 @@ LightSampleGrid sampleGrid(const Light& light, const Settings& settings) {
     return {};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

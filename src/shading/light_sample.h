@@ -3,7 +3,7 @@
 #include <rayscope/settings.h>
 #include <rayscope/vector.h>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 /// A position on a light and the light's colour there.
 struct LightSample {
@@ -25,4 +25,4 @@ LightSampleGrid sampleGrid(const Light& light, const Settings& settings);
 /// 0 for a point, 1 for a segment, 2 for a parallelogram: how many coordinates of `u` sampleLight() uses.
 int dimensionsOf(const Light& light);
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 /// What Phong's model needs to know of a surface.
 struct PhongSurface {
@@ -28,4 +28,4 @@ inline glm::dvec3 phong(const PhongSurface& surface, const glm::dvec3& n, const 
     return reflected;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

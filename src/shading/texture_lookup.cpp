@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 namespace {
 
@@ -101,4 +101,4 @@ glm::dvec3 MipTexture::lookup(const glm::vec2& uv, double footprint, TextureFilt
     return trilinear(glm::dvec2(uv), footprint);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

@@ -3,7 +3,7 @@
 #include <rayscope/settings.h>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::shading {
 
 /// A texture with its mip levels: level 0 is the image, each next one averages pixels in blocks of two by
 /// two. Levels beyond 0 exist only if they were asked for.
@@ -36,4 +36,4 @@ struct BilinearTap {
 };
 BilinearTap bilinearTap(int width, int height, const glm::dvec2& uv, TextureWrap wrap);
 
-}  // namespace rayscope
+}  // namespace rayscope::shading

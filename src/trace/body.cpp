@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 namespace {
 
@@ -113,4 +113,4 @@ bool sameGeometry(const SceneDescription& a, const SceneDescription& b) {
     return std::ranges::equal(a.meshes, b.meshes, sameMesh) && a.spheres == b.spheres;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// The primitives of one mesh or sphere within a body, and where their attributes stand.
 struct ObjectRange {
@@ -42,4 +42,4 @@ std::vector<std::shared_ptr<const Geometry>> makeGeometry(const SceneDescription
 /// them.
 bool sameGeometry(const SceneDescription& a, const SceneDescription& b);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -5,14 +5,14 @@
 
 #include "math/frame.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 Camera::Camera(const CameraDescription& description, int width, int height) : width_(width), height_(height) {
     position_ = glm::dvec3(description.lookFrom);
     forward_ = glm::normalize(glm::dvec3(description.lookAt) - position_);
     const glm::dvec3 sideways = glm::cross(forward_, glm::dvec3(description.up));
     // Looking exactly along `up` leaves the roll open: any side will do.
-    right_ = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : frameAround(forward_).u;
+    right_ = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : math::frameAround(forward_).u;
     up_ = glm::cross(right_, forward_);
     tanHalfY_ = std::tan(static_cast<double>(description.fov) * std::numbers::pi / 360.0);
     tanHalfX_ = tanHalfY_ * width / height;
@@ -39,4 +39,4 @@ glm::dvec2 Camera::project(const glm::dvec3& point) const {
     return {(x + 1.0) * 0.5 * width_, (1.0 - y) * 0.5 * height_};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

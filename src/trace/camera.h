@@ -3,7 +3,7 @@
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// A thin-lens or pinhole camera over an image of width × height pixels, computed in double.
 class Camera {
@@ -48,4 +48,4 @@ class Camera {
     int width_ = 1, height_ = 1;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <map>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop) {
     return {.builder = settings.bvhBuilder,
@@ -75,17 +75,17 @@ bool reflects(const Material& material, const Settings& settings) {
 void compileMaterials(World& world, const World* previous) {
     const Settings& settings = world.settings;
     const bool withLevels = settings.textureFilter == TextureFilter::Mipmap;
-    std::map<const Texture*, std::shared_ptr<const MipTexture>> made;
+    std::map<const Texture*, std::shared_ptr<const shading::MipTexture>> made;
     const bool reusable =
         previous && (previous->settings.textureFilter == TextureFilter::Mipmap) == withLevels;
     if (reusable)
         for (const auto& texture : previous->textures) made[texture->source()] = texture;
 
-    std::map<const Texture*, std::shared_ptr<const MipTexture>> used;
-    const auto textureOf = [&](const std::shared_ptr<const Texture>& source) -> const MipTexture* {
+    std::map<const Texture*, std::shared_ptr<const shading::MipTexture>> used;
+    const auto textureOf = [&](const std::shared_ptr<const Texture>& source) -> const shading::MipTexture* {
         if (!source || !settings.textureMapping) return nullptr;
         auto& texture = made[source.get()];
-        if (!texture) texture = std::make_shared<const MipTexture>(source, withLevels);
+        if (!texture) texture = std::make_shared<const shading::MipTexture>(source, withLevels);
         used[source.get()] = texture;
         return texture.get();
     };
@@ -100,8 +100,9 @@ void compileMaterials(World& world, const World* previous) {
 void compileLights(World& world) {
     const Settings& settings = world.settings;
     for (const Light& light : world.description->lights)
-        world.lights.push_back({light, sampleGrid(light, settings), dimensionsOf(light),
-                                dimensionsOf(light) == 0 ? settings.hardShadows : settings.softShadows});
+        world.lights.push_back(
+            {light, shading::sampleGrid(light, settings), shading::dimensionsOf(light),
+             shading::dimensionsOf(light) == 0 ? settings.hardShadows : settings.softShadows});
     if (!settings.transparentShadows) return;
     for (const SurfaceMaterial& material : world.materials) world.attenuatesShadows |= material.opacity < 1.0;
 }
@@ -125,4 +126,4 @@ std::shared_ptr<const World> compile(const CompileRequest& request, const World*
     return world;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

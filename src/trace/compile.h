@@ -7,7 +7,7 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// What a world is made from.
 struct CompileRequest {
@@ -27,4 +27,4 @@ BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop = {
 std::shared_ptr<const World> compile(const CompileRequest& request, const World* previous = nullptr,
                                      std::stop_token stop = {});
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

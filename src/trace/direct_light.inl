@@ -2,7 +2,7 @@
 // How surfaces see lights. An end of radiance.inl.
 #include "trace/radiance.inl"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// What a position on a light would add, before it is known whether anything is in the way.
 struct LightTerm {
@@ -36,7 +36,7 @@ template <PathObserver O, class Terms>
 template <int kGroup>
 void Tracer<O, Terms>::shadeByLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
                                     const glm::dvec3& throughput) {
-    const SamplePoints points = pointsOn(index, branch, n);
+    const sampling::SamplePoints points = pointsOn(index, branch, n);
     const glm::dvec3 share = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
     std::array<LightTerm, kGroup> terms;
@@ -69,7 +69,7 @@ void Tracer<O, Terms>::shadeByLight(std::size_t index, int n, const Interaction&
 template <PathObserver O, class Terms>
 void Tracer<O, Terms>::queueLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
                                   const glm::dvec3& throughput) {
-    const SamplePoints points = pointsOn(index, branch, n);
+    const sampling::SamplePoints points = pointsOn(index, branch, n);
     const glm::dvec3 share = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
     for (int k = 0; k < n; ++k) {
@@ -86,30 +86,30 @@ void Tracer<O, Terms>::queueLight(std::size_t index, int n, const Interaction& a
 
 /// Where on the light the n samples lie; nowhere in particular for a light without extent.
 template <PathObserver O, class Terms>
-SamplePoints Tracer<O, Terms>::pointsOn(std::size_t index, const Branch& branch, int n) const {
+sampling::SamplePoints Tracer<O, Terms>::pointsOn(std::size_t index, const Branch& branch, int n) const {
     if (world_.lights[index].dimensions == 0) return {};
-    return stream_.points(Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
+    return stream_.points(sampling::Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
 }
 
 /// Connects a point `from` just outside a surface with sample k on a light; what it would reflect if nothing
 /// were in the way.
 template <PathObserver O, class Terms>
 LightTerm Tracer<O, Terms>::connect(std::size_t index, int k, const Interaction& at, const glm::vec3& from,
-                                    const SamplePoints& points) const {
+                                    const sampling::SamplePoints& points) const {
     const CompiledLight& compiled = world_.lights[index];
     glm::vec2 u(0.0f);
     if (compiled.dimensions == 1) u.x = points.get1D(k);
     if (compiled.dimensions == 2) u = points.get2D(k);
     LightTerm term;
-    term.connection = {static_cast<int>(index), k, from, sampleLight(compiled.light, u)};
+    term.connection = {static_cast<int>(index), k, from, shading::sampleLight(compiled.light, u)};
     term.toLight = term.connection.at.position - glm::dvec3(from);
     term.distance = glm::length(term.toLight);
     if (settings_.shading) {
         const SurfaceMaterial& material = world_.materials[at.material];
         if (term.distance > 0.0)
             term.reflected =
-                term.connection.at.color * phong({at.kd, material.ks, material.shininess}, at.normal,
-                                                 term.toLight * (1.0 / term.distance), at.toViewer);
+                term.connection.at.color * shading::phong({at.kd, material.ks, material.shininess}, at.normal,
+                                                          term.toLight * (1.0 / term.distance), at.toViewer);
         if (compiled.light.falloff == Falloff::InverseSquare)
             term.reflected /= std::max(term.distance * term.distance, 0x1p-126);
     } else {
@@ -155,4 +155,4 @@ double Tracer<O, Terms>::transmittance(const Ray& shadow) {
     return 0.0;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -8,7 +8,7 @@
 #include "bvh/intersect/intersect_triangle.h"
 #include "math/spawn.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 namespace {
 
@@ -93,10 +93,10 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     const AccelInput& input = name.body->geometry->input;
     const Triangle triangle = triangleOf(name);
     const glm::uvec3 index = input.triangles[name.inBody];
-    TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
-                      static_cast<double>(at.hit.v)};
-    intersectTriangle(ShearedRay(words(ray)), input.vertices[index.x], input.vertices[index.y],
-                      input.vertices[index.z], exact);
+    bvh::TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
+                           static_cast<double>(at.hit.v)};
+    bvh::intersectTriangle(bvh::ShearedRay(bvh::words(ray)), input.vertices[index.x], input.vertices[index.y],
+                           input.vertices[index.z], exact);
     const glm::dvec3 weights(1.0 - exact.u - exact.v, exact.u, exact.v);
     at.t = exact.t;
     at.position = weights.x * triangle.p[0] + weights.y * triangle.p[1] + weights.z * triangle.p[2];
@@ -111,7 +111,7 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
 
 void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
     double t = static_cast<double>(at.hit.t);
-    intersectSphere(ray, sphere, ray.tMin, ray.tMax, t);
+    bvh::intersectSphere(ray, sphere, ray.tMin, ray.tMax, t);
     const glm::dvec3 center(sphere.center);
     const double radius = static_cast<double>(sphere.radius);
     const glm::dvec3 fromCenter =
@@ -130,8 +130,12 @@ void faceViewer(Interaction& at) {
 
 }  // namespace
 
-glm::vec3 Interaction::originOutside() const { return spawnOrigin(position, magnitude, geometricNormal); }
-glm::vec3 Interaction::originBehind() const { return spawnOrigin(position, magnitude, -geometricNormal); }
+glm::vec3 Interaction::originOutside() const {
+    return math::spawnOrigin(position, magnitude, geometricNormal);
+}
+glm::vec3 Interaction::originBehind() const {
+    return math::spawnOrigin(position, magnitude, -geometricNormal);
+}
 
 Interaction interactionAt(const World& world, const Ray& ray, float time, const RayCone& cone,
                           const Hit& hit) {
@@ -165,4 +169,4 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
     return at;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

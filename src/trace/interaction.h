@@ -4,7 +4,7 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// How wide a ray is: a cone whose width grows by `spread` per unit of distance. It serves texture filtering
 /// only (Akenine-Möller et al. 2021, "Improved Shader and Texture Level of Detail Using Ray Cones").
@@ -37,4 +37,4 @@ struct Interaction {
 Interaction interactionAt(const World& world, const Ray& ray, float time, const RayCone& cone,
                           const Hit& hit);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -5,7 +5,7 @@
 
 #include "trace/interaction.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// A ray that sets out, and what its radiance will be multiplied with.
 struct Segment {
@@ -20,7 +20,7 @@ struct Segment {
 struct LightConnection {
     int light = 0, sample = 0;
     glm::vec3 from{0.0f};
-    LightSample at;
+    shading::LightSample at;
     Visibility visibility = Visibility::Visible;
 };
 
@@ -47,4 +47,4 @@ struct NullObserver {
 };
 static_assert(PathObserver<NullObserver>);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

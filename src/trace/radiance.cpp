@@ -1,7 +1,7 @@
 #include "trace/radiance.inl"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

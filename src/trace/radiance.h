@@ -5,7 +5,7 @@
 #include "trace/path_observer.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// What one sample is worth.
 struct SampleResult {
@@ -20,4 +20,4 @@ SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& 
 
 extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -18,7 +18,7 @@
 #include "trace/shadow_ray.h"
 #include "trace/term_sum.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 constexpr int kRayGroup = 64;  ///< most rays from one point that are searched at once
 
@@ -27,7 +27,7 @@ struct LightTerm;
 template <PathObserver O, class Terms>
 class Tracer {
   public:
-    Tracer(const World& world, const SampleStream& stream, const CameraSample& sample, O& observer,
+    Tracer(const World& world, const sampling::SampleStream& stream, const CameraSample& sample, O& observer,
            Terms& terms)
         : world_(world),
           settings_(world.settings),
@@ -43,13 +43,13 @@ class Tracer {
   private:
     /// Position in the path tree beside the segment itself.
     struct Branch {
-        PathKey key;
+        sampling::PathKey key;
         bool split =
             false;  ///< an earlier vertex split into several rays: take one sample of everything from here
     };
 
     void traceLens();
-    void traceCamera(const Ray& ray, double weight, PathKey key, const Hit* known = nullptr);
+    void traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known = nullptr);
     void trace(Segment& segment, Branch branch, const Hit* known = nullptr);
     bool closestHit(const Ray& ray, Hit& hit);
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits);
@@ -72,9 +72,9 @@ class Tracer {
                       const glm::dvec3& throughput);
     void queueLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                     const glm::dvec3& throughput);
-    SamplePoints pointsOn(std::size_t light, const Branch& branch, int n) const;
+    sampling::SamplePoints pointsOn(std::size_t light, const Branch& branch, int n) const;
     LightTerm connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
-                      const SamplePoints& points) const;
+                      const sampling::SamplePoints& points) const;
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& ray);
 
@@ -85,7 +85,7 @@ class Tracer {
 
     const World& world_;
     const Settings& settings_;
-    const SampleStream& stream_;
+    const sampling::SampleStream& stream_;
     const CameraSample& sample_;
     O& observer_;
     Terms& terms_;
@@ -95,9 +95,9 @@ class Tracer {
 template <PathObserver O, class Terms>
 std::uint64_t Tracer<O, Terms>::traceSample() {
     if (hasSingleCameraRays(world_))
-        traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, PathKey{});
+        traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, sampling::PathKey{});
     else if (inSharpZone())
-        traceCamera(world_.camera.pinholeRay(sample_.pixel), 1.0, PathKey{});
+        traceCamera(world_.camera.pinholeRay(sample_.pixel), 1.0, sampling::PathKey{});
     else
         traceLens();
     return rays_;
@@ -106,7 +106,7 @@ std::uint64_t Tracer<O, Terms>::traceSample() {
 template <PathObserver O, class Terms>
 std::uint64_t Tracer<O, Terms>::traceSample(const Ray& camera, const Hit& hit) {
     ++rays_;
-    traceCamera(camera, 1.0, PathKey{}, &hit);
+    traceCamera(camera, 1.0, sampling::PathKey{}, &hit);
     return rays_;
 }
 
@@ -119,13 +119,15 @@ void Tracer<O, Terms>::traceLens() {
     for (int first = 0; first < n; first += kRayGroup) {
         const int count = std::min(kRayGroup, n - first);
         for (int k = 0; k < count; ++k) {
-            const glm::vec2 u = stream_.get2D(Dim::Lens, {}, 0, first + k, n);
+            const glm::vec2 u = stream_.get2D(sampling::Dim::Lens, {}, 0, first + k, n);
             rays[static_cast<std::size_t>(k)] =
-                world_.camera.lensRay(sample_.pixel, sampleAperture(settings_.lensShape, u));
+                world_.camera.lensRay(sample_.pixel, sampling::sampleAperture(settings_.lensShape, u));
         }
         closestHits({rays.data(), static_cast<std::size_t>(count)}, hits);
         for (int k = 0; k < count; ++k) {
-            const PathKey key = n == 1 ? PathKey{} : PathKey{}.child(static_cast<std::uint32_t>(first + k));
+            const sampling::PathKey key =
+                n == 1 ? sampling::PathKey{}
+                       : sampling::PathKey{}.child(static_cast<std::uint32_t>(first + k));
             const auto i = static_cast<std::size_t>(k);
             traceCamera(rays[i], 1.0 / n, key, &hits[i]);
         }
@@ -157,7 +159,7 @@ void Tracer<O, Terms>::closestHits(std::span<const Ray> rays, std::span<Hit> hit
 }
 
 template <PathObserver O, class Terms>
-void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, PathKey key, const Hit* known) {
+void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known) {
     Segment segment;
     segment.ray = ray;
     segment.throughput = glm::dvec3(weight);
@@ -178,7 +180,8 @@ void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) 
             closestHit(segment.ray, hit);
         if (hit.primitive == kNoPrimitive) {
             if (world_.environment)
-                add(segment.throughput * lookup(*world_.environment, glm::dvec3(segment.ray.direction)));
+                add(segment.throughput *
+                    shading::lookup(*world_.environment, glm::dvec3(segment.ray.direction)));
             return observer_.ended(segment, RayEnd::Missed);
         }
         const Interaction at = interactionAt(world_, segment.ray, sample_.time, segment.cone, hit);
@@ -205,7 +208,7 @@ template <PathObserver O, class Terms>
 void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, const Branch& branch,
                              const glm::dvec3& throughput) {
     if (settings_.reflectionMap && world_.environment) {
-        add(throughput * lookup(*world_.environment, mirrorDirection(at)));
+        add(throughput * shading::lookup(*world_.environment, mirrorDirection(at)));
         return observer_.ended(segment, RayEnd::Absorbed);
     }
     for (std::size_t light = 0; light < world_.lights.size(); ++light)
@@ -216,14 +219,15 @@ void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, cons
 
 template <PathObserver O>
 SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer) {
-    const SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp);
+    const sampling::SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index,
+                                        world.settings.spp);
     const CameraSample sample(world, stream, name);
     TermSum terms;
     const std::uint64_t rays = Tracer<O, TermSum>(world, stream, sample, observer, terms).traceSample();
     return {terms.sum, rays};
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace
 
 #include "trace/direct_light.inl"
 #include "trace/reflection.inl"

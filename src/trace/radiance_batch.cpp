@@ -2,7 +2,7 @@
 
 #include "trace/radiance.inl"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed)
     : world_(world), seed_(seed), hasSingleRays_(!world.moves && hasSingleCameraRays(world)), queue_(world) {
@@ -40,4 +40,4 @@ std::span<const SampleResult> RadianceBatch::finish() {
     return results_;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -6,7 +6,7 @@
 #include "trace/camera_sample.h"
 #include "trace/term_queue.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// Computes the radiance of many samples: for each bit for bit what radiance() finds, in less time, because
 /// the camera rays of all of them are searched together, and so are their shadow rays.
@@ -27,7 +27,7 @@ class RadianceBatch {
     const World& world_;
     std::uint64_t seed_;
     bool hasSingleRays_;  ///< of the camera, that depend on nothing else
-    std::vector<SampleStream> streams_;
+    std::vector<sampling::SampleStream> streams_;
     std::vector<CameraSample> samples_;
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
@@ -35,4 +35,4 @@ class RadianceBatch {
     TermQueue queue_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -2,15 +2,15 @@
 // How surfaces reflect one another. An end of radiance.inl.
 #include "trace/radiance.inl"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// The mirrored viewing direction; about the geometric normal where the shading normal would send it below
 /// ground.
 template <PathObserver O, class Terms>
 glm::dvec3 Tracer<O, Terms>::mirrorDirection(const Interaction& at) const {
-    const glm::dvec3 direction = mirror(-at.toViewer, at.normal);
+    const glm::dvec3 direction = shading::mirror(-at.toViewer, at.normal);
     if (glm::dot(direction, at.geometricNormal) > 0.0) return glm::normalize(direction);
-    return glm::normalize(mirror(-at.toViewer, at.geometricNormal));
+    return glm::normalize(shading::mirror(-at.toViewer, at.geometricNormal));
 }
 
 template <PathObserver O, class Terms>
@@ -49,10 +49,10 @@ template <PathObserver O, class Terms>
 template <int kGroup>
 void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Interaction& at,
                                      const Branch& branch, const glm::dvec3& direction) {
-    const Frame frame = frameAround(direction);
+    const math::Frame frame = math::frameAround(direction);
     const double shininess = std::max(world_.materials[at.material].shininess, 1e-6);
     const double side = static_cast<double>(settings_.glossySigma) / (3.0 * shininess);
-    const SamplePoints points = stream_.points(Dim::Glossy, branch.key, 0, n);
+    const sampling::SamplePoints points = stream_.points(sampling::Dim::Glossy, branch.key, 0, n);
     Segment part = mirrored;
     part.kind = RayKind::Glossy;
     part.throughput /= static_cast<double>(n);
@@ -64,8 +64,8 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
         std::size_t searched = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const glm::vec2 u = points.get2D(first + static_cast<int>(k));
-            const glm::dvec3 displaced =
-                0.3 * direction + side * (normalDeviate(u.x) * frame.u + normalDeviate(u.y) * frame.v);
+            const glm::dvec3 displaced = 0.3 * direction + side * (sampling::normalDeviate(u.x) * frame.u +
+                                                                   sampling::normalDeviate(u.y) * frame.v);
             rays[k] = {mirrored.ray.origin, glm::vec3(glm::normalize(displaced))};
             isAbove[k] = glm::dot(displaced, at.geometricNormal) > 0.0;
             if (isAbove[k]) above[searched++] = rays[k];
@@ -86,4 +86,4 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     }
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

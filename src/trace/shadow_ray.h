@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// The ray from a surface to a position on a light; t = 1 is the light. The vector from one to the other is
 /// known, and its length. It ends before the light by the
@@ -22,4 +22,4 @@ inline Ray shadowRay(const glm::vec3& from, const glm::dvec3& light) {
     return shadowRay(from, light, toLight, glm::length(toLight));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

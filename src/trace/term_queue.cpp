@@ -4,7 +4,7 @@
 
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 TermQueue::TermQueue(const World& world) : world_(world) {
     terms_.reserve(kMostTerms);
@@ -20,4 +20,4 @@ void TermQueue::fold() {
     shadows_.clear();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -7,7 +7,7 @@
 
 #include "trace/radiance.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// The terms of many samples, of which some wait for the answer to a shadow ray, so that many shadow rays can
 /// be asked at once. What a sample sums up to is the left fold of its terms all the same. For worlds at rest.
@@ -48,4 +48,4 @@ class TermQueue {
     std::uint32_t sample_ = 0;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/vector.h>
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// The radiance of one sample, each term added as it is found.
 struct TermSum {
@@ -11,4 +11,4 @@ struct TermSum {
     void add(const glm::dvec3& term) { sum += term; }
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

@@ -2,7 +2,7 @@
 
 #include "bvh/traversal/traverse.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 namespace {
 
@@ -15,11 +15,12 @@ Ray atRest(const Ray& ray, const Body& body, float time) {
 }
 
 bool closestHitInBody(const Body& body, bool useBvh, const Ray& ray, Hit& hit) {
-    return useBvh ? body.accel->closestHit(ray, hit) : closestHitBruteForce(body.geometry->input, ray, hit);
+    return useBvh ? body.accel->closestHit(ray, hit)
+                  : bvh::closestHitBruteForce(body.geometry->input, ray, hit);
 }
 
 bool anyHitInBody(const Body& body, bool useBvh, const Ray& ray) {
-    return useBvh ? body.accel->anyHit(ray) : anyHitBruteForce(body.geometry->input, ray);
+    return useBvh ? body.accel->anyHit(ray) : bvh::anyHitBruteForce(body.geometry->input, ray);
 }
 
 }  // namespace
@@ -79,4 +80,4 @@ std::uint32_t World::primitiveCount() const {
            static_cast<std::uint32_t>(input.triangles.size() + input.spheres.size());
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

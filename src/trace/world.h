@@ -15,14 +15,14 @@
 #include "trace/body.h"
 #include "trace/camera.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// A material as the tracer reads it.
 struct SurfaceMaterial {
     glm::dvec3 kd, ks;
     double shininess = 1.0, opacity = 1.0;
-    bool reflects = false;                ///< spawns mirror rays
-    const MipTexture* texture = nullptr;  ///< replaces kd
+    bool reflects = false;                         ///< spawns mirror rays
+    const shading::MipTexture* texture = nullptr;  ///< replaces kd
 };
 
 /// Geometry with its search structure.
@@ -35,7 +35,7 @@ struct Body {
 /// A light and the number of samples that it takes where it is sampled in full.
 struct CompiledLight {
     Light light;
-    LightSampleGrid grid;
+    shading::LightSampleGrid grid;
     int dimensions = 0;  ///< of its shape: 0 point, 1 segment, 2 parallelogram
     bool castsShadows = true;
 };
@@ -55,7 +55,7 @@ class World {
     Settings settings;
     std::vector<Body> bodies;
     std::vector<SurfaceMaterial> materials;
-    std::vector<std::shared_ptr<const MipTexture>> textures;
+    std::vector<std::shared_ptr<const shading::MipTexture>> textures;
     std::vector<CompiledLight> lights;
     std::shared_ptr<const Environment> environment;  ///< null if the scene has none or it is switched off
     Camera camera;
@@ -81,4 +81,4 @@ class World {
     std::uint32_t primitiveCount() const;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

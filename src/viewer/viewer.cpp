@@ -4,7 +4,7 @@
 
 #include "viewer/app/application.h"
 
-namespace rayscope {
+namespace rayscope::viewer {
 
 int runViewer(const ViewerOptions& options) {
     constexpr int kWrongInput = 2;
@@ -28,4 +28,4 @@ int runViewer(const ViewerOptions& options) {
     return 0;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::viewer

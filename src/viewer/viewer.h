@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::viewer {
 
 /// The scene that opens when none is named.
 inline constexpr const char* kDefaultScene = "builtin:cornell";
@@ -31,4 +31,4 @@ struct ViewerOptions {
 /// first, which ends the program like any other wrong input (2).
 int runViewer(const ViewerOptions& options);
 
-}  // namespace rayscope
+}  // namespace rayscope::viewer

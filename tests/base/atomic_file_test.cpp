@@ -39,9 +39,9 @@ class FullDisk {
 TEST(AtomicFile, WritesAndReplaces) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.json");
-    writeFileAtomically(path, "one");
+    base::writeFileAtomically(path, "one");
     EXPECT_EQ(readText(path), "one");
-    writeFileAtomically(path, "two");
+    base::writeFileAtomically(path, "two");
     EXPECT_EQ(readText(path), "two");
     EXPECT_EQ(folder.entries(), 1u);
 }
@@ -52,7 +52,7 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNothingElse) {
     std::string message;
     {
         const FullDisk limit(1000);
-        message = inputErrorOf([&] { writeFileAtomically(path, std::string(5000, 'x')); });
+        message = inputErrorOf([&] { base::writeFileAtomically(path, std::string(5000, 'x')); });
     }
     EXPECT_THAT(message, AllOf(HasSubstr(path), HasSubstr("cannot be written: File too large")));
     EXPECT_EQ(readText(path), "old");
@@ -60,8 +60,8 @@ TEST(AtomicFile, AFullDiskLeavesTheOldFileAndNothingElse) {
 }
 
 TEST(AtomicFile, ADeviceIsWrittenToDirectly) {
-    writeFileAtomically("/dev/null", "gone");
-    EXPECT_THAT(inputErrorOf([] { writeFileAtomically("/dev/full", "x"); }),
+    base::writeFileAtomically("/dev/null", "gone");
+    EXPECT_THAT(inputErrorOf([] { base::writeFileAtomically("/dev/full", "x"); }),
                 HasSubstr("No space left on device"));
     struct stat status {};
     ASSERT_EQ(::stat("/dev/full", &status), 0);
@@ -72,7 +72,7 @@ TEST(AtomicFile, ALinkStaysALink) {
     const TemporaryFolder folder;
     folder.write("target", "old");
     std::filesystem::create_symlink("target", folder.file("link"));
-    writeFileAtomically(folder.file("link"), "new");
+    base::writeFileAtomically(folder.file("link"), "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
     EXPECT_EQ(readText(folder.file("target")), "new");
 }
@@ -81,7 +81,7 @@ TEST(AtomicFile, TheRightsOfTheOldFileStay) {
     const TemporaryFolder folder;
     const std::string path = folder.write("a.json", "old");
     ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
-    writeFileAtomically(path, "new");
+    base::writeFileAtomically(path, "new");
     struct stat status {};
     ASSERT_EQ(::stat(path.c_str(), &status), 0);
     EXPECT_EQ(status.st_mode & 0777, 0640u);
@@ -89,23 +89,23 @@ TEST(AtomicFile, TheRightsOfTheOldFileStay) {
 
 TEST(AtomicFile, SaysWhyADestinationIsImpossible) {
     const TemporaryFolder folder;
-    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.file("no/such/a.json")); }),
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(folder.file("no/such/a.json")); }),
                 AllOf(HasSubstr("there is no folder"), HasSubstr("create it")));
-    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.path().string()); }),
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(folder.path().string()); }),
                 HasSubstr("is a folder"));
-    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(""); }), HasSubstr("without a name"));
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(""); }), HasSubstr("without a name"));
     const std::string file = folder.write("file", "");
-    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(file + "/a.json"); }),
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(file + "/a.json"); }),
                 HasSubstr("there is no folder"));
 }
 
 TEST(AtomicFile, AFolderThatTakesNoFilesIsRefusedAtOnce) {
-    EXPECT_THAT(inputErrorOf([] { checkFileDestination("/proc/rayscope.json"); }),
+    EXPECT_THAT(inputErrorOf([] { base::checkFileDestination("/proc/rayscope.json"); }),
                 AllOf(HasSubstr("/proc/rayscope.json"), HasSubstr("cannot be written: ")));
     if (::geteuid() == 0) return;  // to whom no folder is forbidden
     const TemporaryFolder folder;
     ASSERT_EQ(::chmod(folder.path().c_str(), 0500), 0);
-    EXPECT_THAT(inputErrorOf([&] { checkFileDestination(folder.file("a.json")); }),
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(folder.file("a.json")); }),
                 HasSubstr("Permission denied"));
     ::chmod(folder.path().c_str(), 0700);
 }
@@ -114,11 +114,11 @@ TEST(AtomicFile, PiecesAppearTogetherOrNotAtAll) {
     const TemporaryFolder folder;
     folder.write("a", "old");
     {
-        rayscope::AtomicFile file(folder.file("a"));
+        rayscope::base::AtomicFile file(folder.file("a"));
         file.write("half");
     }
     EXPECT_EQ(readText(folder / "a"), "old");
-    rayscope::AtomicFile file(folder.file("a"));
+    rayscope::base::AtomicFile file(folder.file("a"));
     file.write("new ");
     file.write("text");
     EXPECT_EQ(readText(folder / "a"), "old");
@@ -129,7 +129,7 @@ TEST(AtomicFile, PiecesAppearTogetherOrNotAtAll) {
 
 TEST(AtomicFile, ACheckLeavesNothing) {
     const TemporaryFolder folder;
-    checkFileDestination(folder.file("a.json"));
+    base::checkFileDestination(folder.file("a.json"));
     EXPECT_EQ(folder.entries(), 0u);
 }
 

@@ -14,9 +14,9 @@ bool isAligned(const void* memory, std::uintptr_t to) {
 }
 
 TEST(BigVector, KeepsItsElementsWhileItGrowsPastHugePages) {
-    BigVector<std::uint32_t> numbers;
+    base::BigVector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < 3'000'000; ++i) numbers.push_back(i);
-    const BigVector<std::uint32_t> copy = numbers;
+    const base::BigVector<std::uint32_t> copy = numbers;
     numbers.resize(100);
     numbers.shrink_to_fit();
     for (std::uint32_t i = 0; i < copy.size(); ++i) ASSERT_EQ(copy[i], i);
@@ -25,11 +25,11 @@ TEST(BigVector, KeepsItsElementsWhileItGrowsPastHugePages) {
 
 TEST(BigVector, IsAlignedForCacheLinesAndFromAHugePageOnForThose) {
     for (const std::size_t size : {1u, 63u, 4096u, 1000000u, 1834999u}) {
-        const BigVector<char> bytes(size);
+        const base::BigVector<char> bytes(size);
         EXPECT_TRUE(isAligned(bytes.data(), 64)) << size;
     }
     for (const std::size_t size : {1835008u, 2097152u, 2097153u, 9999999u}) {
-        BigVector<char> bytes(size);
+        base::BigVector<char> bytes(size);
         EXPECT_TRUE(isAligned(bytes.data(), 2u << 20)) << size;
         bytes.front() = bytes.back() = 'x';
     }
@@ -40,17 +40,17 @@ struct WithDefault {
 };
 
 TEST(BigVector, RunsConstructorsWhereThereAreSome) {
-    BigVector<WithDefault> some(5);
+    base::BigVector<WithDefault> some(5);
     some.resize(9);
     for (const WithDefault& each : some) EXPECT_EQ(each.value, 7);
-    const BigVector<int> filled(1000, 3);
+    const base::BigVector<int> filled(1000, 3);
     EXPECT_EQ(std::accumulate(filled.begin(), filled.end(), 0), 3000);
 }
 
 TEST(BigVector, ThrowsWhenMoreIsAskedForThanCanBeAddressed) {
-    BigVector<std::uint64_t> numbers(4, 1u);
+    base::BigVector<std::uint64_t> numbers(4, 1u);
     EXPECT_THROW(numbers.resize(std::size_t{1} << 62), std::length_error);
-    EXPECT_EQ(numbers, BigVector<std::uint64_t>(4, 1u));
+    EXPECT_EQ(numbers, base::BigVector<std::uint64_t>(4, 1u));
 }
 
 }  // namespace

@@ -15,15 +15,15 @@ TEST(ReadFile, ReturnsEveryByte) {
     const TemporaryFolder folder;
     std::string bytes;
     for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * 7);
-    EXPECT_EQ(readFile(folder.write("a.bin", bytes)), bytes);
-    EXPECT_EQ(readFile(folder.write("empty", "")), "");
+    EXPECT_EQ(base::readFile(folder.write("a.bin", bytes)), bytes);
+    EXPECT_EQ(base::readFile(folder.write("empty", "")), "");
 }
 
 TEST(ReadFile, SaysWhatIsWrongWithTheName) {
     const TemporaryFolder folder;
-    EXPECT_THAT(inputErrorOf([&] { readFile(folder.file("none.obj")); }),
+    EXPECT_THAT(inputErrorOf([&] { base::readFile(folder.file("none.obj")); }),
                 AllOf(HasSubstr("none.obj"), HasSubstr("No such file")));
-    EXPECT_THAT(inputErrorOf([&] { readFile(folder.path().string()); }),
+    EXPECT_THAT(inputErrorOf([&] { base::readFile(folder.path().string()); }),
                 AllOf(HasSubstr(folder.path().string()), HasSubstr("is a folder")));
 }
 

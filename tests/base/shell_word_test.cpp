@@ -6,11 +6,11 @@ namespace rayscope {
 namespace {
 
 TEST(ShellWord, QuotesWhatTheShellWouldTakeApart) {
-    EXPECT_EQ(shellWord("scenes/a-b_c.toml"), "scenes/a-b_c.toml");
-    EXPECT_EQ(shellWord("max_depth=3"), "max_depth=3");
-    EXPECT_EQ(shellWord(""), "''");
-    EXPECT_EQ(shellWord("my scene.toml"), "'my scene.toml'");
-    EXPECT_EQ(shellWord("$(it's)"), "'$(it'\\''s)'");
+    EXPECT_EQ(base::shellWord("scenes/a-b_c.toml"), "scenes/a-b_c.toml");
+    EXPECT_EQ(base::shellWord("max_depth=3"), "max_depth=3");
+    EXPECT_EQ(base::shellWord(""), "''");
+    EXPECT_EQ(base::shellWord("my scene.toml"), "'my scene.toml'");
+    EXPECT_EQ(base::shellWord("$(it's)"), "'$(it'\\''s)'");
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ BuildSettings settingsOf(BvhBuilder builder, int leafSize = 4, int maxLevel = 64
     return settings;
 }
 
-bool contains(const BinaryNode& outer, const glm::vec3& point) {
+bool contains(const bvh::BinaryNode& outer, const glm::vec3& point) {
     return glm::all(glm::lessThanEqual(outer.lower, point)) &&
            glm::all(glm::lessThanEqual(point, outer.upper));
 }
 
 /// Checks the whole tree: every primitive once, boxes tight around leaves and around children, limits kept.
-void checkTree(const BinaryTree& tree, const AccelInput& input, const BuildSettings& settings) {
+void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const BuildSettings& settings) {
     const std::size_t primitives = input.triangles.size() + input.spheres.size() - tree.droppedPrimitives;
     ASSERT_EQ(tree.primitives.size(), primitives);
     if (primitives == 0) {
@@ -53,9 +53,9 @@ void checkTree(const BinaryTree& tree, const AccelInput& input, const BuildSetti
         ++nodes;
         deepest = std::max(deepest, level);
         ASSERT_LT(number, tree.nodes.size());
-        const BinaryNode& node = tree.nodes[number];
+        const bvh::BinaryNode& node = tree.nodes[number];
         if (!node.isLeaf()) {
-            const BinaryNode &left = tree.nodes[node.first], &right = tree.nodes[node.first + 1];
+            const bvh::BinaryNode &left = tree.nodes[node.first], &right = tree.nodes[node.first + 1];
             ASSERT_EQ(node.lower, glm::min(left.lower, right.lower));
             ASSERT_EQ(node.upper, glm::max(left.upper, right.upper));
             stack.push_back({node.first, level + 1});
@@ -88,7 +88,7 @@ TEST(Build, EveryTreeIsSound) {
                         if (builder != BvhBuilder::SahBinned && bins != 16) continue;
                         SCOPED_TRACE(scene.name);
                         const BuildSettings settings = settingsOf(builder, leafSize, maxLevel, bins);
-                        checkTree(buildBinaryTree(scene.input(), settings), scene.input(), settings);
+                        checkTree(bvh::buildBinaryTree(scene.input(), settings), scene.input(), settings);
                         if (HasFatalFailure()) return;
                     }
 }
@@ -97,13 +97,14 @@ TEST(Build, BigTreesAreSound) {
     const Geometry scene = soup(60000, 0.05, 5);
     for (const BvhBuilder builder : kBuilders) {
         const BuildSettings settings = settingsOf(builder);
-        checkTree(buildBinaryTree(scene.input(), settings), scene.input(), settings);
+        checkTree(bvh::buildBinaryTree(scene.input(), settings), scene.input(), settings);
     }
 }
 
 TEST(Build, MedianSplitHasTheLevelsOfABalancedTree) {
     const auto levels = [](int triangles) {
-        return buildBinaryTree(soup(triangles, 0.1, 1).input(), settingsOf(BvhBuilder::Median, 1)).levels;
+        return bvh::buildBinaryTree(soup(triangles, 0.1, 1).input(), settingsOf(BvhBuilder::Median, 1))
+            .levels;
     };
     EXPECT_EQ(levels(32), 6);
     EXPECT_EQ(levels(967), 11);
@@ -114,7 +115,7 @@ TEST(Build, EqualCentroidsAreHalved) {
     Geometry scene;
     for (int i = 0; i < 100000; ++i) scene.spheres.push_back({{0.5f, 0.25f, 1.0f}, 1.0f});
     for (const BvhBuilder builder : kBuilders)
-        EXPECT_EQ(buildBinaryTree(scene.input(), settingsOf(builder, 1)).levels, 18)
+        EXPECT_EQ(bvh::buildBinaryTree(scene.input(), settingsOf(builder, 1)).levels, 18)
             << static_cast<int>(builder);
 }
 
@@ -127,8 +128,8 @@ TEST(Build, SurfaceAreaHeuristicSeparatesWhatIsFarApart) {
     scene.addTriangle({100, 0, 0}, {100, 1, 0}, {100, 0, 1});
     for (const auto& [builder, bins] :
          {std::pair{BvhBuilder::Sah, 32}, {BvhBuilder::SahBinned, 4}, {BvhBuilder::High, 4}}) {
-        const BinaryTree tree = buildBinaryTree(scene.input(), settingsOf(builder, 1, 64, bins));
-        const BinaryNode& right = tree.nodes[tree.nodes[0].first + 1];
+        const bvh::BinaryTree tree = bvh::buildBinaryTree(scene.input(), settingsOf(builder, 1, 64, bins));
+        const bvh::BinaryNode& right = tree.nodes[tree.nodes[0].first + 1];
         ASSERT_TRUE(right.isLeaf());
         EXPECT_EQ(tree.primitives[right.first], 7u);
     }
@@ -139,15 +140,15 @@ TEST(Build, SameTreeForAnyNumberOfThreads) {
     for (int i = 0; i < 20000; ++i)
         scene.triangles.push_back(scene.triangles[static_cast<std::size_t>(i / 100)]);
     for (const BvhBuilder builder : kBuilders) {
-        std::vector<BinaryTree> trees;
+        std::vector<bvh::BinaryTree> trees;
         for (const int threads : {1, 2, 4}) {
             tbb::task_arena arena(threads);
-            arena.execute([&] { trees.push_back(buildBinaryTree(scene.input(), settingsOf(builder))); });
+            arena.execute([&] { trees.push_back(bvh::buildBinaryTree(scene.input(), settingsOf(builder))); });
         }
         for (std::size_t i = 1; i < trees.size(); ++i) {
             ASSERT_EQ(trees[i].nodes.size(), trees[0].nodes.size());
             EXPECT_EQ(std::memcmp(trees[i].nodes.data(), trees[0].nodes.data(),
-                                  trees[0].nodes.size() * sizeof(BinaryNode)),
+                                  trees[0].nodes.size() * sizeof(bvh::BinaryNode)),
                       0);
             EXPECT_EQ(trees[i].primitives, trees[0].primitives);
         }
@@ -159,17 +160,17 @@ TEST(Build, DropsAndCountsWhatIsNotFinite) {
     const auto scene =
         std::find_if(scenes.begin(), scenes.end(), [](const Geometry& g) { return g.name == "not finite"; });
     ASSERT_NE(scene, scenes.end());
-    EXPECT_EQ(buildBinaryTree(scene->input(), {}).droppedPrimitives, 7u);
+    EXPECT_EQ(bvh::buildBinaryTree(scene->input(), {}).droppedPrimitives, 7u);
 }
 
 TEST(Build, NothingToBuild) {
-    const BinaryTree tree = buildBinaryTree({}, {});
+    const bvh::BinaryTree tree = bvh::buildBinaryTree({}, {});
     EXPECT_TRUE(tree.nodes.empty());
     Geometry scene;
     scene.vertices.assign(3, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
     scene.triangles = {{0, 1, 2}};
-    EXPECT_EQ(buildBinaryTree(scene.input(), {}).droppedPrimitives, 1u);
-    EXPECT_TRUE(buildBinaryTree(scene.input(), {}).nodes.empty());
+    EXPECT_EQ(bvh::buildBinaryTree(scene.input(), {}).droppedPrimitives, 1u);
+    EXPECT_TRUE(bvh::buildBinaryTree(scene.input(), {}).nodes.empty());
 }
 
 TEST(Build, NamesTheFirstTriangleWithAMissingVertex) {

@@ -2,8 +2,8 @@
 // sure of a hit, the exact test finds it.
 #include <gtest/gtest.h>
 
-#include "bvh/meshes.h"
 #include "bvh/intersect/ray_words.h"
+#include "bvh/meshes.h"
 // clang-format off: the lanes come first
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on
@@ -12,7 +12,7 @@
 namespace rayscope::test {
 namespace {
 
-using namespace kernel;
+using namespace bvh::kernel;
 
 struct Case {
     TriangleBlock block;
@@ -61,7 +61,7 @@ TEST(Candidates, LeavesOutNoHitAndIsSureOfHitsOnly) {
     int hits = 0, sureOnes = 0, doubtful = 0, tooFar = 0;
     for (int i = 0; i < 200'000; ++i) {
         const auto [block, ray] = awkwardCase(random);
-        const RayWords word = words(ray);
+        const RayWords word = bvh::words(ray);
         if (!isTraceable(word)) continue;
         FastRay fast;
         fast.prepare(word);

@@ -118,7 +118,7 @@ TEST(Huge, TrianglesThatReachBehindTheOriginAreHit) {
         const Ray ray{s * glm::vec3(-0x1.59289p-1f, 0x1.c71e84p+2f, -0x1.2ed3f6p-1f),
                       {-0x1.425be8p-1f, -0x1.6df9cp-2f, 0x1.6130fcp-1f}};
         for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
-            if (!isAvailable(isa)) continue;
+            if (!bvh::isAvailable(isa)) continue;
             BuildSettings settings;
             settings.isa = isa;
             Hit hit;

@@ -55,8 +55,9 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
             glm::vec3(da + random.real() * (db - da) + aside * (dc - da) - glm::dvec3(ray.origin));
         const ExactTriangle exact(ray, a, b, c);
         if (exact.onEdge) continue;
-        TriangleHit hit;
-        ASSERT_EQ(intersectTriangle(ShearedRay(words(ray)), a, b, c, hit), exact.inside) << text(ray);
+        bvh::TriangleHit hit;
+        ASSERT_EQ(bvh::intersectTriangle(bvh::ShearedRay(bvh::words(ray)), a, b, c, hit), exact.inside)
+            << text(ray);
         ++(exact.inside ? inside : outside);
         if (!exact.inside) continue;
         const mpq_class error = abs(mpq_class(hit.t) - exact.t) / abs(exact.t);
@@ -75,7 +76,7 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
 }
 
 /// Whether the exact line meets the closed box for some t in [tMin, tMax].
-bool exactlyMeets(const BinaryNode& box, const Ray& ray) {
+bool exactlyMeets(const bvh::BinaryNode& box, const Ray& ray) {
     mpq_class enter = ray.tMin, leave = ray.tMax;
     for (int axis = 0; axis < 3; ++axis) {
         const mpq_class o = ray.origin[axis], d = ray.direction[axis], low = box.lower[axis],
@@ -92,8 +93,8 @@ bool exactlyMeets(const BinaryNode& box, const Ray& ray) {
     return enter <= leave;
 }
 
-BinaryNode someBox(Random& random, double size) {
-    BinaryNode box{};
+bvh::BinaryNode someBox(Random& random, double size) {
+    bvh::BinaryNode box{};
     for (int axis = 0; axis < 3; ++axis) {
         const double low = size * random.real(-1, 1);
         box.lower[axis] = static_cast<float>(low);
@@ -105,7 +106,7 @@ BinaryNode someBox(Random& random, double size) {
 }
 
 /// Aimed at corners, edges and faces, along and inside the planes of the box, with directions of any length.
-Ray rayAtBox(Random& random, const BinaryNode& box, double size) {
+Ray rayAtBox(Random& random, const bvh::BinaryNode& box, double size) {
     Ray ray;
     ray.tMax = std::numeric_limits<float>::max();
     glm::dvec3 target;
@@ -134,12 +135,12 @@ TEST(ExactOracle, BoxThatIsMetIsNeverMissed) {
     int met = 0, falselyMet = 0, notMet = 0;
     for (int i = 0; i < 200000; ++i) {
         const double size = std::exp2(random.integer(121) - 60);
-        const BinaryNode box = someBox(random, size);
+        const bvh::BinaryNode box = someBox(random, size);
         const Ray ray = rayAtBox(random, box, size);
         if (ray.direction == glm::vec3(0.0f)) continue;
-        const BoxRay boxRay(words(ray));
+        const bvh::BoxRay boxRay(bvh::words(ray));
         float entry;
-        const bool found = intersectBox(planes(box), boxRay, boxRay.tMax, entry);
+        const bool found = bvh::intersectBox(bvh::planes(box), boxRay, boxRay.tMax, entry);
         const bool exact = exactlyMeets(box, ray);
         if (exact) {
             ASSERT_TRUE(found) << text(ray);
@@ -159,21 +160,21 @@ TEST(ExactOracle, BoxTestIsMonotone) {
     int met = 0;
     for (int i = 0; i < 300000; ++i) {
         const double size = std::exp2(random.integer(121) - 60);
-        const BinaryNode inner = someBox(random, size);
+        const bvh::BinaryNode inner = someBox(random, size);
         const Ray ray = rayAtBox(random, inner, size);
         if (ray.direction == glm::vec3(0.0f)) continue;
-        BinaryNode outer = inner;
+        bvh::BinaryNode outer = inner;
         for (int axis = 0; axis < 3; ++axis) {
             if (random.integer(2))
                 outer.lower[axis] -= static_cast<float>(size * std::exp2(-random.real(0, 30)));
             if (random.integer(2))
                 outer.upper[axis] += static_cast<float>(size * std::exp2(-random.real(0, 30)));
         }
-        const BoxRay boxRay(words(ray));
+        const bvh::BoxRay boxRay(bvh::words(ray));
         float entry, outerEntry;
-        if (!intersectBox(planes(inner), boxRay, boxRay.tMax, entry)) continue;
+        if (!bvh::intersectBox(bvh::planes(inner), boxRay, boxRay.tMax, entry)) continue;
         ++met;
-        ASSERT_TRUE(intersectBox(planes(outer), boxRay, boxRay.tMax, outerEntry)) << text(ray);
+        ASSERT_TRUE(bvh::intersectBox(bvh::planes(outer), boxRay, boxRay.tMax, outerEntry)) << text(ray);
         ASSERT_LE(outerEntry, entry) << text(ray);
     }
     EXPECT_GT(met, 50000);

@@ -59,10 +59,10 @@ TEST(IntersectSphere, AgreesWithQuadruplePrecision) {
                 const double doubt = 0x1p-50 * (2.0 + distance);
                 if (std::abs(static_cast<double>(exact.discriminant)) < doubt * radius * radius) continue;
                 double near, far;
-                ASSERT_EQ(intersectSphere(ray, sphere, near, far), exact.discriminant > 0) << text(ray);
+                ASSERT_EQ(bvh::intersectSphere(ray, sphere, near, far), exact.discriminant > 0) << text(ray);
                 ++(exact.discriminant > 0 ? hits : misses);
                 if (exact.discriminant < 0) continue;
-                const double bound = sphereHitError(ray, sphere);
+                const double bound = bvh::sphereHitError(ray, sphere);
                 const double error = std::max(std::abs(static_cast<double>(near - exact.near)),
                                               std::abs(static_cast<double>(far - exact.far)));
                 ASSERT_LE(error, bound) << text(ray);
@@ -78,29 +78,29 @@ TEST(IntersectSphere, FirstRootInsideTheInterval) {
     const Sphere sphere{{0, 0, 0}, 1.0f};
     const Ray ray{{0, 0, -3}, {0, 0, 1}};
     double t;
-    ASSERT_TRUE(intersectSphere(ray, sphere, 0.0f, 9.0f, t));
+    ASSERT_TRUE(bvh::intersectSphere(ray, sphere, 0.0f, 9.0f, t));
     EXPECT_EQ(t, 2.0);
-    ASSERT_TRUE(intersectSphere(ray, sphere, 2.0f, 9.0f, t));
+    ASSERT_TRUE(bvh::intersectSphere(ray, sphere, 2.0f, 9.0f, t));
     EXPECT_EQ(t, 4.0);
-    ASSERT_TRUE(intersectSphere(ray, sphere, std::nextafter(2.0f, 0.0f), 2.0f, t));
+    ASSERT_TRUE(bvh::intersectSphere(ray, sphere, std::nextafter(2.0f, 0.0f), 2.0f, t));
     EXPECT_EQ(t, 2.0);
-    EXPECT_FALSE(intersectSphere(ray, sphere, 2.0f, std::nextafter(4.0f, 0.0f), t));
-    EXPECT_FALSE(intersectSphere(ray, sphere, 4.0f, 9.0f, t));
-    ASSERT_TRUE(intersectSphere({{0, 0, 0}, {0, 0, 2}}, sphere, 0.0f, 9.0f, t));
+    EXPECT_FALSE(bvh::intersectSphere(ray, sphere, 2.0f, std::nextafter(4.0f, 0.0f), t));
+    EXPECT_FALSE(bvh::intersectSphere(ray, sphere, 4.0f, 9.0f, t));
+    ASSERT_TRUE(bvh::intersectSphere({{0, 0, 0}, {0, 0, 2}}, sphere, 0.0f, 9.0f, t));
     EXPECT_EQ(t, 0.5);
 }
 
 TEST(IntersectSphere, TangentsAndTheCenter) {
     double near, far;
-    ASSERT_TRUE(intersectSphere({{1, 0, -5}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
+    ASSERT_TRUE(bvh::intersectSphere({{1, 0, -5}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
     EXPECT_DOUBLE_EQ(near, 5.0);
     EXPECT_DOUBLE_EQ(far, 5.0);
-    ASSERT_TRUE(intersectSphere({{1, 0, 0}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
+    ASSERT_TRUE(bvh::intersectSphere({{1, 0, 0}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
     EXPECT_EQ(near, 0.0);
     EXPECT_EQ(far, 0.0);
     EXPECT_FALSE(
-        intersectSphere({{std::nextafter(1.0f, 2.0f), 0, -5}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
-    ASSERT_TRUE(intersectSphere({{3, 2, 1}, {0, 3, 0}}, {{3, 2, 1}, 6}, near, far));
+        bvh::intersectSphere({{std::nextafter(1.0f, 2.0f), 0, -5}, {0, 0, 1}}, {{0, 0, 0}, 1}, near, far));
+    ASSERT_TRUE(bvh::intersectSphere({{3, 2, 1}, {0, 3, 0}}, {{3, 2, 1}, 6}, near, far));
     EXPECT_EQ(near, -2.0);
     EXPECT_EQ(far, 2.0);
 }
@@ -109,7 +109,7 @@ TEST(IntersectSphere, WithoutAPositiveRadiusThereIsNoHit) {
     double near, far;
     for (const float radius : {0.0f, -0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(),
                                std::numeric_limits<float>::infinity()})
-        EXPECT_FALSE(intersectSphere({{0, 0, -5}, {0, 0, 1}}, {{0, 0, 0}, radius}, near, far)) << radius;
+        EXPECT_FALSE(bvh::intersectSphere({{0, 0, -5}, {0, 0, 1}}, {{0, 0, 0}, radius}, near, far)) << radius;
 }
 
 }  // namespace

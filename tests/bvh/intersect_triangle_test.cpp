@@ -10,7 +10,7 @@
 namespace rayscope::test {
 namespace {
 
-using kernel::ShearedVertex;
+using bvh::kernel::ShearedVertex;
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -36,17 +36,19 @@ Case someCase(Random& random) {
     return test;
 }
 
-bool sameBits(const TriangleHit& x, const TriangleHit& y) { return std::memcmp(&x, &y, sizeof x) == 0; }
+bool sameBits(const bvh::TriangleHit& x, const bvh::TriangleHit& y) {
+    return std::memcmp(&x, &y, sizeof x) == 0;
+}
 
 TEST(IntersectTriangle, EarlyRejectionChangesNothing) {
     Random random(1);
     int rejected = 0, hits = 0;
     for (int i = 0; i < 300000; ++i) {
         const Case test = someCase(random);
-        const ShearedRay ray(words(test.ray));
+        const bvh::ShearedRay ray(bvh::words(test.ray));
         const ShearedVertex a = shear(ray, &test.a.x), b = shear(ray, &test.b.x), c = shear(ray, &test.c.x);
-        TriangleHit fast{}, exact{};
-        const bool fastHits = intersectTriangle(ray, test.a, test.b, test.c, fast);
+        bvh::TriangleHit fast{}, exact{};
+        const bool fastHits = bvh::intersectTriangle(ray, test.a, test.b, test.c, fast);
         const bool exactHits = intersectSheared(ray.scaleZ, a, b, c, exact);
         ASSERT_EQ(fastHits, exactHits) << text(test.ray);
         if (exactHits) {
@@ -63,8 +65,9 @@ TEST(IntersectTriangle, WeightsDescribeTheHitPoint) {
     Random random(2);
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
-        TriangleHit hit;
-        if (!intersectTriangle(ShearedRay(words(test.ray)), test.a, test.b, test.c, hit)) continue;
+        bvh::TriangleHit hit;
+        if (!bvh::intersectTriangle(bvh::ShearedRay(bvh::words(test.ray)), test.a, test.b, test.c, hit))
+            continue;
         ASSERT_GE(hit.u, 0.0);
         ASSERT_GE(hit.v, 0.0);
         ASSERT_LE(hit.u + hit.v, 1.0 + 0x1p-50);
@@ -87,13 +90,13 @@ TEST(IntersectTriangle, OrderOfVerticesDoesNotMatter) {
     Random random(3);
     for (int i = 0; i < 50000; ++i) {
         const Case test = someCase(random);
-        const ShearedRay ray(words(test.ray));
+        const bvh::ShearedRay ray(bvh::words(test.ray));
         const glm::vec3 v[3] = {test.a, test.b, test.c};
-        TriangleHit first{};
-        const bool hits = intersectTriangle(ray, v[0], v[1], v[2], first);
+        bvh::TriangleHit first{};
+        const bool hits = bvh::intersectTriangle(ray, v[0], v[1], v[2], first);
         for (const auto& [x, y, z] : {std::array{0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
-            TriangleHit other{};
-            ASSERT_EQ(intersectTriangle(ray, v[x], v[y], v[z], other), hits) << text(test.ray);
+            bvh::TriangleHit other{};
+            ASSERT_EQ(bvh::intersectTriangle(ray, v[x], v[y], v[z], other), hits) << text(test.ray);
             if (!hits) continue;
             const double scale = std::max(std::abs(first.t), 1e-3);
             ASSERT_NEAR(other.t, first.t, 0x1p-40 * scale * std::max(1.0, 1.0 / std::abs(first.t)));
@@ -105,35 +108,35 @@ TEST(IntersectTriangle, WithoutAreaOrFiniteCornersThereIsNoHit) {
     Random random(4);
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
-        const ShearedRay ray(words(test.ray));
-        TriangleHit hit;
-        ASSERT_FALSE(intersectTriangle(ray, test.a, test.b, test.b, hit));
-        ASSERT_FALSE(intersectTriangle(ray, test.a, test.b, test.a, hit));
-        ASSERT_FALSE(intersectTriangle(ray, test.a, test.a, test.a, hit));
+        const bvh::ShearedRay ray(bvh::words(test.ray));
+        bvh::TriangleHit hit;
+        ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.b, test.b, hit));
+        ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.b, test.a, hit));
+        ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.a, test.a, hit));
         const glm::vec3 step(1, random.integer(5) - 2, random.integer(5) - 2);
-        ASSERT_FALSE(intersectTriangle(ShearedRay(words({{1, 2, 3}, step * 2.0f})), glm::vec3(1, 2, 3) + step,
-                                       glm::vec3(1, 2, 3) + 2.0f * step, glm::vec3(1, 2, 3) + 3.0f * step,
-                                       hit));
+        ASSERT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({{1, 2, 3}, step * 2.0f})),
+                                            glm::vec3(1, 2, 3) + step, glm::vec3(1, 2, 3) + 2.0f * step,
+                                            glm::vec3(1, 2, 3) + 3.0f * step, hit));
         test.b[random.integer(3)] = random.integer(3) ? (random.integer(2) ? kInfinity : -kInfinity) : kNaN;
-        ASSERT_FALSE(intersectTriangle(ray, test.a, test.b, test.c, hit));
-        ASSERT_FALSE(intersectTriangle(ray, test.b, test.c, test.a, hit));
+        ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.b, test.c, hit));
+        ASSERT_FALSE(bvh::intersectTriangle(ray, test.b, test.c, test.a, hit));
     }
 }
 
 TEST(IntersectTriangle, SeenEdgeOnThereIsNoHit) {
-    TriangleHit hit;
+    bvh::TriangleHit hit;
     for (const glm::vec3& direction : {glm::vec3(1, 0, 0), {0, -1, 0}, {1, 1, 0}, {-3, 2, -0.0f}})
         for (const glm::vec3& origin : {glm::vec3(0), {-5, -3, 0}, {0.25f, 0.25f, 0}})
-            EXPECT_FALSE(intersectTriangle(ShearedRay(words({origin, direction})), {0, 0, 0}, {1, 0, 0},
-                                           {0, 1, 0}, hit));
+            EXPECT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({origin, direction})), {0, 0, 0},
+                                                {1, 0, 0}, {0, 1, 0}, hit));
 }
 
 TEST(IntersectTriangle, ExtremeSizes) {
     for (int exponent = -120; exponent <= 120; exponent += 5) {
         const float s = std::ldexp(1.0f, exponent);
-        TriangleHit hit;
-        ASSERT_TRUE(intersectTriangle(ShearedRay(words({{s, s, -s}, {0, 0, s}})), {0, 0, 0}, {3 * s, 0, 0},
-                                      {0, 3 * s, 0}, hit));
+        bvh::TriangleHit hit;
+        ASSERT_TRUE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({{s, s, -s}, {0, 0, s}})), {0, 0, 0},
+                                           {3 * s, 0, 0}, {0, 3 * s, 0}, hit));
         EXPECT_EQ(hit.t, 1.0);
         EXPECT_DOUBLE_EQ(hit.u, 1.0 / 3.0);
         EXPECT_DOUBLE_EQ(hit.v, 1.0 / 3.0);

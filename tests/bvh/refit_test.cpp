@@ -5,9 +5,9 @@
 #include <cstring>
 
 #include "bvh/binary_tree.h"
+#include "bvh/layout/wide_tree.h"
 #include "bvh/meshes.h"
 #include "bvh/traversal/traverse.h"
-#include "bvh/layout/wide_tree.h"
 
 namespace rayscope::test {
 namespace {
@@ -47,7 +47,7 @@ void expectSameAnswers(const Accel& accel, const Geometry& scene, std::uint64_t 
     accel.closestHits(rays, batch);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         Hit expected, hit;
-        const bool found = closestHitBruteForce(scene.input(), rays[i], expected);
+        const bool found = bvh::closestHitBruteForce(scene.input(), rays[i], expected);
         ASSERT_EQ(accel.closestHit(rays[i], hit), found) << scene.name << ": " << text(rays[i]);
         ASSERT_TRUE(sameHit(hit, expected)) << scene.name << ": " << text(rays[i]);
         ASSERT_TRUE(sameHit(batch[i], expected)) << scene.name << ": " << text(rays[i]);
@@ -84,7 +84,7 @@ TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
     };
     EXPECT_TRUE(same(refit.binaryTree()->nodes, fresh.binaryTree()->nodes));
     EXPECT_TRUE(std::ranges::equal(refit.wideTree()->nodes, fresh.wideTree()->nodes,
-                                   [&](const kernel::WideNode& a, const kernel::WideNode& b) {
+                                   [&](const bvh::kernel::WideNode& a, const bvh::kernel::WideNode& b) {
                                        return same(std::span(a.planes), std::span(b.planes)) &&
                                               same(std::span(a.child), std::span(b.child));
                                    }));

@@ -9,20 +9,21 @@
 namespace rayscope::test {
 namespace {
 
-BinaryTree treeOf(const Geometry& scene, BvhBuilder builder) {
+bvh::BinaryTree treeOf(const Geometry& scene, BvhBuilder builder) {
     BuildSettings settings;
     settings.builder = builder;
     settings.leafSize = 1;
-    return buildBinaryTree(scene.input(), settings);
+    return bvh::buildBinaryTree(scene.input(), settings);
 }
 
 /// Checks boxes and links from `node` down; returns the area of all inner nodes there. `levels` becomes the
 /// deepest level.
-double checkedArea(const LinkedTree& tree, std::uint32_t node, int level, int& levels, std::size_t& nodes) {
+double checkedArea(const bvh::LinkedTree& tree, std::uint32_t node, int level, int& levels,
+                   std::size_t& nodes) {
     ++nodes;
     levels = std::max(levels, level);
     if (tree[node].isLeaf()) return 0.0;
-    Bounds4 box;
+    bvh::Bounds4 box;
     double area = 0.0;
     for (const std::uint32_t child : {tree[node].left, tree[node].right}) {
         EXPECT_EQ(tree.parent(child), node);
@@ -36,11 +37,11 @@ double checkedArea(const LinkedTree& tree, std::uint32_t node, int level, int& l
     return area + static_cast<double>(box.halfArea(tree.scale()));
 }
 
-double checkedArea(const LinkedTree& tree, int mostLevels = kMaxTreeLevel) {
+double checkedArea(const bvh::LinkedTree& tree, int mostLevels = bvh::kMaxTreeLevel) {
     int levels = 0;
     std::size_t nodes = 0;
     const double area = checkedArea(tree, tree.root(), 0, levels, nodes);
-    EXPECT_EQ(tree.parent(tree.root()), kNoNode);
+    EXPECT_EQ(tree.parent(tree.root()), bvh::kNoNode);
     EXPECT_EQ(nodes, tree.size());
     EXPECT_LE(levels, mostLevels);
     return area;
@@ -50,18 +51,18 @@ TEST(Reinsertion, FindsTheBestOfAllPlaces) {
     int found = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Geometry scene = soup(40, 0.7, seed);
-        const LinkedTree tree(treeOf(scene, BvhBuilder::Median), 1.0f, {});
+        const bvh::LinkedTree tree(treeOf(scene, BvhBuilder::Median), 1.0f, {});
         for (std::uint32_t node = 0; node < tree.size(); ++node) {
             double best = 0.0;
             for (std::uint32_t target = 0; target < tree.size(); ++target) {
-                LinkedTree copy = tree;
-                best = std::max(best, copy.moveIfBetter(node, target, kMaxTreeLevel));
+                bvh::LinkedTree copy = tree;
+                best = std::max(best, copy.moveIfBetter(node, target, bvh::kMaxTreeLevel));
             }
-            const Reinsertion move = bestReinsertion(tree, node);
+            const bvh::Reinsertion move = bvh::bestReinsertion(tree, node);
             ASSERT_NEAR(static_cast<double>(move.gain), best, 1e-5) << "seed " << seed << ", node " << node;
-            if (move.target == kNoNode) continue;
-            LinkedTree copy = tree;
-            ASSERT_NEAR(copy.moveIfBetter(node, move.target, kMaxTreeLevel), best, 1e-5);
+            if (move.target == bvh::kNoNode) continue;
+            bvh::LinkedTree copy = tree;
+            ASSERT_NEAR(copy.moveIfBetter(node, move.target, bvh::kMaxTreeLevel), best, 1e-5);
             ++found;
         }
     }
@@ -69,16 +70,16 @@ TEST(Reinsertion, FindsTheBestOfAllPlaces) {
 }
 
 TEST(Reinsertion, SavesWhatItSays) {
-    LinkedTree tree(treeOf(soup(500, 0.4, 7), BvhBuilder::Median), 1.0f, {});
+    bvh::LinkedTree tree(treeOf(soup(500, 0.4, 7), BvhBuilder::Median), 1.0f, {});
     Random random(3);
     double area = checkedArea(tree);
     int made = 0, refused = 0;
     for (int i = 0; i < 3000; ++i) {
         const auto node = static_cast<std::uint32_t>(random.integer(static_cast<int>(tree.size())));
         const auto other = static_cast<std::uint32_t>(random.integer(static_cast<int>(tree.size())));
-        const Reinsertion best = bestReinsertion(tree, node);
-        const std::uint32_t target = best.target == kNoNode || i % 2 ? other : best.target;
-        const double gain = tree.moveIfBetter(node, target, kMaxTreeLevel);
+        const bvh::Reinsertion best = bvh::bestReinsertion(tree, node);
+        const std::uint32_t target = best.target == bvh::kNoNode || i % 2 ? other : best.target;
+        const double gain = tree.moveIfBetter(node, target, bvh::kMaxTreeLevel);
         ASSERT_GE(gain, 0.0);
         gain > 0.0 ? ++made : ++refused;
         const double after = checkedArea(tree);
@@ -90,16 +91,16 @@ TEST(Reinsertion, SavesWhatItSays) {
 }
 
 TEST(Reinsertion, KeepsTheDeepestLevel) {
-    const BinaryTree source = treeOf(soup(300, 0.4, 9), BvhBuilder::Median);
+    const bvh::BinaryTree source = treeOf(soup(300, 0.4, 9), BvhBuilder::Median);
     const int limit = source.levels - 1;
-    LinkedTree bounded(source, 1.0f, {}), free(source, 1.0f, {});
+    bvh::LinkedTree bounded(source, 1.0f, {}), free(source, 1.0f, {});
     int refused = 0;
     for (int round = 0; round < 5; ++round)
         for (std::uint32_t node = 0; node < bounded.size(); ++node) {
-            const Reinsertion move = bestReinsertion(bounded, node);
-            if (move.target != kNoNode) refused += bounded.moveIfBetter(node, move.target, limit) == 0.0;
-            const Reinsertion freeMove = bestReinsertion(free, node);
-            if (freeMove.target != kNoNode) free.moveIfBetter(node, freeMove.target, kMaxTreeLevel);
+            const bvh::Reinsertion move = bvh::bestReinsertion(bounded, node);
+            if (move.target != bvh::kNoNode) refused += bounded.moveIfBetter(node, move.target, limit) == 0.0;
+            const bvh::Reinsertion freeMove = bvh::bestReinsertion(free, node);
+            if (freeMove.target != bvh::kNoNode) free.moveIfBetter(node, freeMove.target, bvh::kMaxTreeLevel);
         }
     EXPECT_LT(checkedArea(free), checkedArea(bounded, limit));
     EXPECT_GT(refused, 0);

@@ -55,8 +55,8 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
         std::vector<std::uint8_t> occluded(rays.size());
         std::size_t hits = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            hits += closestHitBruteForce(scene.input(), rays[i], expected[i]);
-            occluded[i] = anyHitBruteForce(scene.input(), rays[i]);
+            hits += bvh::closestHitBruteForce(scene.input(), rays[i], expected[i]);
+            occluded[i] = bvh::anyHitBruteForce(scene.input(), rays[i]);
             ASSERT_EQ(occluded[i] != 0, expected[i].primitive != kNoPrimitive)
                 << scene.name << ": " << text(rays[i]);
         }
@@ -85,7 +85,7 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
                         CountingObserver watched;
                         Hit watchedHit;
                         ASSERT_EQ(
-                            closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
+                            bvh::closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
                             found);
                         ASSERT_TRUE(sameHit(watchedHit, hit)) << where();
                     }
@@ -97,10 +97,10 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
 TEST(SameHit, ObserverSeesEveryNodeOnce) {
     const Geometry scene = soup(2000, 0.2, 17);
     const Accel accel = build(scene, {}, walkCases().back());
-    const BinaryTree& tree = *accel.binaryTree();
+    const bvh::BinaryTree& tree = *accel.binaryTree();
     for (const Ray& ray : awkwardRays(scene, 500, 3)) {
         struct Seen {
-            const BinaryTree& tree;
+            const bvh::BinaryTree& tree;
             std::vector<char> fate;
             int expectedChildren = 0, reportedChildren = -1;  // the root is nobody's child
             std::vector<std::uint32_t> tests;
@@ -118,7 +118,7 @@ TEST(SameHit, ObserverSeesEveryNodeOnce) {
             void tested(std::uint32_t primitive, bool) { tests.push_back(primitive); }
         } seen{tree, std::vector<char>(tree.nodes.size()), 0, -1, {}};
         Hit hit;
-        const bool found = closestHit(tree, scene.input(), ray, hit, seen);
+        const bool found = bvh::closestHit(tree, scene.input(), ray, hit, seen);
         if (seen.reportedChildren < 0) continue;  // not traceable
         EXPECT_EQ(seen.reportedChildren, seen.expectedChildren);
         if (found) {
@@ -196,7 +196,7 @@ TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
             std::vector<Hit> expected(rays.size()), hits(rays.size());
             std::vector<std::uint8_t> occluded(rays.size(), 7);
             for (std::size_t i = 0; i < rays.size(); ++i)
-                closestHitBruteForce(scene.input(), rays[i], expected[i]);
+                bvh::closestHitBruteForce(scene.input(), rays[i], expected[i]);
             for (std::size_t walk = 0; walk < accels.size(); ++walk) {
                 accels[walk].closestHits(rays, hits);
                 accels[walk].anyHits(rays, occluded);

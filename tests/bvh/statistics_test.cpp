@@ -10,7 +10,7 @@ namespace rayscope::test {
 namespace {
 
 TEST(Statistics, OfATreeComputedByHand) {
-    BinaryTree tree;  // a cube of side 2, halved; the right half is halved again
+    bvh::BinaryTree tree;  // a cube of side 2, halved; the right half is halved again
     tree.nodes = {{{0, 0, 0}, 1, {2, 2, 2}, 0},
                   {{0, 0, 0}, 0, {1, 2, 2}, 3},
                   {{1, 0, 0}, 3, {2, 2, 2}, 0},
@@ -18,7 +18,7 @@ TEST(Statistics, OfATreeComputedByHand) {
                   {{1, 1, 0}, 4, {2, 2, 2}, 1}};
     tree.primitives = {0, 1, 2, 3, 4};
     tree.levels = 3;
-    const TreeStatistics statistics = statisticsOf(tree);
+    const bvh::TreeStatistics statistics = bvh::statisticsOf(tree);
     // Half areas: 12, 8, 8, 5, 5.
     EXPECT_DOUBLE_EQ(statistics.sahCost, 1.0 + 8.0 / 12.0 * 3.0 + 8.0 / 12.0 + 2.0 * 5.0 / 12.0);
     EXPECT_EQ(statistics.nodes, 5u);
@@ -31,7 +31,7 @@ TEST(Statistics, OfATreeComputedByHand) {
 }
 
 TEST(Statistics, OfNothing) {
-    const TreeStatistics statistics = statisticsOf({});
+    const bvh::TreeStatistics statistics = bvh::statisticsOf({});
     EXPECT_EQ(statistics.sahCost, 0.0);
     EXPECT_EQ(statistics.leaves, 0u);
 }
@@ -42,7 +42,7 @@ TEST(Statistics, BetterBuildersCostLess) {
         BuildSettings settings;
         settings.builder = builder;
         settings.keepBinaryTree = true;
-        return statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
+        return bvh::statisticsOf(bvh::buildBinaryTree(scene.input(), settings)).sahCost;
     };
     const double median = cost(BvhBuilder::Median), sweep = cost(BvhBuilder::Sah),
                  binned = cost(BvhBuilder::SahBinned);
@@ -63,7 +63,7 @@ Geometry needles(int count) {
 }
 
 /// Nodes that rays through the scene enter, counted.
-std::size_t visits(const BinaryTree& tree, const Geometry& scene) {
+std::size_t visits(const bvh::BinaryTree& tree, const Geometry& scene) {
     struct Counter {
         std::size_t nodes = 0;
         void entered(std::uint32_t, float) { ++nodes; }
@@ -75,7 +75,7 @@ std::size_t visits(const BinaryTree& tree, const Geometry& scene) {
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 from = random.inCube(3.0), to = random.inCube();
         Hit hit;
-        closestHit(tree, scene.input(), {from, to - from}, hit, counter);
+        bvh::closestHit(tree, scene.input(), {from, to - from}, hit, counter);
     }
     return counter.nodes;
 }
@@ -85,10 +85,10 @@ TEST(Statistics, ReinsertionSavesAreaAndVisits) {
          {std::pair{needles(4000), 0.92}, {soup(20000, 0.1, 3), 0.97}, {icosphere(5, 0.1, 2), 0.99}}) {
         BuildSettings settings;
         settings.keepBinaryTree = true;
-        const BinaryTree binned = buildBinaryTree(scene.input(), settings);
+        const bvh::BinaryTree binned = bvh::buildBinaryTree(scene.input(), settings);
         settings.builder = BvhBuilder::High;
-        const BinaryTree high = buildBinaryTree(scene.input(), settings);
-        EXPECT_LT(statisticsOf(high).sahCost, most * statisticsOf(binned).sahCost) << scene.name;
+        const bvh::BinaryTree high = bvh::buildBinaryTree(scene.input(), settings);
+        EXPECT_LT(bvh::statisticsOf(high).sahCost, most * bvh::statisticsOf(binned).sahCost) << scene.name;
         EXPECT_LT(visits(high, scene), visits(binned, scene)) << scene.name;
     }
 }
@@ -101,9 +101,10 @@ TEST(Statistics, ReinsertionNeverCostsMore) {
                 settings.keepBinaryTree = true;
                 settings.leafSize = leafSize;
                 settings.maxLevel = maxLevel;
-                const double binned = statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
+                const double binned =
+                    bvh::statisticsOf(bvh::buildBinaryTree(scene.input(), settings)).sahCost;
                 settings.builder = BvhBuilder::High;
-                const double high = statisticsOf(buildBinaryTree(scene.input(), settings)).sahCost;
+                const double high = bvh::statisticsOf(bvh::buildBinaryTree(scene.input(), settings)).sahCost;
                 EXPECT_LE(high, binned * (1.0 + 1e-5)) << scene.name << " " << leafSize << " " << maxLevel;
             }
 }

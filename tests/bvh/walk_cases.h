@@ -20,7 +20,7 @@ inline std::vector<WalkCase> walkCases() {
                                  {BvhLayout::Wide, Isa::Sse2, "wide, SSE2"},
                                  {BvhLayout::Wide, Isa::Avx2, "wide, AVX2"},
                                  {BvhLayout::Wide, Isa::Avx512, "wide, AVX-512"}})
-        if (isAvailable(wide.isa)) cases.push_back(wide);
+        if (bvh::isAvailable(wide.isa)) cases.push_back(wide);
     return cases;
 }
 

@@ -51,13 +51,13 @@ Ray aimedRay(const Geometry& mesh, const Place& place, Aim aim, Random& random) 
 }
 
 int crossings(const Geometry& mesh, const Ray& ray) {
-    const ShearedRay sheared(words(ray));
+    const bvh::ShearedRay sheared(bvh::words(ray));
     int count = 0;
     for (const glm::uvec3& t : mesh.triangles) {
-        TriangleHit hit;
-        count +=
-            intersectTriangle(sheared, mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z], hit) &&
-            hit.t > 0.0;
+        bvh::TriangleHit hit;
+        count += bvh::intersectTriangle(sheared, mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z],
+                                        hit) &&
+                 hit.t > 0.0;
     }
     return count;
 }
@@ -74,7 +74,7 @@ std::vector<Place> places() {
 /// Asks single and batched queries of every kernel.
 void expectNoLeak(const Geometry& mesh, const std::vector<Ray>& rays) {
     for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
-        if (!isAvailable(isa)) continue;
+        if (!bvh::isAvailable(isa)) continue;
         BuildSettings settings;
         settings.isa = isa;
         const Accel accel = Accel::build(mesh.input(), settings);

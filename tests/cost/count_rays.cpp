@@ -58,15 +58,15 @@ int main(int count, char** arguments) try {
     const Accel accel = Accel::build(scene.input(), build);
     CameraDescription camera;
     camera.lookFrom = {1.5f, 1.0f, 2.0f};
-    for (const BenchRayKind kind : kBenchRayKinds) {
-        const std::vector<Ray> rays = makeBenchRays(accel, camera, {2.0f, 4.0f, 3.0f}, kind, 64);
-        const bool any = asksAnyHit(kind);
+    for (const measure::BenchRayKind kind : measure::kBenchRayKinds) {
+        const std::vector<Ray> rays = measure::makeBenchRays(accel, camera, {2.0f, 4.0f, 3.0f}, kind, 64);
+        const bool any = measure::asksAnyHit(kind);
         Answers answers{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size())};
         // The first time pays for what is set up once.
         countedSingle(accel, std::span(rays).first(1), any, answers);
         countedSingle(accel, rays, any, answers);
         countedBatched(accel, rays, any, answers);
-        fmt::print("{0} single {1}\n{0} batched {1}\n", benchNameOf(kind), rays.size());
+        fmt::print("{0} single {1}\n{0} batched {1}\n", measure::benchNameOf(kind), rays.size());
     }
 } catch (const std::exception& error) {
     std::fputs(error.what(), stderr);

@@ -17,25 +17,25 @@ using namespace rayscope;
 
 constexpr int kSize = 32;
 
-std::shared_ptr<const World> worldOf(const char* scene) {
+std::shared_ptr<const trace::World> worldOf(const char* scene) {
     Diagnostics notes;
-    CompileRequest request;
+    trace::CompileRequest request;
     request.scene = std::make_shared<const SceneDescription>(loadScene(scene, notes));
     request.camera = request.scene->cameras.front();
     request.settings.spp = 1;
     request.settings.glossy = true;
     request.settings.isa = Isa::Sse2;
     request.width = request.height = kSize;
-    return compile(request);
+    return trace::compile(request);
 }
 
 template <class Observer>
-glm::dvec3 sumOf(const World& world) {
+glm::dvec3 sumOf(const trace::World& world) {
     glm::dvec3 sum(0.0);
     Observer observer;
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
-            sum += glm::dvec3(radiance(world, 1, SampleName{x, y, 0}, observer).radiance);
+            sum += glm::dvec3(trace::radiance(world, 1, SampleName{x, y, 0}, observer).radiance);
     return sum;
 }
 
@@ -43,13 +43,17 @@ glm::dvec3 sumOf(const World& world) {
 
 // The gates: callgrind knows them by name.
 extern "C" {
-[[gnu::noipa]] void countedSilent(const World& world, glm::dvec3& sum) { sum = sumOf<NullObserver>(world); }
-[[gnu::noipa]] void countedUnwatched(const World& world, glm::dvec3& sum) { sum = sumOf<Nobody>(world); }
+[[gnu::noipa]] void countedSilent(const trace::World& world, glm::dvec3& sum) {
+    sum = sumOf<trace::NullObserver>(world);
+}
+[[gnu::noipa]] void countedUnwatched(const trace::World& world, glm::dvec3& sum) {
+    sum = sumOf<trace::Nobody>(world);
+}
 }
 
 int main(int count, char** arguments) try {
     for (int i = 1; i < count; ++i) {
-        const std::shared_ptr<const World> world = worldOf(arguments[i]);
+        const std::shared_ptr<const trace::World> world = worldOf(arguments[i]);
         glm::dvec3 warmUp, silent, unwatched;
         countedSilent(*world, warmUp);
         countedUnwatched(*world, warmUp);

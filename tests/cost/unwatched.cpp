@@ -2,8 +2,8 @@
 
 #include "radiance_unwatched.inl"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 template SampleResult radiance(const World&, std::uint64_t, const SampleName&, Nobody&);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

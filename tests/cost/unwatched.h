@@ -1,11 +1,11 @@
 #pragma once
 #include "trace/radiance.h"
 
-namespace rayscope {
+namespace rayscope::trace {
 
 /// radiance() for this observer comes from a tracer from whose source every call of the observer was deleted.
 struct Nobody : NullObserver {};
 
 extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&, Nobody&);
 
-}  // namespace rayscope
+}  // namespace rayscope::trace

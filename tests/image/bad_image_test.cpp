@@ -30,10 +30,10 @@ std::vector<std::pair<std::string, std::string>> oneOfEach() {
     const RgbImage image = gradient(16, 16);
     const std::string codes = test::allCodes();
     const char* data = codes.data();
-    return {{"png", encodePng(image, {}, ToneCurve::Srgb)},
-            {"exr", encodeExr(image, {})},
-            {"pfm", encodePfm(image)},
-            {"hdr", encodeHdr(image)},
+    return {{"png", image::encodePng(image, {}, ToneCurve::Srgb)},
+            {"exr", image::encodeExr(image, {})},
+            {"pfm", image::encodePfm(image)},
+            {"hdr", image::encodeHdr(image)},
             {"bmp",
              stbFile([&](auto* write, void* file) { stbi_write_bmp_to_func(write, file, 16, 16, 3, data); })},
             {"tga",
@@ -81,7 +81,7 @@ TEST(BadImage, NoSingleWrongByteBringsAReaderDown) {
 }
 
 TEST(BadImage, ASizeAboveTheLimitIsRefusedBeforeAnythingIsAllocated) {
-    std::string png = encodePng(gradient(1, 1), {}, ToneCurve::Srgb);
+    std::string png = image::encodePng(gradient(1, 1), {}, ToneCurve::Srgb);
     constexpr std::size_t kWidthInPng = 16;
     const std::string tenThousand("\0\0\x27\x10", 4);
     png.replace(kWidthInPng, 8, tenThousand + tenThousand);
@@ -92,7 +92,7 @@ TEST(BadImage, ASizeAboveTheLimitIsRefusedBeforeAnythingIsAllocated) {
 }
 
 TEST(BadImage, ExrWithAHugeWindowIsRefused) {
-    std::string exr = encodeExr(gradient(2, 2), {});
+    std::string exr = image::encodeExr(gradient(2, 2), {});
     const std::string attribute = std::string("dataWindow") + '\0' + "box2i" + '\0';
     const std::size_t maximum =
         exr.find(attribute) + attribute.size() + 4 + 8;  // after the length and the minimum

@@ -58,7 +58,8 @@ TEST(Compare, TheTrimmedMeanDropsOneInAThousand) {
 
 TEST(Compare, SsimOfFlatImagesHasAClosedForm) {
     const RgbImage a = plain(20, 20, Rgb(0.2f)), b = plain(20, 20, Rgb(0.6f));
-    const double ma = static_cast<double>(linearToSrgb(0.2f)), mb = static_cast<double>(linearToSrgb(0.6f));
+    const double ma = static_cast<double>(image::linearToSrgb(0.2f)),
+                 mb = static_cast<double>(image::linearToSrgb(0.6f));
     EXPECT_NEAR(measureErrors(a, b).ssim, (2 * ma * mb + 1e-4) / (ma * ma + mb * mb + 1e-4), 1e-6);
 }
 
@@ -68,7 +69,7 @@ TEST(Compare, SsimIsTheDirectSumOverItsWindow) {
     for (std::size_t i = 0; i < b.pixels.size(); ++i) b.pixels[i] *= i % 3 == 0 ? 0.5f : 0.9f;
     const auto value = [](const RgbImage& image, int x, int y) {
         const Rgb& c = image.at(x, y);
-        return static_cast<double>(linearToSrgb(0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z));
+        return static_cast<double>(image::linearToSrgb(0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z));
     };
     const int x = 14, y = 12;
     double weights = 0, ma = 0, mb = 0;
@@ -99,7 +100,7 @@ TEST(Compare, FlipAgreesWithItsAuthorsOnAShiftedSquare) {
 }
 
 TEST(Compare, FlipAgreesWithItsAuthorsOnFlatColours) {
-    const float grey = decodeByte(128), red = decodeByte(138);
+    const float grey = image::decodeByte(128), red = image::decodeByte(138);
     const RgbImage a = plain(64, 64, Rgb(grey)), b = plain(64, 64, Rgb(red, grey, grey));
     EXPECT_NEAR(measureErrors(b, a).flip, 0.125606, 1e-4);
 }
@@ -175,9 +176,9 @@ TEST(Compare, TheColourMapGrowsLighterAndMarksWhatIsNotFinite) {
     // The spiral is even in the weights that its author used, of encoded values.
     double before = -1e-3;
     for (const Rgb& c : colors.pixels) {
-        const double lightness = 0.30 * static_cast<double>(linearToSrgb(c.x)) +
-                                 0.59 * static_cast<double>(linearToSrgb(c.y)) +
-                                 0.11 * static_cast<double>(linearToSrgb(c.z));
+        const double lightness = 0.30 * static_cast<double>(image::linearToSrgb(c.x)) +
+                                 0.59 * static_cast<double>(image::linearToSrgb(c.y)) +
+                                 0.11 * static_cast<double>(image::linearToSrgb(c.z));
         EXPECT_GT(lightness, before);
         before = lightness;
     }

@@ -72,13 +72,14 @@ TEST(RoundTrip, PngHoldsTheCodesOfTheCurve) {
     ASSERT_EQ(read.pixels.size(), image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c)
-            EXPECT_EQ(read.pixels[i][c], decodeByte(encodeByte(image.pixels[i][c], ToneCurve::Srgb)));
+            EXPECT_EQ(read.pixels[i][c],
+                      image::decodeByte(image::encodeByte(image.pixels[i][c], ToneCurve::Srgb)));
 }
 
 TEST(RoundTrip, PngWithTheCourseCurveHoldsTruncatedValues) {
     const TemporaryFolder folder;
     writeImage(folder.file("a.png"), RgbImage(2, 2, Rgb(0.5f)), {}, ToneCurve::Course);
-    EXPECT_EQ(readImage(folder.file("a.png")).at(1, 1).x, decodeByte(127));
+    EXPECT_EQ(readImage(folder.file("a.png")).at(1, 1).x, image::decodeByte(127));
 }
 
 TEST(RoundTrip, NoPixelThatIsNotANumberReachesItsNeighbourInAPng) {
@@ -88,7 +89,7 @@ TEST(RoundTrip, NoPixelThatIsNotANumberReachesItsNeighbourInAPng) {
     const RgbImage read = writtenAndRead(image, "a.png");
     EXPECT_EQ(read.at(1, 0), Rgb(0.0f, 1.0f, 0.0f));
     EXPECT_EQ(read.at(0, 0), read.at(2, 0));
-    EXPECT_EQ(read.at(0, 0), Rgb(decodeByte(188)));
+    EXPECT_EQ(read.at(0, 0), Rgb(image::decodeByte(188)));
 }
 
 TEST(Read, EightBitFormatsDecodeToTheSameValues) {
@@ -103,7 +104,8 @@ TEST(Read, EightBitFormatsDecodeToTheSameValues) {
         const RgbImage image = decode(file);
         ASSERT_EQ(image.pixels.size(), 256u);
         for (int code = 0; code < 256; ++code)
-            EXPECT_EQ(image.at(code % 16, code / 16), Rgb(decodeByte(static_cast<std::uint8_t>(code))));
+            EXPECT_EQ(image.at(code % 16, code / 16),
+                      Rgb(image::decodeByte(static_cast<std::uint8_t>(code))));
     }
 }
 
@@ -113,15 +115,15 @@ TEST(Read, JpegComesNear) {
         [&](auto* write, void* file) { stbi_write_jpg_to_func(write, file, 16, 16, 3, codes.data(), 100); }));
     ASSERT_EQ(image.pixels.size(), 256u);
     for (int code = 0; code < 256; ++code)
-        EXPECT_NEAR(encodeByte(image.at(code % 16, code / 16).y, ToneCurve::Srgb), code, 3);
+        EXPECT_NEAR(image::encodeByte(image.at(code % 16, code / 16).y, ToneCurve::Srgb), code, 3);
 }
 
 TEST(Read, AlphaIsLeftOutAndGreyIsSpread) {
     const unsigned char greyAndAlpha[]{100, 7, 200, 255};
     const RgbImage image = decode(stbFile(
         [&](auto* write, void* file) { stbi_write_png_to_func(write, file, 2, 1, 2, greyAndAlpha, 4); }));
-    EXPECT_EQ(image.at(0, 0), Rgb(decodeByte(100)));
-    EXPECT_EQ(image.at(1, 0), Rgb(decodeByte(200)));
+    EXPECT_EQ(image.at(0, 0), Rgb(image::decodeByte(100)));
+    EXPECT_EQ(image.at(1, 0), Rgb(image::decodeByte(200)));
 }
 
 TEST(Read, PfmOfEitherByteOrderScaleAndChannelCount) {

@@ -17,7 +17,7 @@ constexpr float kLeast = std::numeric_limits<float>::denorm_min(),
 int signOf(Int x) { return (x > 0) - (x < 0); }
 
 TEST(ExactSum, HoldsProductsOfTheSmallestAndTheLargestFloats) {
-    ExactSum sum;
+    math::ExactSum sum;
     sum.add(kLargest, kLargest, kLargest);
     sum.add(kLeast, -kLeast, kLeast);
     EXPECT_EQ(sum.sign(), 1);
@@ -36,7 +36,7 @@ TEST(ExactSum, AgreesWithIntegers) {
         return static_cast<std::int64_t>(random() >> 40) * (random() & 1 ? 1 : -1);  // 24 bits
     };
     for (int i = 0; i < 20000; ++i) {
-        ExactSum sum;
+        math::ExactSum sum;
         Int expected = 0;
         const int terms = static_cast<int>(random() % 20);
         // Scaled by powers of two, which must not matter.
@@ -55,7 +55,7 @@ TEST(ExactSum, AgreesWithIntegers) {
         ASSERT_EQ(sum.sign(), signOf(expected));
         const auto value = static_cast<long double>(expected);
         ASSERT_LE(std::abs(sum.value() - value), 0x1p-60L * std::abs(value));
-        ExactSum twice = sum;
+        math::ExactSum twice = sum;
         twice += sum;
         ASSERT_EQ(twice.value(), 2.0L * sum.value());
         twice += -sum;
@@ -76,8 +76,8 @@ TEST(ExactSum, VolumesHaveTheRightSign) {
         const glm::dvec3 normal = glm::cross(glm::dvec3(b - a), glm::dvec3(c - a));
         const double expected = glm::dot(normal, glm::dvec3(p - a));  // small integers: exact
         const float s = std::ldexp(1.0f, static_cast<int>(random() % 200) - 100);
-        const ExactSum volume =
-            signedVolume(s * glm::vec3(a), s * glm::vec3(b), s * glm::vec3(c), s * glm::vec3(p));
+        const math::ExactSum volume =
+            math::signedVolume(s * glm::vec3(a), s * glm::vec3(b), s * glm::vec3(c), s * glm::vec3(p));
         ASSERT_EQ(volume.sign(), (expected > 0.0) - (expected < 0.0));
         flat += volume.sign() == 0;
     }

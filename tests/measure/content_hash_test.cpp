@@ -14,9 +14,9 @@ struct Subject {
     Settings settings;
     int width = 16, height = 12;
     std::string hash() const {
-        const CompileRequest request{std::make_shared<const SceneDescription>(scene), settings,
-                                     scene.cameras.front(), width, height};
-        return filmContentHash(request, *compile(request));
+        const trace::CompileRequest request{std::make_shared<const SceneDescription>(scene), settings,
+                                            scene.cameras.front(), width, height};
+        return measure::filmContentHash(request, *trace::compile(request));
     }
 };
 

@@ -153,11 +153,11 @@ TEST(ErrorEstimate, TheWorstTileIsNoBetterThanTheWhole) {
 }
 
 TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
-    Film film(160, 32, {0, 160, 0, 32});
-    Film::TileCopy copy;
+    render::Film film(160, 32, {0, 160, 0, 32});
+    render::Film::TileCopy copy;
     for (int tile = 0; tile < 5; ++tile) {
         film.read(tile, copy);
-        for (PixelSums& pixel : copy.pixels) {
+        for (render::PixelSums& pixel : copy.pixels) {
             // Four samples of which one is bright in the first tile and all are alike elsewhere.
             pixel.radiance = RgbSum(1.0);
             pixel.squaredLuminance = tile == 0 ? 1.0 : 0.25;
@@ -165,7 +165,7 @@ TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
         copy.samples = 4;
         film.commit(tile, std::move(copy));
     }
-    const std::vector<double> shares = tileShares(film, false, false);
+    const std::vector<double> shares = measure::tileShares(film, false, false);
     EXPECT_GT(shares[0], shares[1]);
     EXPECT_NEAR(shares[1], 0.5 * shares[0], 1e-12) << "the neighbour of the noisy tile";
     EXPECT_NEAR(shares[2], shares[4], 1e-12);

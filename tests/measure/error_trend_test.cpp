@@ -14,21 +14,21 @@ namespace {
 ErrorEstimate look(double error) { return {error, 1.3 * error, true}; }
 
 TEST(ErrorTrend, KnowsTheUsualSlopeFirstAndTheTrueOneLater) {
-    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Independent),
+    measure::ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Independent),
         sobol(ErrorMetric::Rmse, SamplePattern::Sobol);
     EXPECT_FALSE(trend.any());
     trend.add(4, look(1.0));
     sobol.add(4, look(1.0));
     EXPECT_DOUBLE_EQ(trend.slope(), 0.5);
     EXPECT_DOUBLE_EQ(sobol.slope(), 0.8);
-    for (int samples = 5; samples <= 4096; samples = sampleStepFrom(samples + 1))
+    for (int samples = 5; samples <= 4096; samples = measure::sampleStepFrom(samples + 1))
         trend.add(samples, look(4.0 / samples));
     EXPECT_GT(trend.slope(), 0.9);
     EXPECT_LE(trend.slope(), 1.0);
 }
 
 TEST(ErrorTrend, ForeseesWhereAPowerLawMeetsTheTarget) {
-    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol),
+    measure::ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol),
         squares(ErrorMetric::RelMse, SamplePattern::Sobol);
     for (int samples = 4; samples <= 64; samples *= 2) {
         const double error = std::pow(samples, -0.8);
@@ -48,8 +48,8 @@ TEST(ErrorTrend, IsQuieterThanItsLatestLook) {
     std::normal_distribution<double> noise(0.0, 0.2);
     double single = 0.0, together = 0.0;
     for (int time = 0; time < 200; ++time) {
-        ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
-        for (int samples = 4; samples <= 128; samples = sampleStepFrom(samples + 1))
+        measure::ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
+        for (int samples = 4; samples <= 128; samples = measure::sampleStepFrom(samples + 1))
             trend.add(samples, look(std::pow(samples, -0.8) * std::exp(noise(random))));
         const double truth = std::pow(128.0, -0.8);
         single += std::pow(std::log(trend.latest().error / truth), 2.0);
@@ -59,7 +59,7 @@ TEST(ErrorTrend, IsQuieterThanItsLatestLook) {
 }
 
 TEST(ErrorTrend, LooksThatSawNothingSayNothing) {
-    ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
+    measure::ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
     for (const int samples : {4, 5, 6, 7}) trend.add(samples, {});
     EXPECT_EQ(trend.smoothed().upper, 0.0);
     EXPECT_EQ(trend.samplesFor(0.01), 0.0);
@@ -71,10 +71,11 @@ TEST(ErrorTrend, LooksThatSawNothingSayNothing) {
 
 TEST(SampleSteps, AreQuartersOfDoublings) {
     std::vector<int> steps;
-    for (int step = sampleStepFrom(-1.0); step <= 64; step = sampleStepFrom(step + 1)) steps.push_back(step);
+    for (int step = measure::sampleStepFrom(-1.0); step <= 64; step = measure::sampleStepFrom(step + 1))
+        steps.push_back(step);
     EXPECT_EQ(steps, (std::vector<int>{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64}));
-    EXPECT_EQ(sampleStepFrom(64.01), 80);
-    EXPECT_GT(sampleStepFrom(1e300), 0);
+    EXPECT_EQ(measure::sampleStepFrom(64.01), 80);
+    EXPECT_GT(measure::sampleStepFrom(1e300), 0);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const World> worldOf(const std::string& name, SamplePattern sampler) {
+std::shared_ptr<const trace::World> worldOf(const std::string& name, SamplePattern sampler) {
     Diagnostics notes;
     Settings settings;
     settings.sampler = sampler;
@@ -19,9 +19,9 @@ std::shared_ptr<const World> worldOf(const std::string& name, SamplePattern samp
     return test::compileScene(loadScene("builtin:" + name, notes), settings, 48, 48);
 }
 
-void extend(const World& world, Film& film, int samples, std::uint64_t seed) {
-    RenderCounters counters;
-    renderPass(world, seed, film, samples, {}, counters);
+void extend(const trace::World& world, render::Film& film, int samples, std::uint64_t seed) {
+    render::RenderCounters counters;
+    render::renderPass(world, seed, film, samples, {}, counters);
 }
 
 double distance(const RgbImage& a, const RgbImage& b) {
@@ -37,16 +37,16 @@ double distance(const RgbImage& a, const RgbImage& b) {
 TEST(ErrorWatch, EstimatesWhatThePictureIsOffBy) {
     for (const SamplePattern sampler : {SamplePattern::Independent, SamplePattern::Sobol}) {
         const auto world = worldOf("cornell-area", sampler);
-        Film truth(48, 48, {0, 48, 0, 48});
+        render::Film truth(48, 48, {0, 48, 0, 48});
         extend(*world, truth, 768, 999);
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
-            Film film(48, 48, {0, 48, 0, 48});
-            ErrorWatch watch(ErrorTarget{.error = 1e-9}, sampler);
+            render::Film film(48, 48, {0, 48, 0, 48});
+            measure::ErrorWatch watch(ErrorTarget{.error = 1e-9}, sampler);
             EXPECT_FALSE(watch.any());
             for (int samples = 1; samples <= 32; samples *= 2) {
                 extend(*world, film, samples, seed);
                 EXPECT_TRUE(watch.wantsLook(film.completeSamples()));
-                watch.look(ErrorWatch::take(film));
+                watch.look(measure::ErrorWatch::take(film));
                 EXPECT_FALSE(watch.wantsLook(film.completeSamples()));
             }
             const double error = distance(film.mean(), truth.mean());
@@ -61,43 +61,43 @@ TEST(ErrorWatch, EstimatesWhatThePictureIsOffBy) {
 
 TEST(ErrorWatch, ForecastsTheTimeToTheTargetAndTheErrorAtTheLimit) {
     const auto world = worldOf("cornell-area", SamplePattern::Independent);
-    Film film(48, 48, {0, 48, 0, 48});
-    ErrorWatch first(ErrorTarget{.error = 1e-9}, SamplePattern::Independent);
+    render::Film film(48, 48, {0, 48, 0, 48});
+    measure::ErrorWatch first(ErrorTarget{.error = 1e-9}, SamplePattern::Independent);
     for (int samples = 1; samples <= 16; samples *= 2) {
         extend(*world, film, samples, 5);
-        first.look(ErrorWatch::take(film));
+        first.look(measure::ErrorWatch::take(film));
     }
     // Half the error of independent samples takes four times the samples.
-    ErrorWatch watch(ErrorTarget{.error = 0.55 * first.latest().upper}, SamplePattern::Independent);
-    Film again(48, 48, {0, 48, 0, 48});
+    measure::ErrorWatch watch(ErrorTarget{.error = 0.55 * first.latest().upper}, SamplePattern::Independent);
+    render::Film again(48, 48, {0, 48, 0, 48});
     for (int samples = 1; samples <= 16; samples *= 2) {
         extend(*world, again, samples, 5);
-        watch.look(ErrorWatch::take(again));
+        watch.look(measure::ErrorWatch::take(again));
     }
     const ErrorForecast f = watch.forecast(16.0, 8.0, 32.0);
     EXPECT_FALSE(watch.reached());
     EXPECT_NEAR(f.remainingSeconds, 24.0, 8.1) << "32 or 64 samples, at half a second each";
     EXPECT_NEAR(f.errorAtLimit, 0.5 * watch.latest().error, 0.15 * watch.latest().error);
     extend(*world, again, 128, 5);
-    watch.look(ErrorWatch::take(again));
+    watch.look(measure::ErrorWatch::take(again));
     EXPECT_TRUE(watch.reached());
     EXPECT_EQ(watch.forecast(128.0, 64.0, 0.0).remainingSeconds, 0.0);
 }
 
 TEST(ErrorWatch, OfFilmsWithUnevenTilesAndNothing) {
     const auto world = worldOf("cornell-area", SamplePattern::Sobol);
-    Film film(48, 48, {0, 48, 0, 48});
-    ErrorWatch watch;
-    watch.look(ErrorWatch::take(film));
+    render::Film film(48, 48, {0, 48, 0, 48});
+    measure::ErrorWatch watch;
+    watch.look(measure::ErrorWatch::take(film));
     EXPECT_FALSE(watch.any());
     EXPECT_EQ(watch.forecast(0.0, 0.0, 1.0).errorAtLimit, 0.0);
     extend(*world, film, 4, 1);
-    watch.look(ErrorWatch::take(film));
+    watch.look(measure::ErrorWatch::take(film));
     std::vector<int> targets(static_cast<std::size_t>(film.tileCount()), 8);
     targets[0] = 20;
-    RenderCounters counters;
-    renderPass(*world, 1, film, targets, {}, counters);
-    watch.look(ErrorWatch::take(film));
+    render::RenderCounters counters;
+    render::renderPass(*world, 1, film, targets, {}, counters);
+    watch.look(measure::ErrorWatch::take(film));
     ASSERT_TRUE(watch.any());
     EXPECT_TRUE(std::isfinite(watch.latest().error));
     EXPECT_GT(watch.latest().error, 0.0);

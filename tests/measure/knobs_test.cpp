@@ -21,23 +21,24 @@ SceneRequirements needsOf(const std::string& scene) {
     return requirementsOf(loadScene(scene, notes));
 }
 
-std::vector<std::string> keysOf(const std::vector<Knob>& knobs) {
+std::vector<std::string> keysOf(const std::vector<measure::Knob>& knobs) {
     std::vector<std::string> keys;
-    for (const Knob& knob : knobs) keys.push_back(knob.key);
+    for (const measure::Knob& knob : knobs) keys.push_back(knob.key);
     return keys;
 }
 
 TEST(Knobs, OnlyThoseThatCanMatter) {
-    const auto area = keysOf(knobsOf(needsOf("builtin:cornell-area"), {}));
+    const auto area = keysOf(measure::knobsOf(needsOf("builtin:cornell-area"), {}));
     for (const char* key : {"spp", "sampler", "parallelogram_samples", "max_depth", "bvh_builder"})
         EXPECT_THAT(area, Contains(key));
     for (const char* key :
          {"segment_samples", "lens_samples", "glossy_samples", "bloom_size", "texture_filter"})
         EXPECT_THAT(area, Not(Contains(key)));
-    EXPECT_THAT(keysOf(knobsOf(needsOf("builtin:spheres-dof"), {})), Contains("lens_samples"));
+    EXPECT_THAT(keysOf(measure::knobsOf(needsOf("builtin:spheres-dof"), {})), Contains("lens_samples"));
     Settings noBvh;
     noBvh.bvh = false;
-    EXPECT_THAT(keysOf(knobsOf(needsOf("builtin:cornell-area"), noBvh)), Not(Contains("bvh_builder")));
+    EXPECT_THAT(keysOf(measure::knobsOf(needsOf("builtin:cornell-area"), noBvh)),
+                Not(Contains("bvh_builder")));
 }
 
 /// Settings that are neither swept nor switched, and why.
@@ -63,14 +64,14 @@ TEST(Knobs, EverySettingIsSweptOrSwitchedOrIsNoTrade) {
     Settings everything;
     everything.glossy = everything.bloom = true;
     const SceneRequirements scene = requirementsOf(test::everythingScene());
-    const std::vector<Knob> knobs = knobsOf(scene, everything);
-    const std::vector<Effect> effects = effectsOf(scene, everything);
+    const std::vector<measure::Knob> knobs = measure::knobsOf(scene, everything);
+    const std::vector<measure::Effect> effects = measure::effectsOf(scene, everything);
     for (const std::string_view key : settingKeys()) {
         const auto knob =
-            std::find_if(knobs.begin(), knobs.end(), [&](const Knob& k) { return k.key == key; });
+            std::find_if(knobs.begin(), knobs.end(), [&](const measure::Knob& k) { return k.key == key; });
         const bool swept = knob != knobs.end() && knob->levels.size() >= 2;
-        const bool switched =
-            std::any_of(effects.begin(), effects.end(), [&](const Effect& e) { return e.key == key; });
+        const bool switched = std::any_of(effects.begin(), effects.end(),
+                                          [&](const measure::Effect& e) { return e.key == key; });
         EXPECT_NE(swept || switched, kNoTrade.contains(key)) << key;
     }
     for (const auto& [key, why] : kNoTrade) EXPECT_THAT(settingKeys(), Contains(key)) << why;
@@ -80,7 +81,7 @@ TEST(Knobs, LevelsAreThePowersOfTwoAndThePresentValue) {
     Settings settings;
     settings.maxDepth = 5;
     settings.spp = 100;
-    for (const Knob& knob : knobsOf(needsOf("builtin:cornell"), settings)) {
+    for (const measure::Knob& knob : measure::knobsOf(needsOf("builtin:cornell"), settings)) {
         if (knob.key == "max_depth") {
             EXPECT_THAT(knob.levels, ElementsAre("0", "1", "2", "4", "5", "8", "16"));
         }
@@ -101,15 +102,16 @@ TEST(Knobs, LevelsAreThePowersOfTwoAndThePresentValue) {
 }
 
 TEST(Knobs, EveryEffectHasAProofOrNone) {
-    const std::vector<Effect> effects = effectsOf(needsOf("builtin:cornell"), {});
+    const std::vector<measure::Effect> effects = measure::effectsOf(needsOf("builtin:cornell"), {});
     const auto proofOf = [&](std::string_view key) {
-        return std::find_if(effects.begin(), effects.end(), [&](const Effect& e) { return e.key == key; })
+        return std::find_if(effects.begin(), effects.end(),
+                            [&](const measure::Effect& e) { return e.key == key; })
             ->proof;
     };
     EXPECT_EQ(proofOf("recursion"), "");
     EXPECT_EQ(proofOf("depth_of_field"), "no camera of the scene has a lens");
     EXPECT_EQ(std::count_if(effects.begin(), effects.end(),
-                            [](const Effect& e) { return e.key == "bloom" || e.key == "bvh"; }),
+                            [](const measure::Effect& e) { return e.key == "bloom" || e.key == "bvh"; }),
               0);
 }
 
@@ -123,7 +125,8 @@ TEST(Candidates, AreDifferentAndBeginWithTheBaseAndItsControl) {
         s.spp = 2;
         return s;
     }();
-    const std::vector<TradePoint> list = candidatesFor(needsOf("builtin:cornell-area"), base, request);
+    const std::vector<TradePoint> list =
+        measure::candidatesFor(needsOf("builtin:cornell-area"), base, request);
     EXPECT_EQ(list[0].role, TradeRole::Base);
     EXPECT_EQ(list[1].role, TradeRole::Control);
     EXPECT_EQ(list[2].name, "planted");

@@ -48,7 +48,8 @@ TEST(ExactCrossing, AgreesWithIntegers) {
             return glm::dot(d, glm::cross(p - o, q - o));
         };
         const double u = volume(c, b), v = volume(a, c), w = volume(b, a), det = u + v + w;
-        const ExactCrossing exact({glm::vec3(o), glm::vec3(d)}, glm::vec3(a), glm::vec3(b), glm::vec3(c));
+        const measure::ExactCrossing exact({glm::vec3(o), glm::vec3(d)}, glm::vec3(a), glm::vec3(b),
+                                           glm::vec3(c));
         ASSERT_EQ(exact.parallel, det == 0.0);
         if (det == 0.0) continue;
         if (u * v * w != 0.0) {
@@ -79,8 +80,8 @@ TEST(ExactCrossing, TiesAreDecidedOnce) {
         for (int x = -3; x < 3; ++x)
             for (int y = -3; y < 3; ++y) {
                 const glm::vec3 p(x, y, 0), q(x + 1, y, 0), r(x + 1, y + 1, 0), s(x, y + 1, 0);
-                count += ExactCrossing(ray, p, q, r).crossed;
-                count += ExactCrossing(ray, p, r, s).crossed;
+                count += measure::ExactCrossing(ray, p, q, r).crossed;
+                count += measure::ExactCrossing(ray, p, r, s).crossed;
             }
         ASSERT_EQ(count, 1);
     }
@@ -111,12 +112,12 @@ WorstRatio worstRatio(double narrowest, double aside, std::uint64_t seed) {
         ray.origin = glm::vec3(target + size * std::exp2(12.0 * real(random) - 6.0) * point());
         ray.direction = glm::vec3(target - glm::dvec3(ray.origin));
         if (ray.direction == glm::vec3(0.0f)) continue;
-        const ShearedRay sheared(words(ray));
-        TriangleHit hit;
-        if (!intersectTriangle(sheared, a, b, c, hit)) continue;
-        const ExactCrossing exact(ray, a, b, c);
+        const bvh::ShearedRay sheared(bvh::words(ray));
+        bvh::TriangleHit hit;
+        if (!bvh::intersectTriangle(sheared, a, b, c, hit)) continue;
+        const measure::ExactCrossing exact(ray, a, b, c);
         if (exact.parallel || !exact.crossed) continue;
-        const HitError error(sheared, a, b, c);
+        const bvh::HitError error(sheared, a, b, c);
         const auto off = [](double value, long double right) {
             return static_cast<double>(std::abs(static_cast<long double>(value) - right));
         };
@@ -147,7 +148,7 @@ TEST(HitError, IsNeverExceededAndNotIdle) {
 }
 
 TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
-    const LabResult result = quickLab(generate(IcosphereShape{.subdivisions = 3}), 1500);
+    const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 3}), 1500);
     EXPECT_EQ(result.cells.size(), 20u);
     EXPECT_EQ(result.triangles, 1280u);
     EXPECT_EQ(result.sharedEdges, 1920u);
@@ -185,7 +186,7 @@ TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
 /// less than rounding to float makes up for, more than nothing.
 TEST(Lab, PlanesThatAreTurnedByRightAnglesDoNotHitThemselves) {
     for (const glm::vec3& degrees : {glm::vec3(0, 180, 0), {90, 0, 0}, {0, 90, 180}, {180, 270, 90}}) {
-        SceneDescription scene = sceneOf(generate(QuadShape{{1.4f, 1.0f}}));
+        SceneDescription scene = sceneOf(scene::generate(scene::QuadShape{{1.4f, 1.0f}}));
         scene.meshes[0].transform.rotate = degrees;
         LabRequest request;
         request.scene = std::make_shared<SceneDescription>(scene);
@@ -196,8 +197,8 @@ TEST(Lab, PlanesThatAreTurnedByRightAnglesDoNotHitThemselves) {
 }
 
 TEST(Lab, CountsAreTheSameForAnyThreads) {
-    const LabResult one = quickLab(generate(BoxShape{}), 300, 1),
-                    four = quickLab(generate(BoxShape{}), 300, 4);
+    const LabResult one = quickLab(scene::generate(scene::BoxShape{}), 300, 1),
+                    four = quickLab(scene::generate(scene::BoxShape{}), 300, 4);
     EXPECT_EQ(labCsv(one), labCsv(four));
     ASSERT_EQ(one.failures.size(), four.failures.size());
     for (std::size_t i = 0; i < one.failures.size(); ++i)
@@ -205,7 +206,7 @@ TEST(Lab, CountsAreTheSameForAnyThreads) {
 }
 
 TEST(Lab, SaysWhenTheMeshItselfLosesItsShape) {
-    const LabResult result = quickLab(generate(IcosphereShape{.subdivisions = 4}), 50);
+    const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 4}), 50);
     EXPECT_EQ(result.meshOffset, 1e4);
     for (const LabCell& cell : result.cells) EXPECT_EQ(cell.collapsed > 0, cell.place.offset > 1e4);
 }
@@ -217,13 +218,13 @@ TEST(Lab, TakesWhatIsOdd) {
     EXPECT_EQ(single.range(LabMethod::Rayscope).failingCells, 0u);
     EXPECT_NE(labText(single).find("no edge is shared"), std::string::npos);
 
-    MeshData odd = generate(IcosphereShape{.subdivisions = 2});
+    MeshData odd = scene::generate(scene::IcosphereShape{.subdivisions = 2});
     odd.positions[3].x = std::nanf("");
     odd.positions[40] = odd.positions[41];
     odd.triangles.insert(odd.triangles.end(), {{7, 7, 9}, {10, 11, 12}, {10, 11, 12}});
     EXPECT_EQ(quickLab(odd, 200).range(LabMethod::Rayscope).failingCells, 0u);
 
-    MeshData huge = generate(BoxShape{});
+    MeshData huge = scene::generate(scene::BoxShape{});
     for (glm::vec3& p : huge.positions) p *= 1e24f;  // overflows when scaled by 2^40 or moved
     EXPECT_EQ(quickLab(huge, 100).range(LabMethod::Rayscope).failingCells, 0u);
 
@@ -235,7 +236,7 @@ TEST(Lab, TakesWhatIsOdd) {
 TEST(Lab, AStopKeepsWhatWasMeasured) {
     std::stop_source stop;
     LabRequest request;
-    request.scene = std::make_shared<SceneDescription>(sceneOf(generate(BoxShape{})));
+    request.scene = std::make_shared<SceneDescription>(sceneOf(scene::generate(scene::BoxShape{})));
     request.raysPerCell = 100;
     request.stop = stop.get_token();
     int calls = 0;
@@ -253,7 +254,7 @@ TEST(Lab, AStopKeepsWhatWasMeasured) {
 }
 
 TEST(Lab, ShapesAreClosedWhereTheyShouldBe) {
-    const LabMesh mesh(labShapes());
+    const measure::LabMesh mesh(labShapes());
     EXPECT_GT(mesh.closedVertices().size(), 5000u);
     EXPECT_GT(mesh.edges().size(), 15000u);
     for (const std::uint32_t vertex : mesh.closedVertices())

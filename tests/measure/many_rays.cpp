@@ -68,7 +68,7 @@ Ray aimedRay(const Geometry& mesh, const Place& place, Random& random) {
 std::vector<Isa> kernels() {
     std::vector<Isa> list;
     for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512})
-        if (isAvailable(isa)) list.push_back(isa);
+        if (bvh::isAvailable(isa)) list.push_back(isa);
     return list;
 }
 
@@ -94,23 +94,24 @@ Geometry tiltedFloor() {
 bool isConvex(const Geometry& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (const glm::vec3& vertex : mesh.vertices)
-            if (signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex).sign() > 0)
+            if (math::signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex).sign() >
+                0)
                 return false;
     return true;
 }
 
-std::shared_ptr<const World> worldOf(const Geometry& mesh) {
+std::shared_ptr<const trace::World> worldOf(const Geometry& mesh) {
     auto scene = std::make_shared<SceneDescription>();
     auto data = std::make_shared<MeshData>();
     data->positions = mesh.vertices;
     data->triangles = mesh.triangles;
     scene->materials.emplace_back();
     scene->meshes.push_back({.name = mesh.name, .data = std::move(data), .materials = {0}});
-    return compile({scene, Settings{}, CameraDescription{}, 1, 1, false});
+    return trace::compile({scene, Settings{}, CameraDescription{}, 1, 1, false});
 }
 
 /// One ray at a triangle and what leaves the hit point on both sides. False if it has to be left out.
-bool leaveOnce(const World& world, const Geometry& mesh, bool closed, double size, Random& random) {
+bool leaveOnce(const trace::World& world, const Geometry& mesh, bool closed, double size, Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const glm::dvec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1), c = mesh.corner(triangle, 2);
     double u = random.real(), v = random.real();
@@ -122,14 +123,14 @@ bool leaveOnce(const World& world, const Geometry& mesh, bool closed, double siz
     first.direction = glm::vec3(point - glm::dvec3(first.origin));
     Hit hit;
     if (first.direction == glm::vec3(0.0f) || !world.closestHit(first, 0.0f, hit)) return false;
-    const Interaction at = interactionAt(world, first, 0.0f, {}, hit);
+    const trace::Interaction at = trace::interactionAt(world, first, 0.0f, {}, hit);
     const glm::dvec3 p = mesh.corner(hit.primitive, 0), q = mesh.corner(hit.primitive, 1),
                      r = mesh.corner(hit.primitive, 2);
     const bool fromOutside = glm::dot(at.geometricNormal, glm::cross((q - p) / size, (r - p) / size)) > 0.0;
     const double sine = std::pow(10.0, random.real(-4, 0)), phi = random.real(0, 6.283185307179586);
     for (const bool behind : {false, true}) {
         const glm::dvec3 normal = behind ? -at.geometricNormal : at.geometricNormal;
-        const Frame frame = frameAround(normal);
+        const math::Frame frame = math::frameAround(normal);
         const double cosine = std::sqrt(1.0 - sine * sine);
         const Ray next{
             behind ? at.originBehind() : at.originOutside(),
@@ -198,7 +199,7 @@ std::uint64_t leaveSurfaces(std::uint64_t count) {
     Random random(29);
     struct Target {
         Geometry mesh;
-        std::shared_ptr<const World> world;
+        std::shared_ptr<const trace::World> world;
         bool closed;
         double size;
     };

@@ -23,7 +23,7 @@ TradePoint point(const std::string& name, double seconds, double error, double s
 TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base), point("finer", 4.0, 0.05),
                                    point("planted", 4.5, 0.12), point("coarse", 0.25, 0.20)};
-    EXPECT_EQ(markFront(points), (std::vector<std::size_t>{3, 0, 1}));
+    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{3, 0, 1}));
     EXPECT_FALSE(points[2].onFront);
     EXPECT_NE(points[2].dominatedBy, "");
     for (const std::size_t i : {0u, 1u, 3u}) EXPECT_EQ(points[i].dominatedBy, "");
@@ -32,7 +32,7 @@ TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
 TEST(Pareto, WhatIsNotBeyondDoubtIsTied) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("worse", 1.02, 0.101)};
-    markFront(points);
+    measure::markFront(points);
     EXPECT_FALSE(points[1].onFront);
     EXPECT_EQ(points[1].dominatedBy, "");
 }
@@ -42,7 +42,7 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
                                    point("slow tree", 2.0, 0.10), point("like base", 1.01, 0.10)};
     points[1].samePicture = points[2].samePicture = true;
     points[2].timeRatio = {1.01, 0.95, 1.06};
-    EXPECT_EQ(markFront(points), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{0}));
     EXPECT_EQ(points[1].dominatedBy, "base");
     EXPECT_EQ(points[2].dominatedBy, "");
 }
@@ -50,20 +50,20 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
 TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
     std::vector<TradePoint> points{point("base", 1.0, 0.16, 0.05, TradeRole::Base),
                                    point("finer", 4.0, 0.04)};
-    const std::vector<std::size_t> front = markFront(points);
+    const std::vector<std::size_t> front = measure::markFront(points);
     // Halfway between both in the logarithm of the error the front needs 2 s.
-    EXPECT_NEAR(excessOverFront(points, front, point("between", 3.0, 0.08)), 0.5, 1e-9);
-    EXPECT_EQ(excessOverFront(points, front, points[1]), 0.0);
-    EXPECT_EQ(excessOverFront(points, front, point("beyond", 9.0, 0.01)), 0.0);
-    EXPECT_NEAR(excessOverFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
+    EXPECT_NEAR(measure::excessOverFront(points, front, point("between", 3.0, 0.08)), 0.5, 1e-9);
+    EXPECT_EQ(measure::excessOverFront(points, front, points[1]), 0.0);
+    EXPECT_EQ(measure::excessOverFront(points, front, point("beyond", 9.0, 0.01)), 0.0);
+    EXPECT_NEAR(measure::excessOverFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
 }
 
 TEST(Pareto, WhatTheNoiseOfTheMachineCanExplainIsTied) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("slower", 2.0, 0.12)};
-    markFront(points, 1.5);
+    measure::markFront(points, 1.5);
     EXPECT_EQ(points[1].dominatedBy, "");
-    markFront(points, 0.5);
+    measure::markFront(points, 0.5);
     EXPECT_EQ(points[1].dominatedBy, "base");
 }
 
@@ -73,7 +73,7 @@ TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
                                    point("effect off", 0.5, 0.01, 0.05, TradeRole::Feature),
                                    point("once", 0.5, 0.01)};
     points[3].runs = 1;
-    EXPECT_EQ(markFront(points), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{0}));
 }
 
 TEST(Pareto, FindsTheMeasurementOfSettingsAsFarAsTheyMatter) {
@@ -102,8 +102,8 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
     for (int i = 0; i < 12; ++i)
         points.push_back(point(std::to_string(i), 0.1 * std::pow(1.7, i), std::pow(0.7, i), 0.1,
                                i == 0 ? TradeRole::Base : TradeRole::Knob));
-    const std::vector<std::size_t> front = markFront(points);
-    const std::vector<TradeAdvice> advice = adviceFrom(points, front);
+    const std::vector<std::size_t> front = measure::markFront(points);
+    const std::vector<TradeAdvice> advice = measure::adviceFrom(points, front);
     ASSERT_GE(advice.size(), 4u);
     EXPECT_EQ(advice.front().point, front.front());
     EXPECT_EQ(advice.back().point, front.back());
@@ -113,7 +113,7 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
             EXPECT_TRUE(points[other].seconds.upper > a.budgetSeconds ||
                         points[a.point].error.value <= points[other].error.value);
     }
-    EXPECT_TRUE(adviceFrom({}, {}).empty());
+    EXPECT_TRUE(measure::adviceFrom({}, {}).empty());
 }
 
 TEST(Dial, SaysWhetherBeingBehindIsBeyondDoubt) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bvh/build/build.h"
-#include "bvh/meshes.h"
 #include "bvh/layout/statistics.h"
+#include "bvh/meshes.h"
 
 namespace rayscope::test {
 namespace {
@@ -14,19 +14,19 @@ TEST(RandomLines, CostWhatTheSurfaceAreaHeuristicPredicts) {
     for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::SahBinned}) {
         BuildSettings settings;
         settings.builder = builder;
-        const BinaryTree tree = buildBinaryTree(scene.input(), settings);
-        EXPECT_NEAR(costOfRandomLines(tree, 20000) / statisticsOf(tree).sahCost, 1.0, 0.02);
+        const bvh::BinaryTree tree = bvh::buildBinaryTree(scene.input(), settings);
+        EXPECT_NEAR(measure::costOfRandomLines(tree, 20000) / bvh::statisticsOf(tree).sahCost, 1.0, 0.02);
     }
 }
 
 TEST(RandomLines, OfTreesByHand) {
-    EXPECT_EQ(costOfRandomLines({}, 10), 0.0);
-    BinaryTree leaf;
+    EXPECT_EQ(measure::costOfRandomLines({}, 10), 0.0);
+    bvh::BinaryTree leaf;
     leaf.nodes = {{{0, 0, 0}, 0, {1, 2, 3}, 5}};
-    EXPECT_EQ(costOfRandomLines(leaf, 100), 5.0) << "every line meets the root";
-    BinaryTree halves;  // of a flat box, seen by every line that meets it, in one half or the other
+    EXPECT_EQ(measure::costOfRandomLines(leaf, 100), 5.0) << "every line meets the root";
+    bvh::BinaryTree halves;  // of a flat box, seen by every line that meets it, in one half or the other
     halves.nodes = {{{0, 0, 0}, 1, {2, 2, 0}, 0}, {{0, 0, 0}, 0, {1, 2, 0}, 4}, {{1, 0, 0}, 4, {2, 2, 0}, 4}};
-    EXPECT_NEAR(costOfRandomLines(halves, 1000), 5.0, 0.1);
+    EXPECT_NEAR(measure::costOfRandomLines(halves, 1000), 5.0, 0.1);
 }
 
 }  // namespace

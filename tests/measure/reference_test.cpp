@@ -10,10 +10,10 @@
 namespace rayscope {
 namespace {
 
-CompileRequest requestFor(const std::string& name, int size) {
+trace::CompileRequest requestFor(const std::string& name, int size) {
     Diagnostics notes;
     auto scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
-    return {scene, referenceSettings(Settings{}), scene->cameras.front(), size, size};
+    return {scene, measure::referenceSettings(Settings{}), scene->cameras.front(), size, size};
 }
 
 RgbImage noisy(const RgbImage& truth, double sigma, double bias, std::uint64_t seed) {
@@ -30,8 +30,8 @@ TEST(Reference, ProductsWithBothHalvesAreFreeOfTheirNoise) {
     const RgbImage a = noisy(truth, 0.2, 0.0, 1), b = noisy(truth, 0.2, 0.0, 2);
     const RgbImage one = noisy(truth, 0.1, 0.05, 3), other = noisy(truth, 0.1, 0.05, 4);
     // Standard error over 120000 values: at most 4 products of 0.2 · 0.2 / √120000.
-    EXPECT_NEAR(meanSquaredError(one, a, b), 0.01 + 0.0025, 4e-4);
-    EXPECT_NEAR(commonSquaredError(one, other, a, b), 0.0025, 4e-4);
+    EXPECT_NEAR(measure::meanSquaredError(one, a, b), 0.01 + 0.0025, 4e-4);
+    EXPECT_NEAR(measure::commonSquaredError(one, other, a, b), 0.0025, 4e-4);
 }
 
 TEST(Reference, WhatIsNotFiniteIsLeftOut) {
@@ -39,8 +39,9 @@ TEST(Reference, WhatIsNotFiniteIsLeftOut) {
     RgbImage broken = image;
     broken.at(3, 3) = Rgb(NAN);
     broken.at(4, 3) = Rgb(INFINITY);
-    EXPECT_DOUBLE_EQ(meanSquaredError(broken, truth, truth), 0.0625);
-    EXPECT_TRUE(std::isnan(meanSquaredError(RgbImage(2, 2, Rgb(NAN)), RgbImage(2, 2), RgbImage(2, 2))));
+    EXPECT_DOUBLE_EQ(measure::meanSquaredError(broken, truth, truth), 0.0625);
+    EXPECT_TRUE(
+        std::isnan(measure::meanSquaredError(RgbImage(2, 2, Rgb(NAN)), RgbImage(2, 2), RgbImage(2, 2))));
 }
 
 double distance(const RgbImage& a, const RgbImage& b) {
@@ -54,8 +55,8 @@ double distance(const RgbImage& a, const RgbImage& b) {
 
 // The few hundred pixels on edges make most of the error, so its estimate has a standard error of about 5 %.
 TEST(Reference, KnowsItsOwnError) {
-    Workers workers(2);
-    Reference reference(requestFor("builtin:cornell-area", 80), workers);
+    measure::Workers workers(2);
+    measure::Reference reference(requestFor("builtin:cornell-area", 80), workers);
     ASSERT_TRUE(reference.extend(8, {}));
     const RgbImage early = reference.mean();
     const double claimed = reference.error();
@@ -65,24 +66,24 @@ TEST(Reference, KnowsItsOwnError) {
 }
 
 TEST(Reference, ConvergesIfItsErrorFalls) {
-    EXPECT_TRUE(converges({}));
-    EXPECT_TRUE(converges({{4, 0.1}, {8, 0.2}})) << "too early to say";
-    EXPECT_TRUE(converges({{4, 0.1}, {8, 0.07}, {16, 0.05}}));
-    EXPECT_FALSE(converges({{4, 0.1}, {8, 0.11}, {16, 0.09}})) << "rare bright samples";
-    EXPECT_FALSE(converges({{4, 0.1}, {8, 0.07}, {16, NAN}}));
-    EXPECT_TRUE(converges({{2, 0.1}, {4, 0.1}, {8, 0.08}, {16, 0.06}}));
+    EXPECT_TRUE(measure::converges({}));
+    EXPECT_TRUE(measure::converges({{4, 0.1}, {8, 0.2}})) << "too early to say";
+    EXPECT_TRUE(measure::converges({{4, 0.1}, {8, 0.07}, {16, 0.05}}));
+    EXPECT_FALSE(measure::converges({{4, 0.1}, {8, 0.11}, {16, 0.09}})) << "rare bright samples";
+    EXPECT_FALSE(measure::converges({{4, 0.1}, {8, 0.07}, {16, NAN}}));
+    EXPECT_TRUE(measure::converges({{2, 0.1}, {4, 0.1}, {8, 0.08}, {16, 0.06}}));
 }
 
 TEST(Reference, GoesOnFromAFileBitForBit) {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("sub/r.films");
-    Workers workers(2);
-    Reference whole(requestFor("builtin:cornell", 40), workers),
+    measure::Workers workers(2);
+    measure::Reference whole(requestFor("builtin:cornell", 40), workers),
         part(requestFor("builtin:cornell", 40), workers);
     whole.extend(8, {});
     part.extend(4, {});
     part.save(file);
-    Reference resumed(requestFor("builtin:cornell", 40), workers);
+    measure::Reference resumed(requestFor("builtin:cornell", 40), workers);
     ASSERT_TRUE(resumed.load(file));
     EXPECT_EQ(resumed.samples(), 4);
     resumed.extend(8, {});
@@ -91,15 +92,15 @@ TEST(Reference, GoesOnFromAFileBitForBit) {
 
 TEST(Reference, TakesNoFileThatIsDamagedOrOfSomethingElse) {
     const test::TemporaryFolder folder;
-    Workers workers(2);
-    Reference reference(requestFor("builtin:cornell", 40), workers);
+    measure::Workers workers(2);
+    measure::Reference reference(requestFor("builtin:cornell", 40), workers);
     reference.extend(2, {});
     reference.save(folder.file("r.films"));
     const std::string good = test::readText(folder / "r.films");
 
     const auto loads = [&](const std::string& scene, int size, const std::string& content) {
         folder.write("t.films", content);
-        Reference fresh(requestFor(scene, size), workers);
+        measure::Reference fresh(requestFor(scene, size), workers);
         const bool loaded = fresh.load(folder.file("t.films"));
         EXPECT_EQ(fresh.samples(), loaded ? 2 : 0);
         return loaded;
@@ -112,13 +113,13 @@ TEST(Reference, TakesNoFileThatIsDamagedOrOfSomethingElse) {
     EXPECT_FALSE(loads("builtin:cornell", 40, ""));
     EXPECT_FALSE(loads("builtin:cornell", 41, good));
     EXPECT_FALSE(loads("builtin:cornell-area", 40, good));
-    Reference fresh(requestFor("builtin:cornell", 40), workers);
+    measure::Reference fresh(requestFor("builtin:cornell", 40), workers);
     EXPECT_FALSE(fresh.load(folder.file("missing.films")));
 }
 
 TEST(Reference, AStopKeepsWhatWasTraced) {
-    Workers workers(2);
-    Reference reference(requestFor("builtin:cornell", 40), workers);
+    measure::Workers workers(2);
+    measure::Reference reference(requestFor("builtin:cornell", 40), workers);
     std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(reference.extend(64, stop.get_token()));

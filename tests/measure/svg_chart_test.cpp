@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(SvgChart, EqualFactorsAreEqualDistances) {
-    LogChart chart(800, 400, {1.0, 100.0}, {1.0, 100.0}, "x", "y");
+    measure::LogChart chart(800, 400, {1.0, 100.0}, {1.0, 100.0}, "x", "y");
     chart.line({{1.0, 1.0}, {10.0, 10.0}, {100.0, 100.0}}, "front");
     const std::string svg = chart.svg();
     const std::size_t at = svg.find("points='") + 8;
@@ -27,7 +27,8 @@ TEST(SvgChart, EqualFactorsAreEqualDistances) {
 }
 
 TEST(SvgChart, DrawsNothingThatHasNoPlace) {
-    LogChart chart(800, 400, rangeOf({0.0, NAN, INFINITY}), rangeOf({1e-9, 1e9}), "x", "y");
+    measure::LogChart chart(800, 400, measure::rangeOf({0.0, NAN, INFINITY}), measure::rangeOf({1e-9, 1e9}),
+                            "x", "y");
     chart.mark({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, "a", "no");
     chart.mark({2.0, -INFINITY, INFINITY}, {1.0, 0.0, INFINITY}, "a", "<&>");
     const std::string svg = chart.svg();

@@ -8,7 +8,7 @@
 namespace rayscope {
 namespace {
 
-CompileRequest requestFor(const std::string& name, int size, int spp) {
+trace::CompileRequest requestFor(const std::string& name, int size, int spp) {
     Diagnostics notes;
     auto scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
     Settings settings;
@@ -17,19 +17,19 @@ CompileRequest requestFor(const std::string& name, int size, int spp) {
 }
 
 TEST(Deadline, ComesByTimeOrWithAStop) {
-    const Deadline soon(0.01, {});
+    const measure::Deadline soon(0.01, {});
     while (!soon.token().stop_requested()) std::this_thread::yield();
     std::stop_source stop;
-    const Deadline never(1e9, stop.get_token());
+    const measure::Deadline never(1e9, stop.get_token());
     EXPECT_FALSE(never.token().stop_requested());
     stop.request_stop();
     EXPECT_TRUE(never.token().stop_requested());
 }
 
 TEST(Trial, IsWhatARenderWouldGive) {
-    Workers workers(2);
-    const CompileRequest request = requestFor("builtin:cornell-area", 20, 3);
-    const std::optional<Trial> trial = runTrial(workers, request, nullptr, 5, 1e9, {});
+    measure::Workers workers(2);
+    const trace::CompileRequest request = requestFor("builtin:cornell-area", 20, 3);
+    const std::optional<measure::Trial> trial = measure::runTrial(workers, request, nullptr, 5, 1e9, {});
     ASSERT_TRUE(trial);
     RenderSession session(2);
     RenderRequest render;
@@ -51,11 +51,13 @@ TEST(Trial, IsWhatARenderWouldGive) {
 }
 
 TEST(Trial, EndsAtItsLimit) {
-    Workers workers(2);
-    EXPECT_FALSE(runTrial(workers, requestFor("builtin:cornell-area", 100, 100000), nullptr, 0, 0.05, {}));
+    measure::Workers workers(2);
+    EXPECT_FALSE(
+        measure::runTrial(workers, requestFor("builtin:cornell-area", 100, 100000), nullptr, 0, 0.05, {}));
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_FALSE(runTrial(workers, requestFor("builtin:teapot", 20, 1), nullptr, 0, 1e9, stop.get_token()));
+    EXPECT_FALSE(
+        measure::runTrial(workers, requestFor("builtin:teapot", 20, 1), nullptr, 0, 1e9, stop.get_token()));
 }
 
 }  // namespace

@@ -23,20 +23,21 @@ TEST(BloomKernel, SumsToOneForEverySigma) {
     for (const double sigma : {0.0, 1e-6, 0.3, 0.5, 1.0, 10.0, 50.0, 1e6})
         for (const int radius : {0, 1, 2, 50}) {
             double sum = 0.0;
-            for (const double weight : bloomKernel(BloomFilter::Gaussian, radius, sigma)) sum += weight;
+            for (const double weight : post::bloomKernel(BloomFilter::Gaussian, radius, sigma)) sum += weight;
             EXPECT_NEAR(sum, 1.0, 0x1p-52 * (2 * radius + 1)) << sigma << " " << radius;
         }
 }
 
 TEST(BloomKernel, HasTheRightLimits) {
-    EXPECT_EQ(bloomKernel(BloomFilter::Gaussian, 2, 0.0), (std::vector<double>{0, 0, 1, 0, 0}));
-    EXPECT_EQ(bloomKernel(BloomFilter::Gaussian, 2, 1e-6), (std::vector<double>{0, 0, 1, 0, 0}));
-    for (const double weight : bloomKernel(BloomFilter::Gaussian, 2, 1e6)) EXPECT_NEAR(weight, 0.2, 1e-9);
-    EXPECT_EQ(bloomKernel(BloomFilter::Box, 0, 1.0), std::vector<double>{1.0});
+    EXPECT_EQ(post::bloomKernel(BloomFilter::Gaussian, 2, 0.0), (std::vector<double>{0, 0, 1, 0, 0}));
+    EXPECT_EQ(post::bloomKernel(BloomFilter::Gaussian, 2, 1e-6), (std::vector<double>{0, 0, 1, 0, 0}));
+    for (const double weight : post::bloomKernel(BloomFilter::Gaussian, 2, 1e6))
+        EXPECT_NEAR(weight, 0.2, 1e-9);
+    EXPECT_EQ(post::bloomKernel(BloomFilter::Box, 0, 1.0), std::vector<double>{1.0});
 }
 
 TEST(BloomKernel, IntegratesTheGaussianOverEachPixel) {
-    const std::vector<double> kernel = bloomKernel(BloomFilter::Gaussian, 6, 1.0);
+    const std::vector<double> kernel = post::bloomKernel(BloomFilter::Gaussian, 6, 1.0);
     // Simpson's rule over the pixel as an independent integral.
     const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * 3.14159265358979); };
     for (int i = -6; i <= 6; ++i) {
@@ -51,8 +52,8 @@ TEST(BloomKernel, IntegratesTheGaussianOverEachPixel) {
 TEST(Bloom, ImpulseResponseIsTheOuterProductOfTheKernel) {
     RgbImage image(15, 15, Rgb(0.0f));
     image.at(7, 7) = Rgb(1.0f, 2.0f, 4.0f);
-    const std::vector<double> kernel = bloomKernel(BloomFilter::Gaussian, 3, 1.3);
-    const RgbImage filtered = bloomFiltered(image, kernel);
+    const std::vector<double> kernel = post::bloomKernel(BloomFilter::Gaussian, 3, 1.3);
+    const RgbImage filtered = post::bloomFiltered(image, kernel);
     for (int y = 0; y < 15; ++y)
         for (int x = 0; x < 15; ++x) {
             const bool inside = std::abs(x - 7) <= 3 && std::abs(y - 7) <= 3;
@@ -67,8 +68,8 @@ TEST(Bloom, SeparablePassesAgreeWithTheDirectSum) {
     const RgbImage image = noise(40, 30);
     for (const BloomFilter filter : {BloomFilter::Box, BloomFilter::Gaussian}) {
         const int radius = 5;
-        const std::vector<double> kernel = bloomKernel(filter, radius, 2.0);
-        const RgbImage separable = bloomFiltered(image, kernel);
+        const std::vector<double> kernel = post::bloomKernel(filter, radius, 2.0);
+        const RgbImage separable = post::bloomFiltered(image, kernel);
         for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x) {
                 RgbSum sum(0.0);
@@ -88,7 +89,7 @@ TEST(Bloom, ThresholdKeepsWholePixels) {
     image.at(0, 0) = {0.7f, 0.1f, 0.1f};
     image.at(1, 0) = {0.71f, 0.1f, 0.2f};
     image.at(2, 0) = {std::numeric_limits<float>::quiet_NaN(), 9.0f, 9.0f};
-    const RgbImage bright = bloomThresholded(image, 0.7f);
+    const RgbImage bright = post::bloomThresholded(image, 0.7f);
     EXPECT_EQ(bright.at(0, 0), Rgb(0.0f));
     EXPECT_EQ(bright.at(1, 0), image.at(1, 0));
     EXPECT_EQ(bright.at(2, 0), Rgb(0.0f));  // must not spread
@@ -99,25 +100,25 @@ TEST(Bloom, StagesAddUp) {
     Settings settings;
     settings.bloom = true;
     settings.bloomScale = 2.0f;
-    const RgbImage result = applyBloom(image, settings);
+    const RgbImage result = post::applyBloom(image, settings);
     settings.bloomDebug = true;
     settings.bloomStage = BloomStage::Filtered;
-    const RgbImage glow = applyBloom(image, settings);
+    const RgbImage glow = post::applyBloom(image, settings);
     settings.bloomStage = BloomStage::Added;
-    EXPECT_EQ(applyBloom(image, settings).pixels, result.pixels);
+    EXPECT_EQ(post::applyBloom(image, settings).pixels, result.pixels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         EXPECT_EQ(result.pixels[i], glow.pixels[i] + image.pixels[i]);
     settings.bloom = false;
-    EXPECT_EQ(applyBloom(image, settings).pixels, image.pixels);
+    EXPECT_EQ(post::applyBloom(image, settings).pixels, image.pixels);
 }
 
 TEST(Develop, ExposureBelongsToDisplaysOnly) {
     const RgbImage image = noise(4, 4);
     Settings settings;
     settings.exposure = 1.0f;
-    EXPECT_EQ(develop(image, settings, false).pixels, image.pixels);
+    EXPECT_EQ(post::develop(image, settings, false).pixels, image.pixels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        EXPECT_EQ(develop(image, settings, true).pixels[i], 2.0f * image.pixels[i]);
+        EXPECT_EQ(post::develop(image, settings, true).pixels[i], 2.0f * image.pixels[i]);
 }
 
 }  // namespace

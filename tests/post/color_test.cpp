@@ -17,11 +17,12 @@ TEST(Color, MeetsTheKnownPairsOfSrgb) {
                                             {0.02028856, 39}, {0.1844, 119},    {0.2158605, 128},
                                             {0.5, 188},       {0.7379104, 223}, {1.0, 255}};
     for (const auto& [linear, code] : pairs)
-        EXPECT_EQ(int{encodeByte(static_cast<float>(linear), ToneCurve::Srgb)}, code) << linear;
+        EXPECT_EQ(int{image::encodeByte(static_cast<float>(linear), ToneCurve::Srgb)}, code) << linear;
     for (int code = 0; code < 256; ++code) {
         const double s = code / 255.0, exact = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-        EXPECT_NEAR(static_cast<double>(decodeByte(static_cast<std::uint8_t>(code))), exact, 1e-6);
-        EXPECT_EQ(int{encodeByte(decodeByte(static_cast<std::uint8_t>(code)), ToneCurve::Srgb)}, code);
+        EXPECT_NEAR(static_cast<double>(image::decodeByte(static_cast<std::uint8_t>(code))), exact, 1e-6);
+        EXPECT_EQ(int{image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), ToneCurve::Srgb)},
+                  code);
     }
 }
 
@@ -29,19 +30,19 @@ TEST(Color, OfTheCourseIsClampedAndCutOff) {
     const std::pair<float, int> pairs[] = {{0.0f, 0},     {0.0039f, 0}, {0.00393f, 1}, {0.5f, 127},
                                            {0.999f, 254}, {1.0f, 255},  {7.0f, 255},   {-1.0f, 0}};
     for (const auto& [linear, code] : pairs)
-        EXPECT_EQ(int{encodeByte(linear, ToneCurve::Course)}, code) << linear;
+        EXPECT_EQ(int{image::encodeByte(linear, ToneCurve::Course)}, code) << linear;
 }
 
 TEST(Color, RisesSteadilyAndSurvivesEverything) {
     for (const ToneCurve curve : {ToneCurve::Srgb, ToneCurve::Course}) {
         int before = 0;
         for (float x = 0.0f; x <= 1.0f; x += 1.0f / 4096.0f) {
-            const int code = encodeByte(x, curve);
+            const int code = image::encodeByte(x, curve);
             EXPECT_GE(code, before);
             before = code;
         }
-        EXPECT_EQ(int{encodeByte(std::numeric_limits<float>::quiet_NaN(), curve)}, 0);
-        EXPECT_EQ(int{encodeByte(std::numeric_limits<float>::infinity(), curve)}, 255);
+        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::quiet_NaN(), curve)}, 0);
+        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::infinity(), curve)}, 255);
     }
 }
 
@@ -51,8 +52,8 @@ TEST(Exposure, CountsInStops) {
     for (const float stops : {-20.0f, -1.0f, 0.5f, 2.0f, 20.0f}) {
         settings.exposure = stops;
         const double factor = std::pow(2.0, static_cast<double>(stops));
-        EXPECT_NEAR(static_cast<double>(develop(image, settings, true).pixels[0].x) / (0.25 * factor), 1.0,
-                    1e-6);
+        EXPECT_NEAR(static_cast<double>(post::develop(image, settings, true).pixels[0].x) / (0.25 * factor),
+                    1.0, 1e-6);
     }
 }
 
@@ -63,7 +64,8 @@ TEST(Exposure, ComesAfterBloom) {
     Settings settings;
     settings.bloom = true;
     settings.exposure = -3.0f;
-    const RgbImage developed = develop(image, settings, true), bloomed = applyBloom(image, settings);
+    const RgbImage developed = post::develop(image, settings, true),
+                   bloomed = post::applyBloom(image, settings);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         EXPECT_EQ(developed.pixels[i], bloomed.pixels[i] * 0.125f);
     EXPECT_GT(developed.at(1, 2).x, 0.0f);
@@ -84,7 +86,7 @@ TEST(BloomExtremes, GiveNumbersAtBothEndsOfEverySetting) {
                         settings.bloomThreshold = threshold;
                         settings.bloomSize = size;
                         settings.bloomScale = scale;
-                        const RgbImage result = applyBloom(image, settings);
+                        const RgbImage result = post::applyBloom(image, settings);
                         for (std::size_t i = 0; i < result.pixels.size(); ++i) {
                             ASSERT_TRUE(std::isfinite(result.pixels[i].x));
                             ASSERT_GE(result.pixels[i].x, image.pixels[i].x);

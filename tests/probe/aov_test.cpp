@@ -11,22 +11,25 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const World> builtin(const std::string& name, const Settings& settings = {}, int size = 20) {
+std::shared_ptr<const trace::World> builtin(const std::string& name, const Settings& settings = {},
+                                            int size = 20) {
     Diagnostics notes;
     return test::compileScene(loadScene("builtin:" + name, notes), settings, size, size);
 }
 
-std::vector<RgbImage> render(const World& world, std::vector<Aov> wanted, int samples = 2, int threads = 0) {
-    AovRequest request{world};
+std::vector<RgbImage> render(const trace::World& world, std::vector<probe::Aov> wanted, int samples = 2,
+                             int threads = 0) {
+    probe::AovRequest request{world};
     request.samples = samples;
     request.threads = threads;
     request.seed = 3;
-    return renderAovs(request, wanted);
+    return probe::renderAovs(request, wanted);
 }
 
 TEST(Aov, ShowTheSurfaceBehindEachPixel) {
     const auto world = builtin("cornell");
-    const auto images = render(*world, {Aov::Normal, Aov::Depth, Aov::Uv, Aov::Primitive, Aov::Material});
+    const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Depth, probe::Aov::Uv,
+                                        probe::Aov::Primitive, probe::Aov::Material});
     int hits = 0;
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 20; ++x) {
@@ -50,25 +53,25 @@ TEST(Aov, ShowTheSurfaceBehindEachPixel) {
 TEST(Aov, CountWhatTheLogsShow) {
     for (const std::string name : {"cornell-area", "cubes-transparent", "monkey"}) {
         const auto world = builtin(name, {}, 8);
-        const auto images = render(*world, {Aov::Nodes, Aov::Triangles, Aov::Rays}, 2);
+        const auto images = render(*world, {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays}, 2);
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < 8; ++x) {
                 std::size_t nodes = 0, tests = 0, rays = 0;
                 for (int index = 0; index < 2; ++index) {
-                    const RayTree tree = probe(*world, 3, {x, y, index});
-                    const auto count = [&](const std::vector<TraversalLog>& logs) {
+                    const RayTree tree = probeSample(*world, 3, {x, y, index});
+                    const auto count = [&](const std::vector<probe::TraversalLog>& logs) {
                         ++rays;
-                        for (const TraversalLog& log : logs) {
-                            nodes += log.count(TraversalEvent::Entered);
+                        for (const probe::TraversalLog& log : logs) {
+                            nodes += log.count(probe::TraversalEvent::Entered);
                             tests += log.tests();
                         }
                     };
                     for (const RayNode& node : tree.nodes)
                         if (node.end != RayEnd::BelowSurface)
-                            count(recordClosestHit(*world, node.ray, tree.time));
+                            count(probe::recordClosestHit(*world, node.ray, tree.time));
                     for (const ShadowRay& shadow : tree.shadowRays)
                         if (shadow.visibility != Visibility::FacingAway)
-                            count(recordAnyHit(*world, shadow.ray, tree.time));
+                            count(probe::recordAnyHit(*world, shadow.ray, tree.time));
                 }
                 EXPECT_EQ(images[0].at(x, y).x, static_cast<float>(nodes) / 2.0f) << name << x << " " << y;
                 EXPECT_EQ(images[1].at(x, y).x, static_cast<float>(tests) / 2.0f);
@@ -79,7 +82,8 @@ TEST(Aov, CountWhatTheLogsShow) {
 
 TEST(Aov, AreTheSameForAnyNumberOfThreads) {
     const auto world = builtin("teapot");
-    const std::vector<Aov> wanted{Aov::Normal, Aov::Nodes, Aov::Triangles, Aov::Rays, Aov::NotFinite};
+    const std::vector<probe::Aov> wanted{probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Triangles,
+                                         probe::Aov::Rays, probe::Aov::NotFinite};
     const auto one = render(*world, wanted, 2, 1), many = render(*world, wanted, 2, 7);
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(one[i].pixels, many[i].pixels);
 }
@@ -94,18 +98,19 @@ TEST(Aov, OfTheFilmAreItsMoments) {
     RenderSession session(1);
     session.submit(request);
     ASSERT_EQ(session.wait(60.0), RenderState::Done);
-    AovRequest wish{*session.world()};
+    probe::AovRequest wish{*session.world()};
     const auto film = session.film();
     wish.film = film.get();
-    const std::vector<Aov> wanted{Aov::Samples, Aov::Variance, Aov::Error};
-    const auto images = renderAovs(wish, wanted);
+    const std::vector<probe::Aov> wanted{probe::Aov::Samples, probe::Aov::Variance, probe::Aov::Error};
+    const auto images = probe::renderAovs(wish, wanted);
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
             double mean = 0.0, squares = 0.0;
             for (int i = 0; i < 8; ++i)
-                mean += luminance(probe(*session.world(), 0, {x, y, i}).radiance) / 8.0;
+                mean += render::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) / 8.0;
             for (int i = 0; i < 8; ++i)
-                squares += std::pow(luminance(probe(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
+                squares += std::pow(
+                    render::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
             EXPECT_EQ(images[0].at(x, y).x, 8.0f);
             EXPECT_NEAR(images[1].at(x, y).x, squares / 7.0, 1e-6 + 1e-4 * squares);
             EXPECT_NEAR(images[2].at(x, y).x, std::sqrt(squares / 56.0), 1e-4);
@@ -113,10 +118,10 @@ TEST(Aov, OfTheFilmAreItsMoments) {
 }
 
 TEST(Aov, NamesTheNearest) {
-    EXPECT_EQ(aovNamed("nodes"), Aov::Nodes);
-    for (const AovInfo& info : aovTable()) EXPECT_EQ(&infoOf(info.aov), &info);
+    EXPECT_EQ(probe::aovNamed("nodes"), probe::Aov::Nodes);
+    for (const probe::AovInfo& info : probe::aovTable()) EXPECT_EQ(&probe::infoOf(info.aov), &info);
     try {
-        aovNamed("nodess");
+        probe::aovNamed("nodess");
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("'nodes'"), std::string::npos) << error.what();
@@ -125,15 +130,15 @@ TEST(Aov, NamesTheNearest) {
 
 TEST(Aov, OfAnEmptySceneAndStopped) {
     const auto world = test::compileScene({}, {}, 5, 5);
-    const auto images = render(*world, {Aov::Normal, Aov::Nodes, Aov::Rays});
+    const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Rays});
     EXPECT_EQ(images[1].at(2, 2).x, 0.0f);
     EXPECT_EQ(images[2].at(2, 2).x, 1.0f);
     std::stop_source stop;
     stop.request_stop();
-    AovRequest request{*world};
+    probe::AovRequest request{*world};
     request.stop = stop.get_token();
-    const std::vector<Aov> wanted{Aov::Depth};
-    EXPECT_THROW(renderAovs(request, wanted), Stopped);
+    const std::vector<probe::Aov> wanted{probe::Aov::Depth};
+    EXPECT_THROW(probe::renderAovs(request, wanted), Stopped);
 }
 
 }  // namespace

@@ -13,12 +13,12 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const World> builtin(const std::string& name) {
+std::shared_ptr<const trace::World> builtin(const std::string& name) {
     Diagnostics notes;
     return test::compileScene(loadScene("builtin:" + name, notes), {}, 64, 64);
 }
 
-double lowest(const SplitCurve& curve) {
+double lowest(const probe::SplitCurve& curve) {
     double best = std::numeric_limits<double>::infinity();
     for (const auto& planes : curve.axes)
         for (const auto& plane : planes)
@@ -31,10 +31,10 @@ TEST(SplitCurve, OfTwoTrianglesComputedByHand) {
     const std::vector<glm::vec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 0, 0}, {9, 0, 0}, {8, 1, 0}};
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {3, 4, 5}};
     const AccelInput input{vertices, triangles, {}};
-    BinaryTree tree;
+    bvh::BinaryTree tree;
     tree.nodes = {{{0, 0, 0}, 1, {9, 1, 0}, 0}, {{0, 0, 0}, 0, {1, 1, 0}, 1}, {{8, 0, 0}, 1, {9, 1, 0}, 1}};
     tree.primitives = {0, 1};
-    const SplitCurve curve = splitCurve(tree, input, 0, 4);
+    const probe::SplitCurve curve = probe::splitCurve(tree, input, 0, 4);
     ASSERT_EQ(curve.axes[0].size(), 3u);
     EXPECT_TRUE(curve.axes[1].empty()) << "all centroids agree";
     EXPECT_TRUE(curve.axes[2].empty());
@@ -45,7 +45,7 @@ TEST(SplitCurve, OfTwoTrianglesComputedByHand) {
     EXPECT_DOUBLE_EQ(curve.axes[0][1].place, 4.5);
     EXPECT_DOUBLE_EQ(curve.leafCost, 2.0);
     EXPECT_DOUBLE_EQ(curve.made, 1.0 + 2.0 / 9.0);
-    EXPECT_TRUE(std::isnan(splitCurve(tree, input, 1, 4).made)) << "a leaf has no split";
+    EXPECT_TRUE(std::isnan(probe::splitCurve(tree, input, 1, 4).made)) << "a leaf has no split";
 }
 
 /// The binned builder takes the lowest point of the curve; other builders do not go below it by much.
@@ -55,13 +55,13 @@ TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
     for (const int bins : {8, 32}) {
         BuildSettings settings;
         settings.bins = bins;
-        const BinaryTree tree = buildBinaryTree(input, settings);
-        const TreeIndex index = indexTree(tree);
+        const bvh::BinaryTree tree = bvh::buildBinaryTree(input, settings);
+        const probe::TreeIndex index = probe::indexTree(tree);
         int compared = 0;
         for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
             // Nodes of few primitives are split with fewer bins.
             if (index.primitives[node] < 4u * 32u) continue;
-            const SplitCurve curve = splitCurve(tree, input, node, bins);
+            const probe::SplitCurve curve = probe::splitCurve(tree, input, node, bins);
             EXPECT_NEAR(curve.made, lowest(curve), 1e-4 * curve.made) << "node " << node;
             ++compared;
         }
@@ -69,31 +69,32 @@ TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
     }
     BuildSettings median;
     median.builder = BvhBuilder::Median;
-    const BinaryTree tree = buildBinaryTree(input, median);
-    const SplitCurve curve = splitCurve(tree, input, 0, 32);
+    const bvh::BinaryTree tree = bvh::buildBinaryTree(input, median);
+    const probe::SplitCurve curve = probe::splitCurve(tree, input, 0, 32);
     EXPECT_GT(curve.made, lowest(curve) * 1.001) << "the median split is not the cheapest";
 }
 
 TEST(SearchCosts, ABetterTreeCostsTheSameRaysLess) {
     const auto world = builtin("monkey");
     const AccelInput& input = world->bodies[0].geometry->input;
-    const ViewRays rays = raysOfView(*world, 0, 0, 16, 16);
+    const probe::ViewRays rays = probe::raysOfView(*world, 0, 0, 16, 16);
     EXPECT_GE(rays.closest.size(), 256u);
     EXPECT_GT(rays.any.size(), 20u);
     BuildSettings settings;
-    const SearchCosts binned = searchCosts(buildBinaryTree(input, settings), input, rays);
+    const probe::SearchCosts binned = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
     settings.builder = BvhBuilder::Median;
-    const SearchCosts median = searchCosts(buildBinaryTree(input, settings), input, rays);
+    const probe::SearchCosts median = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
     EXPECT_GT(binned.nodes, 1.0);
     EXPECT_LT(binned.nodes, median.nodes);
     settings.builder = BvhBuilder::SahBinned;
     settings.leafSize = 64;
     settings.maxLevel = 3;
-    const SearchCosts coarse = searchCosts(buildBinaryTree(input, settings), input, rays);
+    const probe::SearchCosts coarse = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
     EXPECT_LT(coarse.nodes, binned.nodes);
     EXPECT_GT(coarse.tests, 5.0 * binned.tests);
     settings.maxLevel = 0;
-    const SearchCosts all = searchCosts(buildBinaryTree(input, settings), input, {rays.closest, {}});
+    const probe::SearchCosts all =
+        probe::searchCosts(bvh::buildBinaryTree(input, settings), input, {rays.closest, {}});
     EXPECT_LE(all.tests, static_cast<double>(input.triangles.size()));
     EXPECT_LE(all.nodes, 1.0);
 }

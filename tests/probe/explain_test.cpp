@@ -16,16 +16,17 @@ struct Score {
     int right = 0, wrong = 0, unknown = 0;
 };
 
-Score judge(const World& world, Symptom symptom, std::vector<Cause> accepted, int samples = 8) {
+Score judge(const trace::World& world, probe::Symptom symptom, std::vector<probe::Cause> accepted,
+            int samples = 8) {
     Score score;
     for (int y = 0; y < world.height; ++y)
         for (int x = 0; x < world.width; ++x)
-            for (const Explanation& why : explainPixel(world, 1, x, y, samples)) {
+            for (const probe::Explanation& why : probe::explainPixel(world, 1, x, y, samples)) {
                 if (why.symptom != symptom) continue;
                 EXPECT_FALSE(why.sentence.empty());
                 const bool right = std::find(accepted.begin(), accepted.end(), why.cause) != accepted.end();
-                ++(right ? score.right : why.cause == Cause::Unknown ? score.unknown : score.wrong);
-                for (const Evidence& evidence : why.evidence) EXPECT_LT(evidence.sample, samples);
+                ++(right ? score.right : why.cause == probe::Cause::Unknown ? score.unknown : score.wrong);
+                for (const probe::Evidence& evidence : why.evidence) EXPECT_LT(evidence.sample, samples);
             }
     std::printf("right %d, wrong %d, unknown %d\n", score.right, score.wrong, score.unknown);
     return score;
@@ -40,7 +41,7 @@ SceneDescription wall() {
     return scene;
 }
 
-std::shared_ptr<const World> compiled(SceneDescription scene, Settings settings = {}, int size = 12) {
+std::shared_ptr<const trace::World> compiled(SceneDescription scene, Settings settings = {}, int size = 12) {
     return test::compileScene(std::move(scene), settings, size, size);
 }
 
@@ -53,13 +54,13 @@ void setNormals(SceneDescription& scene, std::vector<glm::vec3> normals) {
 
 TEST(Explain, AnOrdinaryPixelNeedsNoExplanation) {
     const auto world = compiled(wall());
-    for (int i = 0; i < 12; ++i) EXPECT_TRUE(explainPixel(*world, 1, i, 6, 8).empty());
+    for (int i = 0; i < 12; ++i) EXPECT_TRUE(probe::explainPixel(*world, 1, i, 6, 8).empty());
 }
 
 TEST(Explain, AMissingLight) {
     SceneDescription scene = wall();
     scene.lights.clear();
-    const Score score = judge(*compiled(scene), Symptom::Black, {Cause::NoLight});
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::NoLight});
     EXPECT_EQ(score.right, 144);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -70,25 +71,25 @@ TEST(Explain, ABlockedLight) {
     scene.meshes[1].name = "lid";
     scene.cameras = {test::frontCamera(2.0f)};
     const auto world = compiled(scene);
-    const Score score = judge(*world, Symptom::Black, {Cause::LightBlocked});
+    const Score score = judge(*world, probe::Symptom::Black, {probe::Cause::LightBlocked});
     EXPECT_GT(score.right, 100);
     EXPECT_EQ(score.wrong, 0);
-    EXPECT_NE(explainPixel(*world, 1, 6, 4, 4).front().sentence.find("lid"), std::string::npos)
+    EXPECT_NE(probe::explainPixel(*world, 1, 6, 4, 4).front().sentence.find("lid"), std::string::npos)
         << "names what blocks";
 }
 
 TEST(Explain, ALightBehindTheSurface) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, -2})};
-    const Score score = judge(*compiled(scene), Symptom::Black, {Cause::LightBehind});
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::LightBehind});
     EXPECT_EQ(score.right, 144);
 }
 
 TEST(Explain, ABlackMaterialAndAnEmptyScene) {
     SceneDescription scene = wall();
     scene.materials = {test::material(Rgb(0.0f))};
-    EXPECT_EQ(judge(*compiled(scene), Symptom::Black, {Cause::BlackMaterial}).right, 144);
-    EXPECT_EQ(judge(*compiled({}), Symptom::Black, {Cause::NothingHit}).right, 144);
+    EXPECT_EQ(judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BlackMaterial}).right, 144);
+    EXPECT_EQ(judge(*compiled({}), probe::Symptom::Black, {probe::Cause::NothingHit}).right, 144);
 }
 
 TEST(Explain, NormalsThatPointElsewhere) {
@@ -96,7 +97,7 @@ TEST(Explain, NormalsThatPointElsewhere) {
     // Two corners are flipped: between them and the others the normals turn away from the light.
     setNormals(scene, {{1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}});
     scene.lights = {test::pointLight({-2.5f, 0, 0.1f})};
-    const Score score = judge(*compiled(scene), Symptom::Black, {Cause::BadNormal});
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BadNormal});
     EXPECT_GT(score.right, 100);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -116,8 +117,8 @@ TEST(Explain, ATinyBrightSourceInAGloss) {
     settings.glossySamples = 1;
     settings.glossySigma = 3.0f;
     scene.cameras = {test::frontCamera(3.0f)};
-    const Score score = judge(*compiled(scene, settings), Symptom::Noisy,
-                              {Cause::RareBrightPaths, Cause::GlossyReflection}, 64);
+    const Score score = judge(*compiled(scene, settings), probe::Symptom::Noisy,
+                              {probe::Cause::RareBrightPaths, probe::Cause::GlossyReflection}, 64);
     EXPECT_GT(score.right, 5);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -136,8 +137,8 @@ TEST(Explain, APenumbraOfAFewSamples) {
     scene.cameras = {camera};
     Settings settings;
     settings.parallelogramSamples = 1;
-    const Score score =
-        judge(*compiled(scene, settings, 16), Symptom::Noisy, {Cause::Penumbra, Cause::Edge}, 16);
+    const Score score = judge(*compiled(scene, settings, 16), probe::Symptom::Noisy,
+                              {probe::Cause::Penumbra, probe::Cause::Edge}, 16);
     EXPECT_GT(score.right, 10);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -149,7 +150,7 @@ TEST(Explain, DuplicateGeometry) {
     copies->positions = {{-0.4f, -0.4f, 0.5f}, {0.5f, -0.4f, 0.5f}, {0.0f, 0.5f, 0.5f}};
     copies->triangles.assign(2000, glm::uvec3(0, 1, 2));
     scene.meshes.push_back({"copies", copies, {}, {0}, glm::vec3(0.0f)});
-    const Score score = judge(*compiled(scene), Symptom::Slow, {Cause::DuplicateGeometry}, 2);
+    const Score score = judge(*compiled(scene), probe::Symptom::Slow, {probe::Cause::DuplicateGeometry}, 2);
     EXPECT_GT(score.right, 3);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -158,7 +159,7 @@ TEST(Explain, NumbersThatAreTooLarge) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, 2.5f}, Rgb(3e38f)), test::pointLight({0, 0, 2.5f}, Rgb(3e38f))};
     scene.materials = {test::material(Rgb(1.0f))};
-    const Score score = judge(*compiled(scene), Symptom::NotFinite, {Cause::HugeNumbers});
+    const Score score = judge(*compiled(scene), probe::Symptom::NotFinite, {probe::Cause::HugeNumbers});
     EXPECT_GT(score.right, 50);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -169,16 +170,16 @@ TEST(Explain, ANormalThatIsNotANumber) {
     setNormals(scene, {{nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}});
     // The tracer falls back to the surface's own normal: the pixel is as it should be.
     const auto world = compiled(scene);
-    EXPECT_TRUE(explainPixel(*world, 1, 6, 6, 4).empty());
+    EXPECT_TRUE(probe::explainPixel(*world, 1, 6, 6, 4).empty());
 }
 
 TEST(Explain, ABrightLight) {
     SceneDescription scene = wall();
     scene.lights.push_back(test::pointLight({0, 0, 2}, Rgb(40.0f)));
     const auto world = compiled(scene);
-    const Score score = judge(*world, Symptom::Bright, {Cause::StrongLight});
+    const Score score = judge(*world, probe::Symptom::Bright, {probe::Cause::StrongLight});
     EXPECT_EQ(score.right, 144);
-    EXPECT_NE(explainPixel(*world, 1, 6, 6, 4).front().sentence.find("Light 1"), std::string::npos);
+    EXPECT_NE(probe::explainPixel(*world, 1, 6, 6, 4).front().sentence.find("Light 1"), std::string::npos);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ SceneDescription litWall() {
 
 std::string causeOf(const SceneDescription& scene) {
     const auto world = compileScene(scene, {}, 1, 1);
-    return causeOfNonFinite(probe(*world, 0, {0, 0, 0}), *world);
+    return probe::causeOfNonFinite(probeSample(*world, 0, {0, 0, 0}), *world);
 }
 
 TEST(NonFinite, ASoundSampleHasNoCause) { EXPECT_THAT(causeOf(litWall()), IsEmpty()); }

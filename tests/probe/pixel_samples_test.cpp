@@ -12,11 +12,11 @@ namespace {
 TEST(PixelSamples, AreThoseOfTheProbe) {
     Diagnostics notes;
     const auto world = test::compileScene(loadScene("builtin:cornell-area", notes), {}, 16, 16);
-    const PixelSamples samples = replayPixel(*world, 5, 8, 9, 16);
+    const probe::PixelSamples samples = probe::replayPixel(*world, 5, 8, 9, 16);
     ASSERT_EQ(samples.values.size(), 16u);
     for (int i = 0; i < 16; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const RayTree tree = probe(*world, 5, {8, 9, i});
+        const RayTree tree = probeSample(*world, 5, {8, 9, i});
         EXPECT_EQ(samples.values[k], tree.radiance);
         EXPECT_GE(samples.rays[k], tree.nodes.size());
         EXPECT_GE(samples.positions[k].x, 0.0);
@@ -31,7 +31,7 @@ TEST(PixelSamples, AreThoseOfTheProbe) {
 }
 
 TEST(SampleStatistics, OfKnownNumbers) {
-    const SampleStatistics s = statisticsOf({RgbSum(1.0), RgbSum(2.0), RgbSum(6.0)});
+    const probe::SampleStatistics s = probe::statisticsOf({RgbSum(1.0), RgbSum(2.0), RgbSum(6.0)});
     EXPECT_NEAR(s.mean, 3.0, 1e-12);
     EXPECT_NEAR(s.deviation, std::sqrt(7.0), 1e-12);
     EXPECT_NEAR(s.errorOfMean(), std::sqrt(7.0 / 3.0), 1e-12);
@@ -42,15 +42,15 @@ TEST(SampleStatistics, OfKnownNumbers) {
 TEST(SampleStatistics, FindsTheSampleThatStandsOut) {
     std::vector<RgbSum> values;
     for (int i = 0; i < 20; ++i) values.emplace_back(1.0 + 0.01 * (i % 5));
-    EXPECT_TRUE(statisticsOf(values).outliers.empty());
+    EXPECT_TRUE(probe::statisticsOf(values).outliers.empty());
     values[7] = RgbSum(50.0);
-    EXPECT_EQ(statisticsOf(values).outliers, std::vector<std::size_t>{7});
+    EXPECT_EQ(probe::statisticsOf(values).outliers, std::vector<std::size_t>{7});
 }
 
 TEST(SampleStatistics, OfNothingOfOneAndOfEqualOnes) {
-    EXPECT_EQ(statisticsOf({}).errorOfMean(), 0.0);
-    EXPECT_EQ(statisticsOf({RgbSum(4.0)}).deviation, 0.0);
-    const SampleStatistics equal = statisticsOf(std::vector<RgbSum>(64, RgbSum(0.1)));
+    EXPECT_EQ(probe::statisticsOf({}).errorOfMean(), 0.0);
+    EXPECT_EQ(probe::statisticsOf({RgbSum(4.0)}).deviation, 0.0);
+    const probe::SampleStatistics equal = probe::statisticsOf(std::vector<RgbSum>(64, RgbSum(0.1)));
     EXPECT_EQ(equal.deviation, 0.0);
     EXPECT_TRUE(equal.outliers.empty());
 }

@@ -11,7 +11,7 @@ namespace rayscope {
 namespace {
 
 /// A pane of half opacity before a mirror before a white wall behind the camera.
-std::shared_ptr<const World> paneAndMirror() {
+std::shared_ptr<const trace::World> paneAndMirror() {
     SceneDescription scene;
     scene.materials = {test::material(Rgb(1.0f, 0.0f, 0.0f), Rgb(0.0f), 1.0f, 0.5f),
                        test::material(Rgb(0.0f), Rgb(0.5f)), test::material(Rgb(1.0f))};
@@ -26,7 +26,7 @@ std::shared_ptr<const World> paneAndMirror() {
 }
 
 TEST(RayTree, RecordsLayersReflectionsAndTheirParents) {
-    const RayTree tree = probe(*paneAndMirror(), 0, {5, 5, 0});
+    const RayTree tree = probeSample(*paneAndMirror(), 0, {5, 5, 0});
     // camera → pane; on to the mirror; reflected to the pane's back; on to the wall.
     ASSERT_EQ(tree.nodes.size(), 4u);
     const RayKind kinds[] = {RayKind::Camera, RayKind::Transparent, RayKind::Reflection,
@@ -48,7 +48,7 @@ TEST(RayTree, RecordsLayersReflectionsAndTheirParents) {
 
 TEST(RayTree, PrintsAsTextAndJson) {
     const auto world = paneAndMirror();
-    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    const RayTree tree = probeSample(*world, 0, {5, 5, 0});
     const std::string text = toText(tree, *world);
     EXPECT_NE(text.find("transparent ray"), std::string::npos) << text;
     EXPECT_NE(text.find("reflection ray"), std::string::npos);
@@ -61,7 +61,7 @@ TEST(RayTree, PrintsAsTextAndJson) {
 
 TEST(RayTree, RadianceAlongARayIsWhatItAndItsChildrenBring) {
     const auto world = paneAndMirror();
-    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    const RayTree tree = probeSample(*world, 0, {5, 5, 0});
     const std::vector<RgbSum> along = radianceAlong(tree);
     EXPECT_EQ(along[0], tree.radiance);
     // Through the first pane: the mirror alone, and in it the pane's back and the wall.
@@ -73,7 +73,7 @@ TEST(RayTree, RadianceAlongARayIsWhatItAndItsChildrenBring) {
 
 TEST(RayTree, ExportsLinesOfAnObj) {
     const auto world = paneAndMirror();
-    const RayTree tree = probe(*world, 0, {5, 5, 0});
+    const RayTree tree = probeSample(*world, 0, {5, 5, 0});
     std::istringstream obj(toObj(tree, 10.0f));
     std::size_t vertices = 0, lines = 0, groups = 0;
     for (std::string line; std::getline(obj, line);) {
@@ -94,7 +94,7 @@ TEST(RayTree, ExportsLinesOfAnObj) {
 TEST(RayTree, AMissedRayIsOneNode) {
     SceneDescription scene;
     const auto world = test::compileScene(scene, {}, 4, 4);
-    const RayTree tree = probe(*world, 0, {1, 1, 0});
+    const RayTree tree = probeSample(*world, 0, {1, 1, 0});
     ASSERT_EQ(tree.nodes.size(), 1u);
     EXPECT_EQ(tree.nodes[0].end, RayEnd::Missed);
     EXPECT_FALSE(tree.nodes[0].hit);

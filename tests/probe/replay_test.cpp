@@ -41,14 +41,14 @@ TEST_P(Replay, SilentAndRecordingTracersAgreeBitForBit) {
     Opened opened = open(GetParam(), 24);
     if (!opened.present) GTEST_SKIP() << "mesh not fetched";
     const RenderRequest& r = opened.request;
-    const auto world = compile({r.scene, r.settings, r.camera, r.width, r.height});
-    NullObserver silent;
+    const auto world = trace::compile({r.scene, r.settings, r.camera, r.width, r.height});
+    trace::NullObserver silent;
     for (int y = 0; y < r.height; ++y)
         for (int x = 0; x < r.width; ++x)
             for (int index = 0; index < 2; ++index) {
                 const SampleName name{x, y, index};
-                const RayTree tree = probe(*world, 3, name);
-                ASSERT_TRUE(sameBits(tree.radiance, radiance(*world, 3, name, silent).radiance))
+                const RayTree tree = probeSample(*world, 3, name);
+                ASSERT_TRUE(sameBits(tree.radiance, trace::radiance(*world, 3, name, silent).radiance))
                     << x << " " << y;
                 RgbSum sum(0.0);
                 for (const RgbSum& addend : tree.addends) sum += addend;

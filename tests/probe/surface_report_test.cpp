@@ -9,7 +9,8 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const World> builtin(const std::string& name, const Settings& settings, int size = 24) {
+std::shared_ptr<const trace::World> builtin(const std::string& name, const Settings& settings,
+                                            int size = 24) {
     Diagnostics notes;
     SceneDescription scene = loadScene("builtin:" + name, notes);
     return test::compileScene(std::move(scene), settings, size, size);
@@ -23,8 +24,8 @@ TEST(TexelQuad, MixesToTheColorThatTheTracerUsed) {
         int found = 0;
         for (int y = 0; y < 24; ++y)
             for (int x = 0; x < 24; ++x) {
-                const RayTree tree = probe(*world, 1, {x, y, 0});
-                const auto quad = texelsOf(*world, tree.nodes[0]);
+                const RayTree tree = probeSample(*world, 1, {x, y, 0});
+                const auto quad = probe::texelsOf(*world, tree.nodes[0]);
                 if (!quad) continue;
                 ++found;
                 EXPECT_EQ(quad->width, 2);
@@ -43,8 +44,8 @@ TEST(VertexNormals, InterpolateToTheShadingNormal) {
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
-            const RayTree tree = probe(*world, 1, {x, y, 0});
-            const auto normals = vertexNormalsOf(*world, tree.nodes[0], 0.0f);
+            const RayTree tree = probeSample(*world, 1, {x, y, 0});
+            const auto normals = probe::vertexNormalsOf(*world, tree.nodes[0], 0.0f);
             if (!normals) continue;
             ++found;
             glm::dvec3 mixed(0.0), place(0.0);
@@ -57,7 +58,7 @@ TEST(VertexNormals, InterpolateToTheShadingNormal) {
             EXPECT_LT(glm::distance(place, glm::dvec3(tree.nodes[0].position)), 1e-4);
         }
     EXPECT_GT(found, 50);
-    EXPECT_FALSE(vertexNormalsOf(*builtin("spheres", {}), RayNode{}, 0.0f));
+    EXPECT_FALSE(probe::vertexNormalsOf(*builtin("spheres", {}), RayNode{}, 0.0f));
 }
 
 TEST(EnvironmentPoint, IsTheColorThatAMissBrings) {
@@ -65,8 +66,8 @@ TEST(EnvironmentPoint, IsTheColorThatAMissBrings) {
     int found = 0;
     for (int y = 0; y < 24; y += 2)
         for (int x = 0; x < 24; x += 2)
-            for (const RayNode& node : probe(*world, 1, {x, y, 0}).nodes) {
-                const auto point = environmentOf(*world, node);
+            for (const RayNode& node : probeSample(*world, 1, {x, y, 0}).nodes) {
+                const auto point = probe::environmentOf(*world, node);
                 ASSERT_EQ(point.has_value(), !node.hit);
                 if (!point) continue;
                 ++found;
@@ -84,10 +85,10 @@ TEST(EnvironmentPoint, WithTheReflectionMapIsWhatASurfaceShows) {
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
-            const RayNode node = probe(*world, 1, {x, y, 0}).nodes[0];
+            const RayNode node = probeSample(*world, 1, {x, y, 0}).nodes[0];
             if (!node.hit) continue;
             ++found;
-            const auto point = environmentOf(*world, node);
+            const auto point = probe::environmentOf(*world, node);
             ASSERT_TRUE(point);
             for (int channel = 0; channel < 3; ++channel)
                 EXPECT_NEAR(point->color[channel], surfaceColor(node)[channel], 2e-3) << x << " " << y;
@@ -103,9 +104,9 @@ TEST(GlossySquare, HoldsTheRaysWithinTheirDeviation) {
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
-            const RayTree tree = probe(*world, 1, {x, y, 0});
-            for (const int node : glossySurfaces(tree)) {
-                const auto square = glossySquareOf(*world, tree, node);
+            const RayTree tree = probeSample(*world, 1, {x, y, 0});
+            for (const int node : probe::glossySurfaces(tree)) {
+                const auto square = probe::glossySquareOf(*world, tree, node);
                 ASSERT_TRUE(square);
                 if (square->rays < 400) continue;  // deeper reflections take one ray each
                 ++found;
@@ -134,12 +135,12 @@ TEST(LensReport, RaysStartWithinTheOutlineAndMeetAtTheFocus) {
         settings.lensSamples = 64;
         settings.sharpZone = 1e-4f;
         const auto world = builtin("spheres-dof", settings);
-        const auto lens = lensOf(*world);
+        const auto lens = probe::lensOf(*world);
         ASSERT_TRUE(lens);
         float widest = 0.0f;
         for (const glm::vec3& corner : lens->outline)
             widest = std::max(widest, glm::distance(corner, lens->center));
-        for (const RayNode& node : probe(*world, 1, {12, 2, 0}).nodes)
+        for (const RayNode& node : probeSample(*world, 1, {12, 2, 0}).nodes)
             if (node.parent < 0) {
                 EXPECT_LE(glm::distance(node.ray.origin, lens->center), widest * 1.001f);
             }
@@ -149,7 +150,7 @@ TEST(LensReport, RaysStartWithinTheOutlineAndMeetAtTheFocus) {
     }
     Settings pinhole;
     pinhole.depthOfField = false;
-    EXPECT_FALSE(lensOf(*builtin("spheres-dof", pinhole)));
+    EXPECT_FALSE(probe::lensOf(*builtin("spheres-dof", pinhole)));
 }
 
 }  // namespace

@@ -12,7 +12,8 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const World> builtin(const std::string& name, Settings settings = {}, bool moving = false) {
+std::shared_ptr<const trace::World> builtin(const std::string& name, Settings settings = {},
+                                            bool moving = false) {
     Diagnostics notes;
     SceneDescription scene = loadScene("builtin:" + name, notes);
     if (moving) scene.spheres.at(0).motion = {0.0f, 0.5f, 0.0f};
@@ -39,8 +40,8 @@ TEST(TraversalLog, FindsWhatTheWorldFinds) {
             hits += found;
             float nearest = ray.tMax;
             std::uint32_t primitive = kNoPrimitive;
-            for (const TraversalLog& log : recordClosestHit(*world, ray, 0.25f)) {
-                const TraversalState end = stateAfter(log, log.steps.size());
+            for (const probe::TraversalLog& log : probe::recordClosestHit(*world, ray, 0.25f)) {
+                const probe::TraversalState end = probe::stateAfter(log, log.steps.size());
                 ASSERT_EQ(end.closest, log.hit.primitive) << name;
                 ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
                 if (log.hit.primitive == kNoPrimitive) continue;
@@ -56,7 +57,7 @@ TEST(TraversalLog, FindsWhatTheWorldFinds) {
             }
 
             bool any = false;
-            for (const TraversalLog& log : recordAnyHit(*world, ray, 0.25f))
+            for (const probe::TraversalLog& log : probe::recordAnyHit(*world, ray, 0.25f))
                 any |= log.hit.primitive != kNoPrimitive;
             ASSERT_EQ(any, world->anyHit(ray, 0.25f));
         }
@@ -70,41 +71,41 @@ TEST(TraversalLog, EveryStepIsPlausible) {
     std::mt19937 random(11);
     std::size_t skipped = 0, waited = 0;
     for (int i = 0; i < 200; ++i) {
-        const TraversalLog log = recordClosestHit(*world, randomRay(random), 0.0f).at(0);
+        const probe::TraversalLog log = probe::recordClosestHit(*world, randomRay(random), 0.0f).at(0);
         std::size_t step = 0;
-        for (const TraversalStep& s : log.steps) {
-            const TraversalState before = stateAfter(log, step++);
+        for (const probe::TraversalStep& s : log.steps) {
+            const probe::TraversalState before = probe::stateAfter(log, step++);
             EXPECT_EQ(s.bound, before.bound);
             const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
                                            [&](const auto& waiting) { return waiting.box == s.number; });
             switch (s.event) {
-                case TraversalEvent::Entered:
+                case probe::TraversalEvent::Entered:
                     EXPECT_LE(s.t, before.bound);
                     // It comes from the top of the stack or from the node before.
                     EXPECT_TRUE(waits ? before.stack.back().box == s.number
                                       : log.boxes[s.number].parent == before.current);
                     break;
-                case TraversalEvent::Waits:
+                case probe::TraversalEvent::Waits:
                     ++waited;
                     EXPECT_EQ(log.boxes[s.number].parent, before.current);
                     // The sibling is entered next and is not farther away.
                     ASSERT_LT(step, log.steps.size());
-                    EXPECT_EQ(log.steps[step].event, TraversalEvent::Entered);
+                    EXPECT_EQ(log.steps[step].event, probe::TraversalEvent::Entered);
                     EXPECT_LE(log.steps[step].t, s.t);
                     break;
-                case TraversalEvent::Behind:
+                case probe::TraversalEvent::Behind:
                     ++skipped;
                     EXPECT_GT(s.t, before.bound);
                     break;
-                case TraversalEvent::Missed:
+                case probe::TraversalEvent::Missed:
                     EXPECT_TRUE(std::isnan(s.t));
                     break;
-                case TraversalEvent::Hit:
+                case probe::TraversalEvent::Hit:
                     EXPECT_LE(s.t, before.bound);
                     break;
-                case TraversalEvent::NoHit:
+                case probe::TraversalEvent::NoHit:
                     break;
-                case TraversalEvent::Filtered:
+                case probe::TraversalEvent::Filtered:
                     ADD_FAILURE() << "the binary tree has no quick test";
             }
         }
@@ -116,28 +117,28 @@ TEST(TraversalLog, EveryStepIsPlausible) {
 TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
     for (const std::string name : {"monkey", "cornell", "spheres", "triangle"}) {
         const auto world = builtin(name);
-        const WideTree* tree = world->bodies[0].accel->wideTree();
+        const bvh::WideTree* tree = world->bodies[0].accel->wideTree();
         ASSERT_NE(tree, nullptr);
         std::mt19937 random(23);
         int hits = 0;
         for (int i = 0; i < 2000; ++i) {
             const Ray ray = randomRay(random);
-            const TraversalLog log = recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+            const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
             Hit hit;
             hits += world->bodies[0].accel->closestHit(ray, hit);
             ASSERT_EQ(std::memcmp(&hit, &log.hit, sizeof hit), 0) << name << " ray " << i;
-            const WideCounts counts = countSearches(*tree, {&ray, 1}, false);
-            ASSERT_EQ(log.count(TraversalEvent::Entered), counts.nodes + counts.leaves);
+            const bvh::WideCounts counts = bvh::countSearches(*tree, {&ray, 1}, false);
+            ASSERT_EQ(log.count(probe::TraversalEvent::Entered), counts.nodes + counts.leaves);
             ASSERT_EQ(log.tests(), counts.exact);
-            ASSERT_EQ(log.count(TraversalEvent::Filtered), counts.primitives - counts.exact);
-            const TraversalState end = stateAfter(log, log.steps.size());
+            ASSERT_EQ(log.count(probe::TraversalEvent::Filtered), counts.primitives - counts.exact);
+            const probe::TraversalState end = probe::stateAfter(log, log.steps.size());
             ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
             ASSERT_EQ(end.closest, hit.primitive);
 
-            const TraversalLog any = recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+            const probe::TraversalLog any = probe::recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
             ASSERT_EQ(any.hit.primitive != kNoPrimitive, world->anyHit(ray, 0.0f));
-            const WideCounts anyCounts = countSearches(*tree, {&ray, 1}, true);
-            ASSERT_EQ(any.count(TraversalEvent::Entered), anyCounts.nodes + anyCounts.leaves);
+            const bvh::WideCounts anyCounts = bvh::countSearches(*tree, {&ray, 1}, true);
+            ASSERT_EQ(any.count(probe::TraversalEvent::Entered), anyCounts.nodes + anyCounts.leaves);
         }
         EXPECT_GT(hits, 20) << name;
     }
@@ -148,14 +149,15 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
     std::mt19937 random(29);
     std::size_t skipped = 0, waited = 0, filtered = 0;
     for (int i = 0; i < 300; ++i) {
-        const TraversalLog log = recordClosestHit(*world, randomRay(random), 0.0f, BvhLayout::Wide).at(0);
+        const probe::TraversalLog log =
+            probe::recordClosestHit(*world, randomRay(random), 0.0f, BvhLayout::Wide).at(0);
         std::size_t step = 0;
-        for (const TraversalStep& s : log.steps) {
-            const TraversalState before = stateAfter(log, step++);
+        for (const probe::TraversalStep& s : log.steps) {
+            const probe::TraversalState before = probe::stateAfter(log, step++);
             ASSERT_EQ(s.bound, before.bound);
             const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
                                            [&](const auto& waiting) { return waiting.box == s.number; });
-            if (s.event == TraversalEvent::Entered && step > 1) {
+            if (s.event == probe::TraversalEvent::Entered && step > 1) {
                 ASSERT_TRUE(waits ? before.stack.back().box == s.number
                                   : log.boxes[s.number].parent == before.current);
                 ASSERT_LE(s.t, before.bound);
@@ -165,16 +167,16 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
                         ASSERT_LE(s.t, waiting.t);
                     }
             }
-            if (s.event == TraversalEvent::Behind) {
+            if (s.event == probe::TraversalEvent::Behind) {
                 ASSERT_GE(s.t, before.bound * (1.0f - 1e-6f));
             }
-            waited += s.event == TraversalEvent::Waits;
-            skipped += s.event == TraversalEvent::Behind;
-            filtered += s.event == TraversalEvent::Filtered;
+            waited += s.event == probe::TraversalEvent::Waits;
+            skipped += s.event == probe::TraversalEvent::Behind;
+            filtered += s.event == probe::TraversalEvent::Filtered;
         }
-        for (const TraversalBox& box : log.boxes) {
+        for (const probe::TraversalBox& box : log.boxes) {
             if (box.parent < 0) continue;
-            const TraversalBox& parent = log.boxes[static_cast<std::size_t>(box.parent)];
+            const probe::TraversalBox& parent = log.boxes[static_cast<std::size_t>(box.parent)];
             ASSERT_TRUE(glm::all(glm::lessThanEqual(parent.lower, box.lower)));
             ASSERT_TRUE(glm::all(glm::greaterThanEqual(parent.upper, box.upper)));
         }
@@ -187,13 +189,13 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
 TEST(WideTraversalLog, SaysWhichTreeItIsOf) {
     const auto world = builtin("cornell");
     const Ray ray{{0.0f, 0.0f, 3.0f}, {0.1f, -0.1f, -1.0f}};
-    const TraversalLog log = recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
-    EXPECT_EQ(nlohmann::json::parse(toJson(log))["layout"], "wide");
-    EXPECT_NE(toText(log).find("wide tree"), std::string::npos);
-    EXPECT_NE(toText(log).find("rules out primitive"), std::string::npos);
+    const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
+    EXPECT_EQ(nlohmann::json::parse(probe::toJson(log))["layout"], "wide");
+    EXPECT_NE(probe::toText(log).find("wide tree"), std::string::npos);
+    EXPECT_NE(probe::toText(log).find("rules out primitive"), std::string::npos);
     Settings settings;
     settings.bvhLayout = BvhLayout::Binary;
-    EXPECT_TRUE(recordClosestHit(*builtin("cornell", settings), ray, 0.0f, BvhLayout::Wide).empty());
+    EXPECT_TRUE(probe::recordClosestHit(*builtin("cornell", settings), ray, 0.0f, BvhLayout::Wide).empty());
 }
 
 TEST(TraversalLog, PrintsAsTextAndJson) {
@@ -201,10 +203,10 @@ TEST(TraversalLog, PrintsAsTextAndJson) {
     Ray ray;
     ray.origin = {0.0f, 0.0f, 3.0f};
     ray.direction = {0.1f, -0.1f, -1.0f};
-    const TraversalLog log = recordClosestHit(*world, ray, 0.0f).at(0);
-    const std::string text = toText(log);
+    const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f).at(0);
+    const std::string text = probe::toText(log);
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(log.steps.size()) + 3);
-    const nlohmann::json j = nlohmann::json::parse(toJson(log));
+    const nlohmann::json j = nlohmann::json::parse(probe::toJson(log));
     ASSERT_EQ(j["steps"].size(), log.steps.size());
     EXPECT_EQ(j["boxes"][0]["node"], 0);
     EXPECT_EQ(j["steps"].back()["stack"].size(), 0u);
@@ -213,17 +215,19 @@ TEST(TraversalLog, PrintsAsTextAndJson) {
 
 TEST(TraversalLog, OfHostileRaysAndEmptyScenes) {
     const auto empty = test::compileScene({}, {}, 4, 4);
-    EXPECT_TRUE(recordClosestHit(*empty, Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    EXPECT_TRUE(probe::recordClosestHit(*empty, Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
     const auto world = builtin("triangle");
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_TRUE(recordClosestHit(*world, Ray{{0, 0, 0}, {0, 0, 0}}, 0.0f).empty());
-    EXPECT_TRUE(recordAnyHit(*world, Ray{{nan, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    EXPECT_TRUE(probe::recordClosestHit(*world, Ray{{0, 0, 0}, {0, 0, 0}}, 0.0f).empty());
+    EXPECT_TRUE(probe::recordAnyHit(*world, Ray{{nan, 0, 0}, {0, 0, 1}}, 0.0f).empty());
     Settings settings;
     settings.bvh = false;
-    EXPECT_TRUE(recordClosestHit(*builtin("triangle", settings), Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
-    const TraversalLog passing = recordClosestHit(*world, Ray{{100, 100, 100}, {0, 0, 1}}, 0.0f).at(0);
+    EXPECT_TRUE(
+        probe::recordClosestHit(*builtin("triangle", settings), Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
+    const probe::TraversalLog passing =
+        probe::recordClosestHit(*world, Ray{{100, 100, 100}, {0, 0, 1}}, 0.0f).at(0);
     ASSERT_EQ(passing.steps.size(), 1u);
-    EXPECT_EQ(passing.steps[0].event, TraversalEvent::Missed);
+    EXPECT_EQ(passing.steps[0].event, probe::TraversalEvent::Missed);
 }
 
 }  // namespace

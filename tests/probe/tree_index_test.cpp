@@ -12,8 +12,8 @@ namespace rayscope {
 namespace {
 
 /// A cube of side 2, halved; the right half is cut into two boxes that overlap.
-BinaryTree handMadeTree() {
-    BinaryTree tree;
+bvh::BinaryTree handMadeTree() {
+    bvh::BinaryTree tree;
     tree.nodes = {{{0, 0, 0}, 1, {2, 2, 2}, 0},
                   {{0, 0, 0}, 0, {1, 2, 2}, 3},
                   {{1, 0, 0}, 3, {2, 2, 2}, 0},
@@ -41,9 +41,9 @@ AccelInput gridOf(int n, std::vector<glm::vec3>& vertices, std::vector<glm::uvec
 }
 
 TEST(TreeIndex, OfATreeComputedByHand) {
-    const BinaryTree tree = handMadeTree();
-    const TreeIndex index = indexTree(tree);
-    EXPECT_EQ(index.parent, (std::vector<std::uint32_t>{kNoNode, 0, 0, 2, 2}));
+    const bvh::BinaryTree tree = handMadeTree();
+    const probe::TreeIndex index = probe::indexTree(tree);
+    EXPECT_EQ(index.parent, (std::vector<std::uint32_t>{bvh::kNoNode, 0, 0, 2, 2}));
     EXPECT_EQ(index.level, (std::vector<std::uint8_t>{0, 1, 1, 2, 2}));
     EXPECT_EQ(index.primitives, (std::vector<std::uint32_t>{5, 3, 2, 1, 1}));
     EXPECT_EQ(index.leaves, (std::vector<std::uint32_t>{1, 3, 4}));
@@ -52,35 +52,35 @@ TEST(TreeIndex, OfATreeComputedByHand) {
     // Half areas: 12, 8, 8, 6.5, 6.5.
     EXPECT_DOUBLE_EQ(index.cost[2], 1.0 + 2.0 * 6.5 / 8.0);
     EXPECT_DOUBLE_EQ(index.cost[0], 1.0 + 8.0 / 12.0 * 3.0 + 8.0 / 12.0 * index.cost[2]);
-    EXPECT_DOUBLE_EQ(index.cost[0], statisticsOf(tree).sahCost);
+    EXPECT_DOUBLE_EQ(index.cost[0], bvh::statisticsOf(tree).sahCost);
 }
 
 TEST(TreeIndex, LevelsAndLeaves) {
-    const BinaryTree tree = handMadeTree();
-    const TreeIndex index = indexTree(tree);
+    const bvh::BinaryTree tree = handMadeTree();
+    const probe::TreeIndex index = probe::indexTree(tree);
     using Nodes = std::vector<std::uint32_t>;
-    EXPECT_EQ(nodesAtLevel(tree, index, 0, false), Nodes{0});
-    EXPECT_EQ(nodesAtLevel(tree, index, 2, false), (Nodes{3, 4}));
-    EXPECT_EQ(nodesAtLevel(tree, index, 2, true), (Nodes{1, 3, 4}));
-    EXPECT_EQ(nodesAtLevel(tree, index, 9, false), Nodes{});
-    const auto primitives = primitivesOfLeaf(tree, 1);
+    EXPECT_EQ(probe::nodesAtLevel(tree, index, 0, false), Nodes{0});
+    EXPECT_EQ(probe::nodesAtLevel(tree, index, 2, false), (Nodes{3, 4}));
+    EXPECT_EQ(probe::nodesAtLevel(tree, index, 2, true), (Nodes{1, 3, 4}));
+    EXPECT_EQ(probe::nodesAtLevel(tree, index, 9, false), Nodes{});
+    const auto primitives = probe::primitivesOfLeaf(tree, 1);
     EXPECT_EQ(Nodes(primitives.begin(), primitives.end()), (Nodes{4, 3, 2}));
-    EXPECT_TRUE(primitivesOfLeaf(tree, 2).empty());
+    EXPECT_TRUE(probe::primitivesOfLeaf(tree, 2).empty());
 }
 
 TEST(TreeIndex, OverlapIsTheAreaThatBothChildrenHave) {
-    const BinaryTree tree = handMadeTree();
-    EXPECT_DOUBLE_EQ(childOverlap(tree, 2), (1.0 * 1.0 + 1.0 * 2.0 + 1.0 * 2.0) / 8.0);
+    const bvh::BinaryTree tree = handMadeTree();
+    EXPECT_DOUBLE_EQ(probe::childOverlap(tree, 2), (1.0 * 1.0 + 1.0 * 2.0 + 1.0 * 2.0) / 8.0);
     // Halves of a box share a face: a line through that face meets both.
-    EXPECT_DOUBLE_EQ(childOverlap(tree, 0), 4.0 / 12.0);
-    EXPECT_EQ(childOverlap(tree, 1), 0.0);
+    EXPECT_DOUBLE_EQ(probe::childOverlap(tree, 0), 4.0 / 12.0);
+    EXPECT_EQ(probe::childOverlap(tree, 1), 0.0);
 }
 
 TEST(TreeIndex, OfNothing) {
-    const TreeIndex index = indexTree({});
+    const probe::TreeIndex index = probe::indexTree({});
     EXPECT_TRUE(index.leaves.empty());
-    EXPECT_TRUE(nodesAtLevel({}, index, 0, true).empty());
-    EXPECT_EQ(compareAtLevel({}, index, {}, index, 0).boxes[0], 0u);
+    EXPECT_TRUE(probe::nodesAtLevel({}, index, 0, true).empty());
+    EXPECT_EQ(probe::compareAtLevel({}, index, {}, index, 0).boxes[0], 0u);
 }
 
 TEST(TreeIndex, AgreesWithTheStatisticsOfBuiltTrees) {
@@ -90,14 +90,14 @@ TEST(TreeIndex, AgreesWithTheStatisticsOfBuiltTrees) {
     for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned}) {
         BuildSettings settings;
         settings.builder = builder;
-        const BinaryTree tree = buildBinaryTree(input, settings);
-        const TreeIndex index = indexTree(tree);
-        const TreeStatistics statistics = statisticsOf(tree);
+        const bvh::BinaryTree tree = bvh::buildBinaryTree(input, settings);
+        const probe::TreeIndex index = probe::indexTree(tree);
+        const bvh::TreeStatistics statistics = bvh::statisticsOf(tree);
         EXPECT_NEAR(index.cost[0], statistics.sahCost, 1e-9 * statistics.sahCost);
         EXPECT_EQ(index.leaves.size(), statistics.leaves);
         EXPECT_EQ(index.primitives[0], 900u);
         std::vector<std::uint32_t> all;
-        for (const std::uint32_t node : nodesAtLevel(tree, index, 4, true)) {
+        for (const std::uint32_t node : probe::nodesAtLevel(tree, index, 4, true)) {
             // Together these boxes hold every primitive once.
             all.push_back(index.primitives[node]);
         }
@@ -118,10 +118,11 @@ TEST(TreeIndex, TheHeuristicSavesArea) {
     input.vertices = vertices;
     input.triangles = triangles;
     BuildSettings settings;
-    const BinaryTree sah = buildBinaryTree(input, settings);
+    const bvh::BinaryTree sah = bvh::buildBinaryTree(input, settings);
     settings.builder = BvhBuilder::Median;
-    const BinaryTree median = buildBinaryTree(input, settings);
-    const LevelComparison compared = compareAtLevel(sah, indexTree(sah), median, indexTree(median), 3);
+    const bvh::BinaryTree median = bvh::buildBinaryTree(input, settings);
+    const probe::LevelComparison compared =
+        probe::compareAtLevel(sah, probe::indexTree(sah), median, probe::indexTree(median), 3);
     EXPECT_GT(compared.boxes[1], 1u);
     EXPECT_LT(compared.met[0], compared.met[1]);
     EXPECT_LT(compared.sahCost[0], compared.sahCost[1]);

@@ -16,13 +16,13 @@ constexpr std::uint64_t kSamples = 10'000'000;
 #endif
 
 TEST(Accumulation, OfAHundredMillionSamplesIsExactToTheLastPlace) {
-    Film film(1, 1, {0, 1, 0, 1});
-    Film::TileCopy copy;
+    render::Film film(1, 1, {0, 1, 0, 1});
+    render::Film::TileCopy copy;
     film.read(0, copy);
     std::uint64_t exact = 0;  // in units of 2^-24, so without rounding
     RgbSum sum(0.0);
     for (std::uint64_t i = 0; i < kSamples; ++i) {
-        const std::uint64_t units = mix(i) >> 40;
+        const std::uint64_t units = sampling::mix(i) >> 40;
         exact += units;
         const float sample = static_cast<float>(units) * 0x1p-24f;
         sum += RgbSum(static_cast<double>(sample), 0.1, 1e9);

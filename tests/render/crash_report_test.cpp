@@ -22,22 +22,23 @@ RenderRequest cornell() {
 
 TEST(CrashReport, TheCommandNamesEverythingThatDiffers) {
     RenderRequest request = cornell();
-    EXPECT_EQ(probeCommandOf(request).rfind("rayscope probe builtin:cornell --size 40x30 --look-from ", 0),
-              0u);
-    EXPECT_EQ(probeCommandOf(request).find("--set"), std::string::npos);
+    EXPECT_EQ(
+        render::probeCommandOf(request).rfind("rayscope probe builtin:cornell --size 40x30 --look-from ", 0),
+        0u);
+    EXPECT_EQ(render::probeCommandOf(request).find("--set"), std::string::npos);
     request.seed = 7;
     request.settings.hardShadows = false;
     request.settings.exposure = 1.5f;
-    const std::string command = probeCommandOf(request);
+    const std::string command = render::probeCommandOf(request);
     EXPECT_NE(command.find(" --seed 7"), std::string::npos);
     EXPECT_NE(command.find(" --set hard_shadows=false"), std::string::npos);
     EXPECT_NE(command.find(" --set exposure=1.5"), std::string::npos);
 }
 
 void crash(int signal, bool inAnotherThread) {
-    installCrashReport();
-    describeForCrashReport(cornell());
-    const auto work = [&] { BusySample::ofThisThread().set(12, 3, 5); };
+    render::installCrashReport();
+    render::describeForCrashReport(cornell());
+    const auto work = [&] { render::BusySample::ofThisThread().set(12, 3, 5); };
     if (inAnotherThread)
         std::thread(work).join();
     else
@@ -55,8 +56,8 @@ TEST(CrashReportDeathTest, PrintsTheCommandThatRepeatsTheSample) {
                 "assertion that failed.*settings: .*other threads were tracing.*--pixel 12,3 --sample 5");
     EXPECT_EXIT(
         {
-            installCrashReport();
-            BusySample::ofThisThread().clear();
+            render::installCrashReport();
+            render::BusySample::ofThisThread().clear();
             std::raise(SIGFPE);
         },
         testing::KilledBySignal(SIGFPE), "arithmetic exception");
@@ -75,10 +76,10 @@ TEST(CrashReportDeathTest, AThreadWhoseStackIsUsedUpSaysWhatItTraced) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     EXPECT_EXIT(
         {
-            installCrashReport();
-            describeForCrashReport(cornell());
+            render::installCrashReport();
+            render::describeForCrashReport(cornell());
             std::thread([] {
-                BusySample::ofThisThread().set(7, 8, 9);
+                render::BusySample::ofThisThread().set(7, 8, 9);
                 std::exit(callItself(nullptr));
             }).join();
         },

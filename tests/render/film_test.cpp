@@ -9,7 +9,7 @@ namespace {
 
 TEST(Film, TilesCoverTheRegionOnce) {
     const PixelBounds region{5, 105, 7, 64};
-    const Film film(200, 100, region);
+    const render::Film film(200, 100, region);
     Image<int> count(200, 100, 0);
     for (int tile = 0; tile < film.tileCount(); ++tile) {
         const PixelBounds b = film.tileBounds(tile);
@@ -22,8 +22,8 @@ TEST(Film, TilesCoverTheRegionOnce) {
 }
 
 TEST(Film, GivesBackWhatWasCommitted) {
-    Film film(40, 40, {0, 40, 0, 40});
-    Film::TileCopy copy;
+    render::Film film(40, 40, {0, 40, 0, 40});
+    render::Film::TileCopy copy;
     film.read(1, copy);
     EXPECT_EQ(copy.pixels.size(), 8u * 32u);
     copy.pixels[8 * 3 + 2].radiance = RgbSum(6.0, 3.0, 1.5);
@@ -43,16 +43,16 @@ TEST(PassPlan, EndsAtTheTarget) {
         for (const int target : {1, 2, 3, 16, 17, 1000}) {
             int samples = 0, passes = 0;
             for (; samples < target; ++passes) {
-                const int next = nextPassTarget(samples, target, progressive);
+                const int next = render::nextPassTarget(samples, target, progressive);
                 ASSERT_GT(next, samples);
                 samples = next;
             }
             EXPECT_EQ(samples, target);
             EXPECT_LE(passes, target);
         }
-    EXPECT_EQ(nextPassTarget(0, 64, true), 1);
-    EXPECT_EQ(nextPassTarget(1, 64, true), 2);
-    EXPECT_EQ(nextPassTarget(8, 64, true), 16);
+    EXPECT_EQ(render::nextPassTarget(0, 64, true), 1);
+    EXPECT_EQ(render::nextPassTarget(1, 64, true), 2);
+    EXPECT_EQ(render::nextPassTarget(8, 64, true), 16);
 }
 
 }  // namespace

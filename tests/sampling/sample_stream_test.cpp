@@ -14,13 +14,15 @@ constexpr SamplePattern kPatterns[] = {SamplePattern::Independent, SamplePattern
 
 TEST(SampleStream, IsAPureFunctionOfItsName) {
     for (const SamplePattern pattern : kPatterns) {
-        const SampleStream a(pattern, 7, 3, 4, 5, 16), b(pattern, 7, 3, 4, 5, 16);
-        a.get2D(Dim::Light, PathKey{}.child(3), 2, 1, 16);  // drawing changes nothing
-        EXPECT_EQ(a.get2D(Dim::Pixel), b.get2D(Dim::Pixel));
-        EXPECT_NE(a.get2D(Dim::Pixel), a.get2D(Dim::Lens));
-        EXPECT_NE(a.get2D(Dim::Pixel), SampleStream(pattern, 8, 3, 4, 5, 16).get2D(Dim::Pixel));
-        EXPECT_NE(a.get2D(Dim::Pixel), SampleStream(pattern, 7, 4, 3, 5, 16).get2D(Dim::Pixel));
-        EXPECT_NE(a.get2D(Dim::Light, {}, 0), a.get2D(Dim::Light, {}, 1));
+        const sampling::SampleStream a(pattern, 7, 3, 4, 5, 16), b(pattern, 7, 3, 4, 5, 16);
+        a.get2D(sampling::Dim::Light, sampling::PathKey{}.child(3), 2, 1, 16);  // drawing changes nothing
+        EXPECT_EQ(a.get2D(sampling::Dim::Pixel), b.get2D(sampling::Dim::Pixel));
+        EXPECT_NE(a.get2D(sampling::Dim::Pixel), a.get2D(sampling::Dim::Lens));
+        EXPECT_NE(a.get2D(sampling::Dim::Pixel),
+                  sampling::SampleStream(pattern, 8, 3, 4, 5, 16).get2D(sampling::Dim::Pixel));
+        EXPECT_NE(a.get2D(sampling::Dim::Pixel),
+                  sampling::SampleStream(pattern, 7, 4, 3, 5, 16).get2D(sampling::Dim::Pixel));
+        EXPECT_NE(a.get2D(sampling::Dim::Light, {}, 0), a.get2D(sampling::Dim::Light, {}, 1));
     }
 }
 
@@ -37,11 +39,12 @@ double chiSquare(const std::vector<glm::vec2>& points) {
 
 TEST(SampleStream, IsUniformOverPixelsInEveryDimension) {
     for (const SamplePattern pattern : kPatterns) {
-        for (const Dim dim : {Dim::Pixel, Dim::Lens, Dim::Time, Dim::Light, Dim::Glossy}) {
+        for (const sampling::Dim dim : {sampling::Dim::Pixel, sampling::Dim::Lens, sampling::Dim::Time,
+                                        sampling::Dim::Light, sampling::Dim::Glossy}) {
             std::vector<glm::vec2> points;
             for (int y = 0; y < 160; ++y)
                 for (int x = 0; x < 160; ++x)
-                    points.push_back(SampleStream(pattern, 1, x, y, 3, 16).get2D(dim));
+                    points.push_back(sampling::SampleStream(pattern, 1, x, y, 3, 16).get2D(dim));
             for (const glm::vec2& p : points) {
                 ASSERT_GE(std::min(p.x, p.y), 0.0f);
                 ASSERT_LT(std::max(p.x, p.y), 1.0f);
@@ -57,8 +60,9 @@ TEST(SampleStream, NeighbouringPixelsAreNotCorrelated) {
         double sum = 0.0;
         constexpr int kCount = 40000;
         for (int x = 0; x < kCount; ++x) {
-            const glm::vec2 a = SampleStream(pattern, 1, x, 0, 0, 16).get2D(Dim::Pixel);
-            const glm::vec2 b = SampleStream(pattern, 1, x + 1, 0, 0, 16).get2D(Dim::Pixel);
+            const glm::vec2 a = sampling::SampleStream(pattern, 1, x, 0, 0, 16).get2D(sampling::Dim::Pixel);
+            const glm::vec2 b =
+                sampling::SampleStream(pattern, 1, x + 1, 0, 0, 16).get2D(sampling::Dim::Pixel);
             sum += (static_cast<double>(a.x) - 0.5) * (static_cast<double>(b.x) - 0.5) * 12.0;
         }
         EXPECT_LT(std::abs(sum / kCount), 4.0 / std::sqrt(kCount)) << static_cast<int>(pattern);
@@ -78,9 +82,9 @@ TEST(SampleStream, JitteredAndSobolSamplesOfAPixelAreStratified) {
     for (const SamplePattern pattern : {SamplePattern::Jittered, SamplePattern::Sobol}) {
         std::vector<glm::vec2> overPixel, ofOneSample;
         for (int i = 0; i < 16; ++i) {
-            overPixel.push_back(SampleStream(pattern, 9, 5, 6, i, 16).get2D(Dim::Pixel));
-            ofOneSample.push_back(
-                SampleStream(pattern, 9, 5, 6, 3, 4).get2D(Dim::Light, PathKey{}.child(1), 1, i, 16));
+            overPixel.push_back(sampling::SampleStream(pattern, 9, 5, 6, i, 16).get2D(sampling::Dim::Pixel));
+            ofOneSample.push_back(sampling::SampleStream(pattern, 9, 5, 6, 3, 4)
+                                      .get2D(sampling::Dim::Light, sampling::PathKey{}.child(1), 1, i, 16));
         }
         EXPECT_EQ(filledCells(overPixel, 4, 4), 16);
         EXPECT_EQ(filledCells(ofOneSample, 4, 4), 16);
@@ -91,7 +95,8 @@ TEST(SampleStream, JitteredCountsThatAreNoSquaresFillTheirGrid) {
     for (const auto& [n, columns, rows] : {std::tuple{12, 4, 3}, {7, 7, 1}, {18, 6, 3}, {1, 1, 1}}) {
         std::vector<glm::vec2> points;
         for (int i = 0; i < n; ++i)
-            points.push_back(SampleStream(SamplePattern::Jittered, 2, 1, 1, i, n).get2D(Dim::Pixel));
+            points.push_back(
+                sampling::SampleStream(SamplePattern::Jittered, 2, 1, 1, i, n).get2D(sampling::Dim::Pixel));
         EXPECT_EQ(filledCells(points, columns, rows), n);
     }
 }
@@ -101,17 +106,17 @@ TEST(SampleStream, OneDimensionalSamplesAreStratified) {
         std::set<int> cells;
         for (int k = 0; k < 32; ++k)
             cells.insert(static_cast<int>(
-                32.0f *
-                SampleStream(pattern, 2, 1, 1, 0, 4).get1D(Dim::Light, PathKey{}.child(9), 0, k, 32)));
+                32.0f * sampling::SampleStream(pattern, 2, 1, 1, 0, 4)
+                            .get1D(sampling::Dim::Light, sampling::PathKey{}.child(9), 0, k, 32)));
         EXPECT_EQ(cells.size(), 32u);
     }
 }
 
 TEST(PathKey, BranchesDiffer) {
     std::set<std::uint32_t> keys{0};
-    for (std::uint32_t i = 0; i < 1000; ++i) keys.insert(PathKey{}.child(i).value);
+    for (std::uint32_t i = 0; i < 1000; ++i) keys.insert(sampling::PathKey{}.child(i).value);
     EXPECT_EQ(keys.size(), 1001u);
-    EXPECT_NE(PathKey{}.child(1).child(2).value, PathKey{}.child(2).child(1).value);
+    EXPECT_NE(sampling::PathKey{}.child(1).child(2).value, sampling::PathKey{}.child(2).child(1).value);
 }
 
 }  // namespace

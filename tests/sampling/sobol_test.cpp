@@ -15,8 +15,10 @@ bool isNet(int m, int dimX, int dimY, std::uint32_t seedX, std::uint32_t seedY) 
     for (int a = 0; a <= m; ++a) {
         std::vector<int> count(std::size_t{1} << m, 0);
         for (std::uint32_t i = 0; i < (1u << m); ++i) {
-            const std::uint64_t x = seedX ? owenScramble(sobol(i, dimX), seedX) : sobol(i, dimX);
-            const std::uint64_t y = seedY ? owenScramble(sobol(i, dimY), seedY) : sobol(i, dimY);
+            const std::uint64_t x =
+                seedX ? sampling::owenScramble(sampling::sobol(i, dimX), seedX) : sampling::sobol(i, dimX);
+            const std::uint64_t y =
+                seedY ? sampling::owenScramble(sampling::sobol(i, dimY), seedY) : sampling::sobol(i, dimY);
             const std::uint64_t column = (x << a) >> 32, row = (y << (m - a)) >> 32;
             ++count[(row << a) + column];
         }
@@ -30,8 +32,8 @@ TEST(Sobol, FirstPointsAreTheKnownOnes) {
     const double expected[4][4] = {
         {0, 0, 0, 0}, {.5, .5, .5, .5}, {.25, .75, .25, .75}, {.75, .25, .75, .25}};
     for (std::uint32_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(sobol(i, 0) * 0x1p-32, expected[i][0]);
-        EXPECT_EQ(sobol(i, 1) * 0x1p-32, expected[i][1]);
+        EXPECT_EQ(sampling::sobol(i, 0) * 0x1p-32, expected[i][0]);
+        EXPECT_EQ(sampling::sobol(i, 1) * 0x1p-32, expected[i][1]);
     }
 }
 
@@ -43,9 +45,10 @@ TEST(Sobol, FirstTwoDimensionsAreANetWithAndWithoutScrambling) {
 }
 
 TEST(Sobol, EachDimensionIsStratified) {
-    for (int dimension = 0; dimension < kSobolDimensions; ++dimension) {
+    for (int dimension = 0; dimension < sampling::kSobolDimensions; ++dimension) {
         std::vector<int> count(1024, 0);
-        for (std::uint32_t i = 0; i < 1024; ++i) ++count[owenScramble(sobol(i, dimension), 77u) >> 22];
+        for (std::uint32_t i = 0; i < 1024; ++i)
+            ++count[sampling::owenScramble(sampling::sobol(i, dimension), 77u) >> 22];
         for (const int c : count) EXPECT_EQ(c, 1) << dimension;
     }
 }
@@ -53,8 +56,8 @@ TEST(Sobol, EachDimensionIsStratified) {
 TEST(Sobol, TheNetTestFindsAPatternThatIsNone) { EXPECT_FALSE(isNet(4, 0, 0, 0, 0)); }
 
 TEST(Hash, UnitFloatsAreBelowOne) {
-    EXPECT_LT(toUnitFloat(0xffffffffu), 1.0f);
-    EXPECT_EQ(toUnitFloat(0), 0.0f);
+    EXPECT_LT(sampling::toUnitFloat(0xffffffffu), 1.0f);
+    EXPECT_EQ(sampling::toUnitFloat(0), 0.0f);
 }
 
 }  // namespace

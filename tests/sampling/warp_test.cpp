@@ -13,7 +13,7 @@ namespace {
 TEST(NormalDeviate, InvertsTheCumulativeDistribution) {
     for (const float u : {0.0f, 1e-6f, 0.001f, 0.075f, 0.2f, 0.5f, 0.7f, 0.93f, 0.999f, 1.0f - 0x1p-24f}) {
         const double p = static_cast<double>(u) + 0x1p-25;
-        const double x = normalDeviate(u);
+        const double x = sampling::normalDeviate(u);
         const double cumulative = 0.5 * std::erfc(-x / std::numbers::sqrt2);
         EXPECT_NEAR(cumulative, p, 1e-14 * p + 1e-16) << u;
         EXPECT_TRUE(std::isfinite(x));
@@ -24,7 +24,7 @@ TEST(NormalDeviate, HasTheMomentsOfTheNormalDistribution) {
     double sum = 0.0, squares = 0.0;
     constexpr int kCount = 1 << 16;
     for (int i = 0; i < kCount; ++i) {
-        const double x = normalDeviate(static_cast<float>(i) / kCount);
+        const double x = sampling::normalDeviate(static_cast<float>(i) / kCount);
         sum += x;
         squares += x * x;
     }
@@ -39,8 +39,9 @@ TEST(SampleAperture, HasTheSecondMomentsOfItsShape) {
         double xx = 0.0, yy = 0.0, xy = 0.0, x = 0.0, y = 0.0;
         constexpr int kCount = 1 << 16;
         for (int i = 0; i < kCount; ++i) {
-            const glm::vec2 u = SampleStream(SamplePattern::Sobol, 1, 0, 0, i, kCount).get2D(Dim::Pixel);
-            const glm::dvec2 p = sampleAperture(shape, u);
+            const glm::vec2 u =
+                sampling::SampleStream(SamplePattern::Sobol, 1, 0, 0, i, kCount).get2D(sampling::Dim::Pixel);
+            const glm::dvec2 p = sampling::sampleAperture(shape, u);
             ASSERT_LE(glm::length(p), shape == LensShape::Square ? 1.4142136 : 1.0 + 1e-12);
             x += p.x, y += p.y, xx += p.x * p.x, yy += p.y * p.y, xy += p.x * p.y;
         }

@@ -60,7 +60,7 @@ void expectSound(const MeshData& mesh) {
 }
 
 TEST(Generate, QuadFacesTheViewerOnThePositiveSide) {
-    const MeshData quad = generate(QuadShape{{2.0f, 1.0f}});
+    const MeshData quad = scene::generate(scene::QuadShape{{2.0f, 1.0f}});
     expectSound(quad);
     EXPECT_EQ(quad.triangles.size(), 2u);
     EXPECT_EQ(quad.normals[0], glm::vec3(0, 0, 1));
@@ -69,23 +69,23 @@ TEST(Generate, QuadFacesTheViewerOnThePositiveSide) {
 }
 
 TEST(Generate, BoxIsClosedAndHasTheVolumeOfItsSides) {
-    const MeshData box = generate(BoxShape{{1.0f, 2.0f, 4.0f}});
+    const MeshData box = scene::generate(scene::BoxShape{{1.0f, 2.0f, 4.0f}});
     expectSound(box);
     EXPECT_EQ(box.triangles.size(), 12u);
     EXPECT_TRUE(isClosed(box));
     EXPECT_DOUBLE_EQ(volumeOf(box), 8.0);
-    const MeshData room = generate(BoxShape{{1.0f, 2.0f, 4.0f}, true});
+    const MeshData room = scene::generate(scene::BoxShape{{1.0f, 2.0f, 4.0f}, true});
     expectSound(room);
     EXPECT_TRUE(isClosed(room));
     EXPECT_DOUBLE_EQ(volumeOf(room), -8.0);
 }
 
 TEST(Generate, SpheresAreClosedAndNearlyRound) {
-    const MeshData uv = generate(UvSphereShape{2.0f, 48, 24});
+    const MeshData uv = scene::generate(scene::UvSphereShape{2.0f, 48, 24});
     expectSound(uv);
     EXPECT_EQ(uv.triangles.size(), 2u * 48u * 23u);
     EXPECT_TRUE(isClosed(uv));
-    const MeshData ico = generate(IcosphereShape{2.0f, 3});
+    const MeshData ico = scene::generate(scene::IcosphereShape{2.0f, 3});
     expectSound(ico);
     EXPECT_EQ(ico.triangles.size(), 20u * 64u);
     EXPECT_TRUE(isClosed(ico));
@@ -96,7 +96,7 @@ TEST(Generate, SpheresAreClosedAndNearlyRound) {
 }
 
 TEST(Generate, TorusHasPappusVolume) {
-    const MeshData torus = generate(TorusShape{1.0f, 0.25f, 128, 64});
+    const MeshData torus = scene::generate(scene::TorusShape{1.0f, 0.25f, 128, 64});
     expectSound(torus);
     EXPECT_EQ(torus.triangles.size(), 2u * 128u * 64u);
     EXPECT_TRUE(isClosed(torus));
@@ -105,8 +105,8 @@ TEST(Generate, TorusHasPappusVolume) {
 }
 
 TEST(Generate, TerrainIsASheetWithTrueNormals) {
-    const TerrainShape shape{{2.0f, 1.0f}, 0.3f, 400, 200, 3};
-    const MeshData terrain = generate(shape);
+    const scene::TerrainShape shape{{2.0f, 1.0f}, 0.3f, 400, 200, 3};
+    const MeshData terrain = scene::generate(shape);
     expectSound(terrain);
     EXPECT_EQ(terrain.triangles.size(), 160000u);
     std::size_t rim = 0;
@@ -121,14 +121,14 @@ TEST(Generate, TerrainIsASheetWithTrueNormals) {
         EXPECT_LE(p.y, 0.3f);
     }
     // The same hills from the same seed, others from another.
-    EXPECT_EQ(generate(shape).positions, terrain.positions);
-    TerrainShape other = shape;
+    EXPECT_EQ(scene::generate(shape).positions, terrain.positions);
+    scene::TerrainShape other = shape;
     other.seed = 4;
-    EXPECT_NE(generate(other).positions, terrain.positions);
+    EXPECT_NE(scene::generate(other).positions, terrain.positions);
 }
 
 TEST(Generate, TeapotHas15704TrianglesAndOnlyItsKnownRims) {
-    const MeshData teapot = generate(TeapotShape{});
+    const MeshData teapot = scene::generate(scene::TeapotShape{});
     expectSound(teapot);
     EXPECT_EQ(teapot.triangles.size(), 15704u);
     // Open are the rim of the body, the rim of the lid, and the two ends of the handle and of the spout.
@@ -142,7 +142,7 @@ TEST(Generate, TeapotHas15704TrianglesAndOnlyItsKnownRims) {
 }
 
 TEST(Generate, TeapotHasNewellsMeasures) {
-    const MeshData teapot = generate(TeapotShape{32});
+    const MeshData teapot = scene::generate(scene::TeapotShape{32});
     glm::vec3 lower(1e9f), upper(-1e9f);
     for (const glm::vec3& p : teapot.positions) {
         lower = glm::min(lower, p);
@@ -158,7 +158,7 @@ TEST(Generate, TeapotHasNewellsMeasures) {
 
 TEST(Generate, TeapotOfEveryResolutionHasNoCracks) {
     for (const int resolution : {1, 3, 7, 20}) {
-        const MeshData teapot = generate(TeapotShape{resolution});
+        const MeshData teapot = scene::generate(scene::TeapotShape{resolution});
         // The coarsest are too angular for their normals to agree with every face.
         if (resolution > 3) expectSound(teapot);
         for (const auto& [edge, count] : directedEdges(teapot)) ASSERT_EQ(count, 1);
@@ -166,12 +166,12 @@ TEST(Generate, TeapotOfEveryResolutionHasNoCracks) {
 }
 
 TEST(Generate, MonkeyIsClosedAndWatertightAtEveryResolution) {
-    const MeshData monkey = generate(MonkeyShape{});
+    const MeshData monkey = scene::generate(scene::MonkeyShape{});
     EXPECT_EQ(monkey.triangles.size(), 960u);
     for (const glm::vec3& normal : monkey.normals) EXPECT_NEAR(glm::length(normal), 1.0f, 4e-7f);
     EXPECT_TRUE(isClosed(monkey));
     for (const int resolution : {8, 16, 23, 40}) {
-        const MeshData mesh = generate(MonkeyShape{resolution});
+        const MeshData mesh = scene::generate(scene::MonkeyShape{resolution});
         EXPECT_GT(volumeOf(mesh), 0.5);
         const auto edges = directedEdges(mesh);
         for (const auto& [edge, count] : edges) {

@@ -18,16 +18,17 @@ using testing::IsEmpty;
 SceneDescription sphereMesh(const Transform& transform) {
     SceneDescription scene;
     scene.materials.emplace_back();
-    scene.meshes.push_back({.name = "ball",
-                            .data = std::make_shared<MeshData>(generate(IcosphereShape{.subdivisions = 3})),
-                            .transform = transform,
-                            .materials = {0}});
+    scene.meshes.push_back(
+        {.name = "ball",
+         .data = std::make_shared<MeshData>(scene::generate(scene::IcosphereShape{.subdivisions = 3})),
+         .transform = transform,
+         .materials = {0}});
     return scene;
 }
 
 std::string textOf(const SceneDescription& scene) {
     std::string text;
-    for (const Diagnostic& found : lintRange(scene)) {
+    for (const Diagnostic& found : scene::lintRange(scene)) {
         EXPECT_EQ(found.severity, Severity::Warning);
         text += toString(found) + "\n";
     }

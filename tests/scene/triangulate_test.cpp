@@ -16,7 +16,7 @@ struct Cut {
 Cut cut(const std::vector<glm::vec3>& points, glm::dvec3 normal) {
     Cut result;
     result.triangles.resize(points.size() - 2);
-    triangulate(points, result.triangles);
+    scene::triangulate(points, result.triangles);
     result.smallest = 1e30;
     for (const glm::uvec3& t : result.triangles) {
         const glm::dvec3 a(points[t.x]), b(points[t.y]), c(points[t.z]);
@@ -63,7 +63,7 @@ TEST(Triangulate, ImpossiblePolygonsStillGiveEveryTriangle) {
                                std::vector<glm::vec3>(5, glm::vec3(1.0f)),
                                std::vector<glm::vec3>{{0, 0, 0}, {nan, 1, 0}, {1, 0, 0}, {0, 1, 0}}}) {
         std::vector<glm::uvec3> triangles(points.size() - 2, glm::uvec3(99));
-        triangulate(points, triangles);
+        scene::triangulate(points, triangles);
         for (const glm::uvec3& t : triangles)
             for (int i = 0; i < 3; ++i) EXPECT_LT(t[i], points.size());
     }

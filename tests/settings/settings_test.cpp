@@ -128,7 +128,7 @@ TEST(Settings, TheWorstChangeDecides) {
 }
 
 TEST(Settings, EveryFieldThatDiffersIsNoticed) {
-    forEachSetting([](const auto& row) {
+    settings::forEachSetting([](const auto& row) {
         EXPECT_NE(row.invalidates, Invalidates::Nothing) << row.text.key;
         const std::vector<SettingInfo> infos = describeSettings();
         for (const SettingInfo& info : infos) {

@@ -26,9 +26,9 @@ TEST(CubePoint, AndBackGivesTheDirection) {
                 if (a != 0.0 || b != 0.0 || c != 0.0)
                     directions.push_back(glm::normalize(glm::dvec3(a, b, c)));
     for (const glm::dvec3& d : directions) {
-        const CubePoint p = cubePoint(d);
+        const shading::CubePoint p = shading::cubePoint(d);
         ASSERT_TRUE(p.face >= 0 && p.face < 6 && p.s >= 0.0 && p.s <= 1.0 && p.t >= 0.0 && p.t <= 1.0);
-        EXPECT_LT(glm::distance(glm::normalize(cubeDirection(p.face, p.s, p.t)), d), 1e-15);
+        EXPECT_LT(glm::distance(glm::normalize(shading::cubeDirection(p.face, p.s, p.t)), d), 1e-15);
     }
 }
 
@@ -42,8 +42,8 @@ TEST(EnvironmentLookup, OfAGradientIsTheGradient) {
     for (int i = 0; i < 20000; ++i) {
         const glm::dvec3 d = anyDirection(random);
         const double exact = 0.5 + 0.5 * glm::dot(d, kAxis);
-        test::takeWorst(worstCube, std::abs(lookup(*cube, d).x - exact));
-        test::takeWorst(worstEquirect, std::abs(lookup(*equirect, d).x - exact));
+        test::takeWorst(worstCube, std::abs(shading::lookup(*cube, d).x - exact));
+        test::takeWorst(worstEquirect, std::abs(shading::lookup(*equirect, d).x - exact));
     }
     // Bilinear inside a face is of the second order; across an edge texels of two faces mix, half a texel
     // apart.
@@ -61,7 +61,7 @@ TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
     const glm::dvec3 corner = glm::normalize(glm::dvec3(1.0));
     const auto jumpAt = [&](const glm::dvec3& d, const glm::dvec3& across) {
         const glm::dvec3 a = glm::normalize(d - 1e-9 * across), b = glm::normalize(d + 1e-9 * across);
-        return std::abs(lookup(*cube, a).x - lookup(*cube, b).x);
+        return std::abs(shading::lookup(*cube, a).x - shading::lookup(*cube, b).x);
     };
     const double lipschitz = 0.5;
     double worst = 0.0;
@@ -79,7 +79,7 @@ TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
     for (const glm::dvec3& d : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0.3, 1)}) {
         const glm::dvec3 a = glm::normalize(d + glm::dvec3(1e-9, 0, 0)),
                          b = glm::normalize(d - glm::dvec3(1e-9, 0, 0));
-        EXPECT_NEAR(lookup(*equirect, a).x, lookup(*equirect, b).x, 1e-6);
+        EXPECT_NEAR(shading::lookup(*equirect, a).x, shading::lookup(*equirect, b).x, 1e-6);
     }
 }
 
@@ -91,7 +91,7 @@ TEST(EnvironmentLookup, IsDefinedForEveryDirection) {
         for (const glm::dvec3& d : {glm::dvec3(0), glm::dvec3(nan, 0, 1), glm::dvec3(infinity, 0, 0),
                                     glm::dvec3(-0.0, 1, -0.0), glm::dvec3(1e-300, 0, 0),
                                     glm::dvec3(0, -1e300, 0), glm::dvec3(1, 1, 1), glm::dvec3(-1, -1, -1)}) {
-            const double value = lookup(*environment, d).x;
+            const double value = shading::lookup(*environment, d).x;
             EXPECT_TRUE(value >= 0.0 && value <= 1.0);
         }
 }

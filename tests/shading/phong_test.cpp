@@ -28,36 +28,37 @@ TEST(Phong, IsAccurateForEveryShininess) {
                                       static_cast<long double>(l.z) * static_cast<long double>(v.z);
             const auto exact =
                 static_cast<double>(std::pow(std::max(0.0L, along), static_cast<long double>(shininess)));
-            const double value = phong({glm::dvec3(0), glm::dvec3(1), shininess}, n, l, v).x;
+            const double value = shading::phong({glm::dvec3(0), glm::dvec3(1), shininess}, n, l, v).x;
             EXPECT_NEAR(value, exact, 1e-9 * exact + 1e-30) << shininess;
         }
     }
 }
 
 TEST(Phong, IsZeroForLightBelowTheSurface) {
-    const PhongSurface surface{glm::dvec3(1), glm::dvec3(1), 0.0};
+    const shading::PhongSurface surface{glm::dvec3(1), glm::dvec3(1), 0.0};
     const glm::dvec3 n(0, 0, 1), v = glm::normalize(glm::dvec3(1, 0, 1));
-    EXPECT_EQ(phong(surface, n, glm::normalize(glm::dvec3(1, 0, -1e-9)), v), glm::dvec3(0));
-    EXPECT_EQ(phong(surface, n, {1, 0, 0}, v), glm::dvec3(0));
-    EXPECT_GT(phong(surface, n, glm::normalize(glm::dvec3(1, 0, 1e-9)), v).x, 0.99);
+    EXPECT_EQ(shading::phong(surface, n, glm::normalize(glm::dvec3(1, 0, -1e-9)), v), glm::dvec3(0));
+    EXPECT_EQ(shading::phong(surface, n, {1, 0, 0}, v), glm::dvec3(0));
+    EXPECT_GT(shading::phong(surface, n, glm::normalize(glm::dvec3(1, 0, 1e-9)), v).x, 0.99);
 }
 
 TEST(Phong, IsTheSameWithLightAndViewerExchangedUpToTheCosine) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 l = onHemisphere(random), v = onHemisphere(random);
-        const PhongSurface shiny{glm::dvec3(0), glm::dvec3(1), 7.0};
-        EXPECT_NEAR(phong(shiny, {0, 0, 1}, l, v).x, phong(shiny, {0, 0, 1}, v, l).x, 1e-14);
+        const shading::PhongSurface shiny{glm::dvec3(0), glm::dvec3(1), 7.0};
+        EXPECT_NEAR(shading::phong(shiny, {0, 0, 1}, l, v).x, shading::phong(shiny, {0, 0, 1}, v, l).x,
+                    1e-14);
     }
 }
 
 TEST(Mirror, KeepsLengthAndSwapsTheSide) {
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
-        const glm::dvec3 n = onHemisphere(random), d = onHemisphere(random), r = mirror(d, n);
+        const glm::dvec3 n = onHemisphere(random), d = onHemisphere(random), r = shading::mirror(d, n);
         EXPECT_NEAR(glm::dot(r, n), -glm::dot(d, n), 1e-14);
         EXPECT_NEAR(glm::length(r), 1.0, 1e-14);
-        EXPECT_LT(glm::distance(mirror(r, n), d), 1e-14);
+        EXPECT_LT(glm::distance(shading::mirror(r, n), d), 1e-14);
     }
 }
 

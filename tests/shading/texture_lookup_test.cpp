@@ -27,21 +27,21 @@ glm::dvec3 meanOf(const RgbImage& image) {
 TEST(MipTexture, EndsInTheMeanOfTheImageWhateverItsSize) {
     for (const auto& [width, height] : {std::pair{8, 8}, {16, 4}, {5, 5}, {7, 3}, {1, 9}, {100, 37}}) {
         const auto texture = noise(width, height);
-        const MipTexture mip(texture, true);
+        const shading::MipTexture mip(texture, true);
         const glm::dvec3 value = mip.lookup({0.3f, 0.8f}, 1e6, TextureFilter::Mipmap);
         EXPECT_LT(glm::distance(value, meanOf(texture->image)), 1e-6) << width << " x " << height;
     }
 }
 
 TEST(MipTexture, WithASmallFootprintIsBilinear) {
-    const MipTexture mip(noise(8, 8), true);
+    const shading::MipTexture mip(noise(8, 8), true);
     for (const float u : {0.1f, 0.45f, 0.9f})
         EXPECT_EQ(mip.lookup({u, 0.3f}, 0.12, TextureFilter::Mipmap),
                   mip.lookup({u, 0.3f}, 0.0, TextureFilter::Bilinear));
 }
 
 TEST(MipTexture, GrowsBlurredWithoutSteps) {
-    const MipTexture mip(noise(64, 64), true);
+    const shading::MipTexture mip(noise(64, 64), true);
     glm::dvec3 before = mip.lookup({0.31f, 0.77f}, 0.005, TextureFilter::Mipmap);
     for (double footprint = 0.005; footprint < 2.0; footprint *= 1.01) {
         const glm::dvec3 value = mip.lookup({0.31f, 0.77f}, footprint, TextureFilter::Mipmap);
@@ -53,7 +53,7 @@ TEST(MipTexture, GrowsBlurredWithoutSteps) {
 TEST(TextureLookup, StaysInsideForEveryCoordinate) {
     const float infinity = std::numeric_limits<float>::infinity();
     for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp}) {
-        const MipTexture mip(noise(3, 5, wrap), true);
+        const shading::MipTexture mip(noise(3, 5, wrap), true);
         for (const float u : {-1e-9f, -0.0f, 0.0f, 1.0f, 1.0f - 0x1p-24f, 1e9f, -1e30f, infinity, -infinity,
                               std::numeric_limits<float>::quiet_NaN()})
             for (const TextureFilter filter :
@@ -66,13 +66,13 @@ TEST(TextureLookup, StaysInsideForEveryCoordinate) {
 }
 
 TEST(BilinearTap, WeighsTexelCentresAtHalfIntegers) {
-    const BilinearTap tap =
-        bilinearTap(4, 4, {0.375, 0.625}, TextureWrap::Clamp);  // the centre of (1, 1) from above
+    const shading::BilinearTap tap =
+        shading::bilinearTap(4, 4, {0.375, 0.625}, TextureWrap::Clamp);  // the centre of (1, 1) from above
     EXPECT_EQ(tap.x[0], 1);
     EXPECT_EQ(tap.y[0], 1);
     EXPECT_EQ(tap.weightX, 0.0);
     EXPECT_EQ(tap.weightY, 0.0);
-    const BilinearTap wrapped = bilinearTap(4, 4, {0.0, 0.0}, TextureWrap::Repeat);
+    const shading::BilinearTap wrapped = shading::bilinearTap(4, 4, {0.0, 0.0}, TextureWrap::Repeat);
     EXPECT_EQ(wrapped.x[0], 3);
     EXPECT_EQ(wrapped.x[1], 0);
     EXPECT_EQ(wrapped.y[0], 3);

@@ -7,19 +7,19 @@
 namespace rayscope::test {
 
 /// One number of all bits of all sums: equal films have equal hashes.
-inline std::uint64_t hashOf(const Film& film) {
+inline std::uint64_t hashOf(const render::Film& film) {
     std::uint64_t hash = 0;
-    Film::TileCopy copy;
+    render::Film::TileCopy copy;
     for (int tile = 0; tile < film.tileCount(); ++tile) {
         film.read(tile, copy);
-        hash = hashPair(hash, static_cast<std::uint64_t>(copy.samples));
-        for (const PixelSums& pixel : copy.pixels) {
+        hash = sampling::hashPair(hash, static_cast<std::uint64_t>(copy.samples));
+        for (const render::PixelSums& pixel : copy.pixels) {
             const double values[4] = {pixel.radiance.x, pixel.radiance.y, pixel.radiance.z,
                                       pixel.squaredLuminance};
             for (const double value : values) {
                 std::uint64_t bits = 0;
                 std::memcpy(&bits, &value, sizeof bits);
-                hash = hashPair(hash, bits);
+                hash = sampling::hashPair(hash, bits);
             }
         }
     }

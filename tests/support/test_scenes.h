@@ -42,11 +42,11 @@ inline CameraDescription frontCamera(float distance, float fov = 50.0f) {
     return camera;
 }
 
-inline std::shared_ptr<const World> compileScene(SceneDescription scene, const Settings& settings, int width,
-                                                 int height) {
+inline std::shared_ptr<const trace::World> compileScene(SceneDescription scene, const Settings& settings,
+                                                        int width, int height) {
     if (scene.cameras.empty()) scene.cameras.push_back(frontCamera(3.0f));
     auto shared = std::make_shared<const SceneDescription>(std::move(scene));
-    return compile({shared, settings, shared->cameras.front(), width, height});
+    return trace::compile({shared, settings, shared->cameras.front(), width, height});
 }
 
 }  // namespace rayscope::test

@@ -26,13 +26,13 @@ struct CountingObserver {
     std::array<int, 4> lights{};    ///< light samples by Visibility
     int hits = 0, terms = 0;
 
-    void segment(const Segment& s) { ++segments[static_cast<std::size_t>(s.kind)]; }
-    void hit(const Interaction&) { ++hits; }
-    void lightSampled(const LightConnection& c, const glm::dvec3&) {
+    void segment(const trace::Segment& s) { ++segments[static_cast<std::size_t>(s.kind)]; }
+    void hit(const trace::Interaction&) { ++hits; }
+    void lightSampled(const trace::LightConnection& c, const glm::dvec3&) {
         ++lights[static_cast<std::size_t>(c.visibility)];
     }
     void added(const glm::dvec3&) { ++terms; }
-    void ended(const Segment&, RayEnd why) { ++ends[static_cast<std::size_t>(why)]; }
+    void ended(const trace::Segment&, RayEnd why) { ++ends[static_cast<std::size_t>(why)]; }
 
     int count(RayKind kind) const { return segments[static_cast<std::size_t>(kind)]; }
     int count(RayEnd end) const { return ends[static_cast<std::size_t>(end)]; }
@@ -42,50 +42,50 @@ struct CountingObserver {
 
 /// Keeps the values themselves.
 struct RecordingObserver {
-    std::vector<Segment> segments;
-    std::vector<Interaction> hits;
+    std::vector<trace::Segment> segments;
+    std::vector<trace::Interaction> hits;
     std::vector<Ray> hitRays;  ///< that made the hits
-    std::vector<LightConnection> lights;
+    std::vector<trace::LightConnection> lights;
     std::vector<glm::dvec3> lightValues;
 
-    void segment(const Segment& s) { segments.push_back(s); }
-    void hit(const Interaction& at) {
+    void segment(const trace::Segment& s) { segments.push_back(s); }
+    void hit(const trace::Interaction& at) {
         hits.push_back(at);
         hitRays.push_back(segments.back().ray);
     }
-    void lightSampled(const LightConnection& c, const glm::dvec3& value) {
+    void lightSampled(const trace::LightConnection& c, const glm::dvec3& value) {
         lights.push_back(c);
         lightValues.push_back(value);
     }
     void added(const glm::dvec3&) {}
-    void ended(const Segment&, RayEnd) {}
+    void ended(const trace::Segment&, RayEnd) {}
 };
 
 }  // namespace rayscope::test
 
-namespace rayscope {
+namespace rayscope::trace {
 // Instantiated once, in support/observers.cpp.
 extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
                                       test::CountingObserver&);
 extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
                                       test::RecordingObserver&);
-}  // namespace rayscope
+}  // namespace rayscope::trace
 
 namespace rayscope::test {
 
 /// The mean of the first `count` samples of a pixel.
 template <class Observer>
-RgbSum pixelMean(const World& world, std::uint64_t seed, int x, int y, int count, Observer& observer) {
+RgbSum pixelMean(const trace::World& world, std::uint64_t seed, int x, int y, int count, Observer& observer) {
     RgbSum sum(0.0);
     for (int i = 0; i < count; ++i) sum += radiance(world, seed, {x, y, i}, observer).radiance;
     return sum / static_cast<double>(count);
 }
-inline RgbSum pixelMean(const World& world, std::uint64_t seed, int x, int y, int count) {
-    NullObserver silent;
+inline RgbSum pixelMean(const trace::World& world, std::uint64_t seed, int x, int y, int count) {
+    trace::NullObserver silent;
     return pixelMean(world, seed, x, y, count, silent);
 }
 
 /// One sample of the pixel (0, 0), for scenes without chance.
-inline RgbSum firstSample(const World& world) { return pixelMean(world, 0, 0, 0, 1); }
+inline RgbSum firstSample(const trace::World& world) { return pixelMean(world, 0, 0, 0, 1); }
 
 }  // namespace rayscope::test

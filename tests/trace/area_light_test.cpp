@@ -207,7 +207,7 @@ TEST(AreaLight, StratifiesItsSamplesOverTheGrid) {
         RecordingObserver record;
         pixelMean(*compileScene(underLight(light), withSamples(pattern, 1, 8), 1, 1), 0, 0, 0, 1, record);
         std::set<int> cells;
-        for (const LightConnection& c : record.lights)
+        for (const trace::LightConnection& c : record.lights)
             cells.insert(static_cast<int>(c.at.position.x * 8) * 8 + static_cast<int>(c.at.position.z * 8));
         EXPECT_EQ(cells.size(), 64u) << nameOf(pattern);
     }

@@ -19,7 +19,7 @@ Trace traceAll(const SceneDescription& scene, const Settings& settings, int size
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x)
             for (int i = 0; i < samples; ++i) {
-                const SampleResult result = radiance(*world, 3, {x, y, i}, trace.events);
+                const trace::SampleResult result = trace::radiance(*world, 3, {x, y, i}, trace.events);
                 trace.pixels.push_back(result.radiance);
                 trace.rays += result.rays;
             }

@@ -33,7 +33,7 @@ class SphereRays {
         first.direction = glm::vec3(target - glm::dvec3(first.origin));
         Hit hit;
         if (first.direction == glm::vec3(0.0f) || !world_->closestHit(first, 0.0f, hit)) return;
-        const Interaction at = interactionAt(*world_, first, 0.0f, {}, hit);
+        const trace::Interaction at = trace::interactionAt(*world_, first, 0.0f, {}, hit);
         const double off = glm::length(at.position - center_) / radius_ - 1.0;
         ASSERT_LE(std::abs(off), 0x1p-48 * (1.0 + glm::length(center_) / radius_));
         const bool inside = glm::dot(at.geometricNormal, at.position - center_) < 0.0;
@@ -42,7 +42,7 @@ class SphereRays {
             const double sine = std::pow(10.0, -4.0 * real());
             const bool inward = through != inside;
             if (inward && sine < 0.05) continue;  // the chord would be as short as the offset
-            const Frame frame = frameAround(normal);
+            const math::Frame frame = math::frameAround(normal);
             const double phi = 6.283185307179586 * real(), cosine = std::sqrt(1.0 - sine * sine);
             const Ray next{
                 through ? at.originBehind() : at.originOutside(),
@@ -68,7 +68,7 @@ class SphereRays {
     std::mt19937_64 random_;
     double radius_;
     glm::dvec3 center_{0.0};
-    std::shared_ptr<const World> world_;
+    std::shared_ptr<const trace::World> world_;
 };
 
 TEST(LeavingSpheres, OfAnySizeSeenFromAnywhere) {

@@ -69,7 +69,7 @@ TEST(DepthOfField, HasTheCircleOfConfusionOfAThinLens) {
         pixelMean(*world, 0, 0, 0, 8, record);
         double radius = 0.0;
         glm::dvec2 squares(0.0);
-        for (const Interaction& at : record.hits) {
+        for (const trace::Interaction& at : record.hits) {
             const glm::dvec2 p(at.position);
             radius = std::max(radius, glm::length(p));
             squares += p * p / static_cast<double>(record.hits.size());
@@ -97,9 +97,9 @@ TEST(DepthOfField, IsSharpOnThePlaneOfFocus) {
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 9; ++x) {
             RecordingObserver record;
-            radiance(*world, 0, {x, y, 0}, record);
+            trace::radiance(*world, 0, {x, y, 0}, record);
             ASSERT_FALSE(record.hits.empty());
-            for (const Interaction& at : record.hits)
+            for (const trace::Interaction& at : record.hits)
                 takeWorst(worst, glm::distance(at.position, record.hits.front().position));
         }
     EXPECT_LT(worst, 8 * kFocus * 0x1p-23);

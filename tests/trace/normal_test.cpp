@@ -40,14 +40,14 @@ SceneDescription sphereScene(bool withNormals, const Transform& transform = {}) 
 constexpr int kSize = 48;
 
 struct FirstHit {
-    Interaction at;
+    trace::Interaction at;
     glm::dvec3 point;  ///< on the ray, found without the weights that the normal was interpolated with
 };
 /// All first hits of an image.
-std::vector<FirstHit> hitsOf(const World& world) {
+std::vector<FirstHit> hitsOf(const trace::World& world) {
     RecordingObserver record;
     for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) radiance(world, 0, {x, y, 0}, record);
+        for (int x = 0; x < kSize; ++x) trace::radiance(world, 0, {x, y, 0}, record);
     std::vector<FirstHit> hits;
     for (std::size_t i = 0; i < record.hits.size(); ++i)
         hits.push_back({record.hits[i], glm::dvec3(record.hitRays[i].origin) +

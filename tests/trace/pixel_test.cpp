@@ -102,7 +102,7 @@ TEST(PixelSamples, FillExactlyOnePixel) {
         pixelMean(*world, 5, 3, 11, kSpp, record);
         ASSERT_EQ(record.segments.size(), std::size_t{kSpp});  // as many as the setting says
         glm::dvec2 lowest(99.0), highest(0.0), mean(0.0), squares(0.0);
-        for (const Segment& s : record.segments) {
+        for (const trace::Segment& s : record.segments) {
             const glm::dvec2 p =
                 world->camera.project(glm::dvec3(s.ray.origin) + glm::dvec3(s.ray.direction)) -
                 glm::dvec2(3.0, 11.0);
@@ -129,7 +129,7 @@ TEST(PixelSamples, OfACourseGridFallOnePerCell) {
         RecordingObserver record;
         pixelMean(*world, 5, 3, 11, n * n, record);
         std::vector<int> count(static_cast<std::size_t>(n * n), 0);
-        for (const Segment& s : record.segments) {
+        for (const trace::Segment& s : record.segments) {
             const glm::dvec2 p =
                 world->camera.project(glm::dvec3(s.ray.origin) + glm::dvec3(s.ray.direction)) -
                 glm::dvec2(3.0, 11.0);

@@ -38,18 +38,18 @@ const Case kCases[] = {
     {"WithoutShading", "builtin:cornell", [](Settings& s) { s.shading = false; }},
 };
 
-std::shared_ptr<const World> worldOf(const Case& tested, bool moving) {
+std::shared_ptr<const trace::World> worldOf(const Case& tested, bool moving) {
     Diagnostics notes;
     SceneDescription scene = loadScene(tested.scene, notes);
     if (moving)
         for (MeshInstance& mesh : scene.meshes) mesh.motion = glm::vec3(0.1f, 0.0f, 0.05f);
-    CompileRequest request;
+    trace::CompileRequest request;
     request.camera = scene.cameras.front();
     request.scene = std::make_shared<const SceneDescription>(std::move(scene));
     request.settings.spp = 2;
     tested.change(request.settings);
     request.width = request.height = 12;
-    return compile(request);
+    return trace::compile(request);
 }
 
 std::array<std::uint64_t, 3> bitsOf(const RgbSum& c) {
@@ -66,7 +66,7 @@ TEST_P(RadianceBatchOf, IsThatOfEachSample) {
         for (int y = 0; y < world->height; ++y)
             for (int x = 0; x < world->width; ++x)
                 for (int index = 0; index < 2; ++index) names.push_back({x, y, index});
-        RadianceBatch batch(*world, 7);
+        trace::RadianceBatch batch(*world, 7);
         double sum = 0.0;
         // Batches of different sizes, the same object again and again.
         for (std::size_t begin = 0, size = 1; begin < names.size();
@@ -77,8 +77,8 @@ TEST_P(RadianceBatchOf, IsThatOfEachSample) {
             const auto results = batch.finish();
             ASSERT_EQ(results.size(), some.size());
             for (std::size_t i = 0; i < some.size(); ++i) {
-                NullObserver silent;
-                const SampleResult alone = radiance(*world, 7, some[i], silent);
+                trace::NullObserver silent;
+                const trace::SampleResult alone = trace::radiance(*world, 7, some[i], silent);
                 ASSERT_EQ(bitsOf(results[i].radiance), bitsOf(alone.radiance))
                     << some[i].x << ' ' << some[i].y;
                 ASSERT_EQ(results[i].rays, alone.rays);
@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Settings, RadianceBatchOf, testing::ValuesIn(kCases),
 
 TEST(RadianceBatch, OfNothingIsEmpty) {
     const auto world = worldOf(kCases[0], false);
-    RadianceBatch batch(*world, 0);
+    trace::RadianceBatch batch(*world, 0);
     batch.start({});
     EXPECT_TRUE(batch.finish().empty());
 }

@@ -22,16 +22,16 @@ Transform turned(float scale, const glm::vec3& angles) {
     return transform;
 }
 
-std::shared_ptr<const World> compiled(std::shared_ptr<const SceneDescription> scene, const Settings& settings,
-                                      const World* previous) {
-    CompileRequest request;
+std::shared_ptr<const trace::World> compiled(std::shared_ptr<const SceneDescription> scene,
+                                             const Settings& settings, const trace::World* previous) {
+    trace::CompileRequest request;
     request.camera = scene->cameras[0];
     request.scene = std::move(scene);
     request.settings = settings;
-    return compile(request, previous);
+    return trace::compile(request, previous);
 }
 
-void expectSameHits(const World& a, const World& b) {
+void expectSameHits(const trace::World& a, const trace::World& b) {
     int hits = 0;
     for (int i = 0; i < 4000; ++i) {
         const float x = static_cast<float>(i % 63) / 20.0f - 1.0f,

@@ -24,8 +24,8 @@ std::vector<std::uint8_t> pictureOf(const Settings& settings) {
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) mean.at(x, y) = Rgb(pixelMean(*world, 1, x, y, settings.spp));
     std::vector<std::uint8_t> bytes;
-    for (const Rgb& pixel : develop(mean, settings, true).pixels)
-        for (int c = 0; c < 3; ++c) bytes.push_back(encodeByte(pixel[c], settings.tone));
+    for (const Rgb& pixel : post::develop(mean, settings, true).pixels)
+        for (int c = 0; c < 3; ++c) bytes.push_back(image::encodeByte(pixel[c], settings.tone));
     return bytes;
 }
 
@@ -59,13 +59,13 @@ std::vector<std::uint32_t> treeOf(const Settings& settings) {
     SceneDescription turned = everythingScene();
     for (MeshInstance& mesh : turned.meshes) mesh.transform.rotate += glm::vec3(20, 30, 40);
     const auto before = compileScene(std::move(turned), settings, kWidth, kHeight);
-    CompileRequest request;
+    trace::CompileRequest request;
     request.scene = std::make_shared<const SceneDescription>(everythingScene());
     request.camera = request.scene->cameras[0];
     request.settings = settings;
-    const auto world = compile(request, before.get());
+    const auto world = trace::compile(request, before.get());
     if (!world->bodies[0].accel) return {};
-    const BinaryTree* tree = world->bodies[0].accel->binaryTree();
+    const bvh::BinaryTree* tree = world->bodies[0].accel->binaryTree();
     std::vector<std::uint32_t> shape(tree->primitives.begin(), tree->primitives.end());
     const AccelSummary& summary = world->bodies[0].accel->summary();
     shape.push_back(static_cast<std::uint32_t>(tree->nodes.size()));
@@ -99,7 +99,7 @@ TEST(EverySetting, HasNoEffectWhereTheTableSaysSo) {
     off.bvh = false;
     int idle = 0;
     std::map<std::string_view, std::string_view> reasons;
-    forEachSetting([&](const auto& row) { reasons[row.text.key] = row.idle(off); });
+    settings::forEachSetting([&](const auto& row) { reasons[row.text.key] = row.idle(off); });
     for (const SettingInfo& info : describeSettings()) {
         if (reasons[info.key].empty()) continue;
         ++idle;

@@ -72,7 +72,7 @@ TEST(Shading, OfSegmentAndParallelogramLightsIsTheMeanOfPhongOverTheSamples) {
     ASSERT_EQ(record.lights.size(), 16u + 16u);
     glm::dvec3 expected(0.0);
     const glm::dvec3 viewer = glm::normalize(glm::dvec3(kEye));
-    for (const LightConnection& c : record.lights) {
+    for (const trace::LightConnection& c : record.lights) {
         // Where the sample lies on its light decides its colour.
         glm::dvec3 color;
         if (c.light == 0) {

@@ -32,7 +32,7 @@ HalfPlane halfPlaneScene(const glm::vec3& light) {
 }
 
 /// Column of the shadow's edge, as the sum of the row's brightness relative to the lit side.
-double edgeColumn(const World& world, const World& lit) {
+double edgeColumn(const trace::World& world, const trace::World& lit) {
     double shadowed = 0.0;
     for (int x = 0; x < kWidth; ++x) {
         const double full = pixelMean(lit, 1, x, 0, 1024).x;

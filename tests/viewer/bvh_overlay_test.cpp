@@ -62,15 +62,16 @@ TEST(BoxChoice, IsBoundedByThePictureForAnyNumberOfBoxes) {
     EXPECT_LE(lines, 201u * 151u);
 }
 
-std::shared_ptr<const World> worldOf(const std::string& name, BvhBuilder builder = BvhBuilder::SahBinned) {
+std::shared_ptr<const trace::World> worldOf(const std::string& name,
+                                            BvhBuilder builder = BvhBuilder::SahBinned) {
     Diagnostics notes;
     const auto scene = std::make_shared<const SceneDescription>(loadScene("builtin:" + name, notes));
     Settings settings;
     settings.bvhBuilder = builder;
-    return compile({scene, settings, CameraDescription{}, 8, 8});
+    return trace::compile({scene, settings, CameraDescription{}, 8, 8});
 }
 
-void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const World>& world) {
+void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::World>& world) {
     for (int i = 0; i < 2000; ++i) {
         inspector.update(world);
         if (!inspector.busy()) return;
@@ -121,7 +122,7 @@ TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
     EXPECT_EQ(inspector.shown.leafNumber, 0);
     for (std::uint32_t primitive = 0; primitive < world->primitiveCount(); ++primitive) {
         inspector.selectLeafOf(primitive);
-        const auto held = primitivesOfLeaf(inspector.inspected()->tree(), inspector.shown.node);
+        const auto held = probe::primitivesOfLeaf(inspector.inspected()->tree(), inspector.shown.node);
         EXPECT_NE(std::find(held.begin(), held.end(), primitive), held.end());
         EXPECT_EQ(leaves[static_cast<std::size_t>(inspector.shown.leafNumber)], inspector.shown.node);
     }
@@ -130,7 +131,7 @@ TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
 TEST(BvhInspector, AnEmptySceneHasNothingToInspect) {
     const auto scene = std::make_shared<const SceneDescription>();
     BvhInspector inspector;
-    waitUntilQuiet(inspector, compile({scene, Settings{}, CameraDescription{}, 8, 8}));
+    waitUntilQuiet(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
     EXPECT_EQ(inspector.inspected(), nullptr);
     inspector.stepLeaf(1);
     inspector.stepLevel(1);
@@ -145,7 +146,7 @@ TEST(BvhOverlay, ALeafIsItsBoxAndItsPrimitives) {
     inspector.stepLeaf(1);
     const OverlayBoxes boxes = leafBoxes(seen.indexed(), inspector.shown);
     ASSERT_EQ(boxes.size(), 1u);
-    const auto primitives = primitivesOfLeaf(seen.tree(), seen.index.leaves[0]);
+    const auto primitives = probe::primitivesOfLeaf(seen.tree(), seen.index.leaves[0]);
     const OverlayLines lines = leafLines(seen.indexed(), seen.geometry->input, inspector.shown);
     EXPECT_EQ(lines.size(), primitives.size() * 3 * 32) << "three circles per sphere";
     for (const OverlayLine& line : lines)

@@ -40,21 +40,22 @@ TEST(HeatStatistics, LeaveOutWhatIsNotANumber) {
 TEST(HeatColors, SpanTheRange) {
     RgbImage values = ramp(101);
     values.at(50, 0) = Rgb(std::numeric_limits<float>::quiet_NaN());
-    const RgbImage image = colored(values, ColorMap::BlueGold, 20.0, 80.0);
-    EXPECT_EQ(image.at(0, 0), mapColor(ColorMap::BlueGold, 0.0));
-    EXPECT_EQ(image.at(20, 0), mapColor(ColorMap::BlueGold, 0.0));
-    EXPECT_EQ(image.at(80, 0), mapColor(ColorMap::BlueGold, 1.0));
-    EXPECT_EQ(image.at(100, 0), mapColor(ColorMap::BlueGold, 1.0));
+    const RgbImage image = colored(values, post::ColorMap::BlueGold, 20.0, 80.0);
+    EXPECT_EQ(image.at(0, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
+    EXPECT_EQ(image.at(20, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
+    EXPECT_EQ(image.at(80, 0), post::mapColor(post::ColorMap::BlueGold, 1.0));
+    EXPECT_EQ(image.at(100, 0), post::mapColor(post::ColorMap::BlueGold, 1.0));
     EXPECT_EQ(image.at(50, 0), Rgb(1.0f, 0.0f, 1.0f));
-    EXPECT_LT(glm::distance(image.at(49, 0), mapColor(ColorMap::BlueGold, 29.0 / 60.0)), 2e-3f);
+    EXPECT_LT(glm::distance(image.at(49, 0), post::mapColor(post::ColorMap::BlueGold, 29.0 / 60.0)), 2e-3f);
     // A range without extent has two colours.
-    EXPECT_EQ(colored(ramp(3), ColorMap::Grey, 1.0, 1.0).at(2, 0), mapColor(ColorMap::Grey, 1.0));
+    EXPECT_EQ(colored(ramp(3), post::ColorMap::Grey, 1.0, 1.0).at(2, 0),
+              post::mapColor(post::ColorMap::Grey, 1.0));
 }
 
 TEST(HeatMap, ComputesBesideAndFollowsTheChoice) {
     Diagnostics notes;
     const auto scene = std::make_shared<const SceneDescription>(loadScene("builtin:cornell", notes));
-    const auto world = compile({scene, Settings{}, scene->cameras.front(), 24, 16});
+    const auto world = trace::compile({scene, Settings{}, scene->cameras.front(), 24, 16});
     HeatMap heat;
     const auto finish = [&] {
         for (int i = 0; i < 2000; ++i) {
@@ -73,7 +74,7 @@ TEST(HeatMap, ComputesBesideAndFollowsTheChoice) {
     const int version = heat.version();
     finish();
     EXPECT_EQ(heat.version(), version) << "nothing changed";
-    heat.aov = Aov::Depth;
+    heat.aov = probe::Aov::Depth;
     finish();
     EXPECT_GT(heat.version(), version);
     EXPECT_LT(heat.statistics().highest, 10.0);

@@ -73,7 +73,7 @@ TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
     scene.cameras[1].name = "b";
     scene.cameras[1].fov = 30.0f;
     scene.settings = {{"max_depth", "2", {}}, {"spp", "4", {}}};
-    CameraOverrides overrides;
+    viewer::CameraOverrides overrides;
     overrides.name = "b";
     overrides.lookAt = glm::vec3(1.0f);
     const EditState state = openingState(scene, {{"spp", "9", {}}}, overrides);
@@ -87,7 +87,7 @@ TEST(EditState, namesTheNearestCameraAndSetting) {
     SceneDescription scene;
     scene.cameras.resize(1);
     scene.cameras[0].name = "front";
-    CameraOverrides overrides;
+    viewer::CameraOverrides overrides;
     overrides.name = "frint";
     const auto messageOf = [](auto&& open) {
         try {

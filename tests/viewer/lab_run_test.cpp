@@ -14,8 +14,9 @@ namespace {
 std::shared_ptr<const SceneDescription> boxAt(const glm::vec3& place) {
     auto scene = std::make_shared<SceneDescription>();
     scene->materials.emplace_back();
-    scene->meshes.push_back(
-        {.name = "box", .data = std::make_shared<MeshData>(generate(BoxShape{})), .materials = {0}});
+    scene->meshes.push_back({.name = "box",
+                             .data = std::make_shared<MeshData>(scene::generate(scene::BoxShape{})),
+                             .materials = {0}});
     scene->meshes[0].transform.translate = place;
     return scene;
 }

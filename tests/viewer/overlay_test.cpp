@@ -227,7 +227,7 @@ TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
     Diagnostics notes;
     EditState state = openingState(loadScene("builtin:cornell", notes), {}, {});
     state.settings.spp = 64;
-    const auto world = compile({state.scene, state.settings, state.camera, 48, 48});
+    const auto world = trace::compile({state.scene, state.settings, state.camera, 48, 48});
     DebugRays rays;
     rays.shoot(world, state, {48, 48}, {24, 30, 0}, nullptr);
     EXPECT_EQ(rays.shot()->trees.size(), 1u);

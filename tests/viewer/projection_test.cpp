@@ -29,7 +29,7 @@ std::vector<CameraDescription> someCameras() {
 
 TEST(Projection, sendsTheSameRaysAsTheTracersCamera) {
     for (const CameraDescription& description : someCameras()) {
-        const Camera camera(description, 640, 360);
+        const trace::Camera camera(description, 640, 360);
         const ViewFrame frame = viewFrame(description, 640, 360);
         for (const glm::dvec2 pixel :
              {glm::dvec2(0.5, 0.5), glm::dvec2(320, 180), glm::dvec2(600.25, 17.5)}) {
@@ -42,7 +42,7 @@ TEST(Projection, sendsTheSameRaysAsTheTracersCamera) {
 
 TEST(Projection, findsThePixelAgainThatARayWentThrough) {
     for (const CameraDescription& description : someCameras()) {
-        const Camera camera(description, 300, 500);
+        const trace::Camera camera(description, 300, 500);
         const ViewFrame frame = viewFrame(description, 300, 500);
         const glm::dvec2 pixel(123.25, 77.75);
         const glm::dvec3 point = frame.eye + 3.7 * frame.directionThrough(pixel);

@@ -6,7 +6,7 @@ namespace rayscope::viewer {
 namespace {
 
 TEST(SurfaceOverlay, NormalsStandOnTheirVertices) {
-    VertexNormals normals{
+    probe::VertexNormals normals{
         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}}, {0.2, 0.3, 0.5}};
     const OverlayLines lines = vertexNormalLines(normals, 2.0f);
     ASSERT_EQ(lines.size(), 6u);
@@ -16,7 +16,7 @@ TEST(SurfaceOverlay, NormalsStandOnTheirVertices) {
 }
 
 TEST(SurfaceOverlay, TheGlossySquareHasItsTrueSize) {
-    GlossySquare square;
+    probe::GlossySquare square;
     square.center = {0, 0, 0.3f};
     square.right = {0.1f, 0, 0};
     square.up = {0, 0.2f, 0};
@@ -28,7 +28,7 @@ TEST(SurfaceOverlay, TheGlossySquareHasItsTrueSize) {
 }
 
 TEST(SurfaceOverlay, TheEnvironmentRayHasTheColorThatItFetches) {
-    EnvironmentPoint point;
+    probe::EnvironmentPoint point;
     point.direction = {0, 5, 0};
     point.color = {0.0f, 1.0f, 0.0f};
     const OverlayLines lines = environmentLines(point, {1, 1, 1}, 3.0f);
@@ -38,7 +38,7 @@ TEST(SurfaceOverlay, TheEnvironmentRayHasTheColorThatItFetches) {
 }
 
 TEST(SurfaceOverlay, LensAndFocusAreClosedOutlines) {
-    LensReport lens;
+    probe::LensReport lens;
     lens.outline = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
     EXPECT_EQ(lensLines(lens).size(), 3u + 4u);
     lens.sharpZone[0] = lens.sharpZone[1] = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};

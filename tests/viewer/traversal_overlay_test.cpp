@@ -13,7 +13,7 @@ struct HandMade {
     std::vector<glm::vec3> vertices{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}};
     std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 1}};
     AccelInput input{vertices, triangles, {}};
-    TraversalLog log;
+    probe::TraversalLog log;
     HandMade() {
         log.ray.direction = {0, 0, 2};
         log.boxes = {{0, -1, false, {0, 0, 0}, {4, 4, 8}},
@@ -21,10 +21,11 @@ struct HandMade {
                      {2, 0, true, {0, 0, 4}, {4, 4, 6}},
                      {3, 0, true, {9, 9, 9}, {9, 9, 9}}};
         const float nan = std::numeric_limits<float>::quiet_NaN(), inf = log.ray.tMax;
-        log.steps = {{TraversalEvent::Entered, 0, 0.0f, inf}, {TraversalEvent::Missed, 3, nan, inf},
-                     {TraversalEvent::Waits, 1, 3.0f, inf},   {TraversalEvent::Entered, 2, 2.0f, inf},
-                     {TraversalEvent::Hit, 0, 2.5f, inf},     {TraversalEvent::NoHit, 1, nan, 2.5f},
-                     {TraversalEvent::Behind, 1, 3.0f, 2.5f}};
+        log.steps = {
+            {probe::TraversalEvent::Entered, 0, 0.0f, inf}, {probe::TraversalEvent::Missed, 3, nan, inf},
+            {probe::TraversalEvent::Waits, 1, 3.0f, inf},   {probe::TraversalEvent::Entered, 2, 2.0f, inf},
+            {probe::TraversalEvent::Hit, 0, 2.5f, inf},     {probe::TraversalEvent::NoHit, 1, nan, 2.5f},
+            {probe::TraversalEvent::Behind, 1, 3.0f, 2.5f}};
     }
 };
 

@@ -6,7 +6,7 @@
 #include "bvh/bounds.h"
 #include "bvh/layout/primitive_refs.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
 /// time than filling them.
@@ -38,4 +38,4 @@ inline Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
     return best;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

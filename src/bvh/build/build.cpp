@@ -12,7 +12,7 @@
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 void checkRange(const char* name, int value, int lowest, int highest) {
@@ -87,11 +87,11 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 break;
         }
     }
-    collected.refs = BigVector<PrimitiveRef>();
+    collected.refs = base::BigVector<PrimitiveRef>();
     BinaryTree tree = skeleton.compact();
     if (isHigh && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
     tree.droppedPrimitives = collected.dropped;
     return tree;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

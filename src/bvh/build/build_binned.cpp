@@ -12,7 +12,7 @@
 #include "bvh/layout/statistics.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 /// Maps centroids to equally wide bins on each axis. An axis along which all centroids are (nearly) equal has
@@ -274,4 +274,4 @@ void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float sca
                                                          boundsOf(refs, skeleton.settings().stop));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

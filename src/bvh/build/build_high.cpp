@@ -10,7 +10,7 @@
 #include "bvh/build/reinsertion.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 /// On the dragons the third round is the last that saves more than kEnough; needles take five.
@@ -66,4 +66,4 @@ BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings
     return LeafPlan(unchanged, source, settings).make();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -6,7 +6,7 @@
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 struct MedianBuilder {
@@ -51,4 +51,4 @@ void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs) {
     MedianBuilder{skeleton, refs}.build(skeleton.whole());
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

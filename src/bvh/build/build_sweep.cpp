@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "bvh/build/builders.h"
-#include "bvh/layout/primitive_refs.h"
 #include "bvh/build/sort_centroids.h"
+#include "bvh/layout/primitive_refs.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 constexpr std::size_t kParallelAxes = 65536;  ///< … and axes are swept at the same time
@@ -111,8 +111,8 @@ class SweepBuilder {
 
     /// Areas of all boxes from the right, then costs from the left.
     Split sweep(int axis, std::size_t begin, std::size_t end, Bounds4& box) {
-        const BigVector<std::uint32_t>& order = order_[axis];
-        BigVector<float>& rightArea = areas_[axis];
+        const base::BigVector<std::uint32_t>& order = order_[axis];
+        base::BigVector<float>& rightArea = areas_[axis];
         Bounds4 right;
         for (std::size_t i = end; i-- > begin;) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
@@ -143,8 +143,8 @@ class SweepBuilder {
     }
 
     void partition(int axis, std::size_t begin, std::size_t end) {
-        BigVector<std::uint32_t>& order = order_[axis];
-        BigVector<std::uint32_t>& right = scratch_[axis];
+        base::BigVector<std::uint32_t>& order = order_[axis];
+        base::BigVector<std::uint32_t>& right = scratch_[axis];
         std::size_t lefts = begin, rights = begin;
         for (std::size_t i = begin; i < end; ++i) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
@@ -165,9 +165,9 @@ class SweepBuilder {
     std::span<const PrimitiveRef> refs_;
     std::size_t firstSlot_;
     float scale_;
-    BigVector<std::uint32_t> order_[3];
-    BigVector<float> areas_[3];
-    BigVector<std::uint32_t> scratch_[3];
+    base::BigVector<std::uint32_t> order_[3];
+    base::BigVector<float> areas_[3];
+    base::BigVector<std::uint32_t> scratch_[3];
     std::vector<std::uint8_t> onRight_;
 };
 
@@ -178,4 +178,4 @@ void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, cons
     SweepBuilder(skeleton, refs, tree.begin, scale).build(tree);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -4,10 +4,10 @@
 #include <span>
 
 #include "bvh/bounds.h"
-#include "bvh/layout/statistics.h"
 #include "bvh/build/tree_skeleton.h"
+#include "bvh/layout/statistics.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// What the surface area heuristic needs of a range of primitives.
 struct RangeBounds {
@@ -51,4 +51,4 @@ void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float sca
 /// such leaves; `source` should have leaves of one primitive and must not be empty.
 BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -5,7 +5,7 @@
 #include "bvh/build/builders.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 constexpr std::uint32_t kStopInterval = 65536;
@@ -76,4 +76,4 @@ void LeafPlan::placePrimitives(BinaryTree& result, std::uint32_t number) const {
     result.primitives.insert(result.primitives.end(), first, first + leaf.count);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -4,7 +4,7 @@
 
 #include "bvh/build/linked_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Which subtrees of a linked tree become leaves so that the SAH cost is least: those with at most `leafSize`
 /// primitives where testing all of them is not dearer than searching the subtree.
@@ -31,7 +31,7 @@ class LeafPlan {
     const LinkedTree& tree_;
     const BinaryTree& source_;
     const BuildSettings& settings_;
-    BigVector<Plan> plans_;
+    base::BigVector<Plan> plans_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -4,7 +4,7 @@
 
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 constexpr std::size_t kStopInterval = 65536;
@@ -135,4 +135,4 @@ double LinkedTree::moveIfBetter(std::uint32_t node, std::uint32_t target, int de
     return 0.0;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

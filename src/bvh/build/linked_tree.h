@@ -6,7 +6,7 @@
 #include "bvh/binary_tree.h"
 #include "bvh/bounds.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Nodes keep their numbers when they are moved, and boxes always are those of what lies below.
 class LinkedTree {
@@ -50,12 +50,12 @@ class LinkedTree {
     int levelOutside(std::uint32_t node, std::uint32_t subtree) const;
     double area(const Bounds4& box) const { return static_cast<double>(box.halfArea(scale_)); }
 
-    BigVector<Node> nodes_;
-    BigVector<std::uint32_t> parents_;   ///< kNoNode: the root
-    std::vector<std::uint8_t> heights_;  ///< levels below the node
-    std::vector<std::uint8_t> mayRise_;  ///< no leaf of several primitives lies there or below
+    base::BigVector<Node> nodes_;
+    base::BigVector<std::uint32_t> parents_;  ///< kNoNode: the root
+    std::vector<std::uint8_t> heights_;       ///< levels below the node
+    std::vector<std::uint8_t> mayRise_;       ///< no leaf of several primitives lies there or below
     std::uint32_t root_ = 0;
     float scale_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -8,7 +8,7 @@
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 using kernel::ChildRef;
@@ -194,4 +194,4 @@ double searchCost(const WideTree& tree) {
     return 1.0 + (whole > 0.0 ? sum / whole : static_cast<double>(children));
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -5,7 +5,7 @@
 #include "bvh/binary_tree.h"
 #include "bvh/layout/wide_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// The same tree around primitives that have moved: new boxes, bottom up. Nothing if a primitive of the tree
 /// can no longer be hit, because a coordinate is NaN or infinite. `input` has as many triangles and spheres
@@ -18,4 +18,4 @@ std::optional<WideTree> refitted(const WideTree& tree, const AccelInput& input, 
 /// as likely as its area says.
 double searchCost(const WideTree& tree);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

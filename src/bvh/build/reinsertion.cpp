@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 /// Long thin boxes that overlap many others open tens of thousands; more than these find nothing better.
@@ -91,4 +91,4 @@ class Search {
 
 Reinsertion bestReinsertion(const LinkedTree& tree, std::uint32_t node) { return Search(tree, node).run(); }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

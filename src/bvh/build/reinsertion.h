@@ -1,7 +1,7 @@
 #pragma once
 #include "bvh/build/linked_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Taking `node` out of its place and making it the sibling of `target` makes the areas of all inner nodes
 /// smaller by `gain`.
@@ -15,4 +15,4 @@ struct Reinsertion {
 /// boxes first, until a limited number of nodes has been opened.
 Reinsertion bestReinsertion(const LinkedTree& tree, std::uint32_t node);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

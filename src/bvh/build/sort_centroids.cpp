@@ -7,7 +7,7 @@
 
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 struct KeyedIndex {
@@ -43,10 +43,10 @@ void sortByDigit(const KeyedIndex* from, KeyedIndex* to, std::size_t size, int s
 
 }  // namespace
 
-BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
-                                         const std::stop_token& stop) {
+base::BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
+                                               const std::stop_token& stop) {
     const std::size_t size = refs.size();
-    BigVector<KeyedIndex> pairs(size);
+    base::BigVector<KeyedIndex> pairs(size);
     for (std::size_t i = 0; i < size; ++i) {
         if (i % kStopInterval == 0) throwIfStopped(stop);
         pairs[i] = {keyOf(refs[i].centroid(axis)), static_cast<std::uint32_t>(i)};
@@ -54,13 +54,13 @@ BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int
     if (size <= kSmall) {
         std::sort(pairs.begin(), pairs.end());
     } else {
-        BigVector<KeyedIndex> scratch(size);
+        base::BigVector<KeyedIndex> scratch(size);
         for (int shift = 0; shift < 32; shift += kDigitBits) {
             sortByDigit(pairs.data(), scratch.data(), size, shift, stop);
             pairs.swap(scratch);
         }
     }
-    BigVector<std::uint32_t> order;
+    base::BigVector<std::uint32_t> order;
     order.reserve(size);
     for (std::size_t i = 0; i < size; ++i) {
         if (i % kStopInterval == 0) throwIfStopped(stop);
@@ -69,4 +69,4 @@ BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int
     return order;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

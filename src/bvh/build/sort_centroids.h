@@ -5,11 +5,11 @@
 #include "base/big_vector.h"
 #include "bvh/bounds.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// The indices of refs in the order of their centroids along an axis; of equal centroids the smaller index
 /// first. Throws Stopped soon after a request.
-BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
-                                         const std::stop_token& stop);
+base::BigVector<std::uint32_t> orderByCentroid(std::span<const PrimitiveRef> refs, int axis,
+                                               const std::stop_token& stop);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

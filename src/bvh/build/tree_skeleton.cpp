@@ -9,7 +9,7 @@
 
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 constexpr std::size_t kStopInterval = 65536;
@@ -165,8 +165,8 @@ class TreeSkeleton::Compaction {
 BinaryTree TreeSkeleton::compact() {
     BinaryTree tree = std::move(Compaction(*this).result());
     tree.primitives = std::move(primitives_);
-    nodes_ = BigVector<BinaryNode>();
+    nodes_ = base::BigVector<BinaryNode>();
     return tree;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

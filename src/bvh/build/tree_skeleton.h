@@ -11,7 +11,7 @@
 #include "bvh/binary_tree.h"
 #include "bvh/bounds.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// A subtree to be built over the primitives in slots [begin, end).
 struct Subtree {
@@ -61,8 +61,8 @@ class TreeSkeleton {
     BuildSettings settings_;
     std::vector<Piece> pieces_;       ///< of the threads
     std::atomic<std::size_t> taken_;  ///< places in pieces, and the root's
-    BigVector<BinaryNode> nodes_;
-    BigVector<std::uint32_t> primitives_;
+    base::BigVector<BinaryNode> nodes_;
+    base::BigVector<std::uint32_t> primitives_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 namespace {
 
@@ -51,4 +51,4 @@ double sphereHitError(const Ray& ray, const Sphere& sphere) {
     return 0x1p-49 * reach * (1.0 + r / std::sqrt(discriminant)) / length;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -3,7 +3,7 @@
 #include "bvh/intersect/intersect_sphere.h"
 #include "bvh/intersect/intersect_triangle.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Bounds of the absolute error of what intersectTriangle() computes in double, for a ray and a triangle of
 /// finite floats whose differences do not leave the range of double.
@@ -39,4 +39,4 @@ struct HitError {
 /// be off.
 double sphereHitError(const Ray& ray, const Sphere& sphere);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -12,10 +12,10 @@
 // (see kernel::accept()), so no ancestor can ever be culled that holds the answer, whatever the order of the
 // search.
 #include "bvh/binary_tree.h"
-#include "bvh/kernel/query.h"
 #include "bvh/intersect/ray_words.h"
+#include "bvh/kernel/query.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 using kernel::BoxPlanes;
 using kernel::BoxRay;
@@ -23,4 +23,4 @@ using kernel::intersectBox;
 
 inline BoxPlanes planes(const BinaryNode& node) { return reinterpret_cast<const float*>(&node); }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

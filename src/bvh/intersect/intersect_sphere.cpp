@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 bool intersectSphere(const Ray& ray, const Sphere& sphere, double& near, double& far) {
     if (!(sphere.radius > 0.0f)) return false;
@@ -40,4 +40,4 @@ bool intersectSphere(const Ray& ray, const Sphere& sphere, float tMin, float tMa
     return false;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

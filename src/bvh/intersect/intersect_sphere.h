@@ -2,7 +2,7 @@
 // Ray-sphere intersection in double with a discriminant that does not cancel.
 #include <rayscope/ray.h>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Both intersections of the whole line with the sphere, near <= far, in units of the direction. Returns
 /// false without one, for radii that are not > 0, and for coordinates that are not finite. The absolute error
@@ -13,4 +13,4 @@ bool intersectSphere(const Ray& ray, const Sphere& sphere, double& near, double&
 /// The first root whose float value lies in (tMin, tMax].
 bool intersectSphere(const Ray& ray, const Sphere& sphere, float tMin, float tMax, double& t);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -1,9 +1,9 @@
 #pragma once
 // Watertight ray-triangle intersection; the method is described in kernel/exact_triangle.h.
-#include "bvh/kernel/exact_triangle.h"
 #include "bvh/intersect/ray_words.h"
+#include "bvh/kernel/exact_triangle.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 using kernel::ShearedRay;
 using kernel::TriangleHit;
@@ -16,4 +16,4 @@ inline bool intersectTriangle(const ShearedRay& ray, const glm::vec3& a, const g
     return !surelyMisses(sa, sb, sc) && intersectSheared(ray.scaleZ, sa, sb, sc, hit);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

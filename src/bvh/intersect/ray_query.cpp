@@ -4,7 +4,7 @@
 
 #include "bvh/kernel/sphere.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 Ray withoutNegativeT(Ray ray) {
@@ -48,4 +48,4 @@ bool kernel::hitsSphere(RayWords words, const float* record, float bound, HitWor
            accept(box, tMin, far, own.lower(), own.upper(), bound, found.t);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

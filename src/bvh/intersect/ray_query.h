@@ -7,7 +7,7 @@
 #include "bvh/intersect/intersect_sphere.h"
 #include "bvh/intersect/intersect_triangle.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// The planes of the box of one primitive.
 struct PrimitiveBox {
@@ -55,4 +55,4 @@ inline bool keepCloser(const Hit& found, Hit& best) {
     return true;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

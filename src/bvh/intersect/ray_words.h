@@ -3,7 +3,7 @@
 
 #include "bvh/kernel/query.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// A ray as the eight numbers that kernels take.
 inline kernel::RayWords words(const Ray& ray) {
@@ -17,4 +17,4 @@ inline kernel::HitWords* hitWords(Hit* hit) {
     return reinterpret_cast<kernel::HitWords*>(hit);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -3,7 +3,7 @@
 #include "bvh/kernel/query.h"
 #include "bvh/kernel/wide_tree.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 /// Rays and triangles in the space of the rays, as many as there are lanes: the corners of the triangles.
@@ -127,4 +127,4 @@ struct BlockRay {
 };
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

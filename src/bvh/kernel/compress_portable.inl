@@ -1,7 +1,7 @@
 // Copying chosen words, one at a time.
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 /// Copies those of eight words whose bit is set; returns how many. `to` needs room for eight.
@@ -23,4 +23,4 @@ RAYSCOPE_INLINE uint32_t gatherByBit(const uint8_t* bytes, int bit, const uint32
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -9,7 +9,7 @@
 // is therefore crossed without a leak, and a fan of triangles exactly once.
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 /// t in units of the ray's direction; u and v weigh the second and third vertex.
 struct TriangleHit {
@@ -105,4 +105,4 @@ RAYSCOPE_INLINE bool intersectSheared(double scaleZ, const ShearedVertex& a, con
     return __builtin_isfinite(hit.t);
 }
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

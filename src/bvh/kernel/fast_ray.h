@@ -2,7 +2,7 @@
 // A ray prepared in float only, for conservative tests.
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 /// Distances to planes are plane · inverse + constant, as in units of a BoxRay.
 ///
@@ -62,4 +62,4 @@ struct FastShear {
     }
 };
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

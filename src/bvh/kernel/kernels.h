@@ -3,7 +3,7 @@
 #include "bvh/kernel/query.h"
 #include "bvh/kernel/wide_tree.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 struct Kernels {
     /// Leaves `hit` as it is on a miss.
@@ -16,4 +16,4 @@ struct Kernels {
 
 extern const Kernels kPortableKernels, kSse2Kernels, kAvx2Kernels, kAvx512Kernels;
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

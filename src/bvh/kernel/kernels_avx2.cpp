@@ -4,4 +4,5 @@
 #include "bvh/kernel/kernels.h"
 #include "bvh/kernel/stream.inl"
 
-const rayscope::kernel::Kernels rayscope::kernel::kAvx2Kernels = {closestHit, anyHit, closestHits, anyHits};
+const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kAvx2Kernels = {closestHit, anyHit, closestHits,
+                                                                            anyHits};

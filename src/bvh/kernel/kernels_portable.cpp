@@ -6,5 +6,5 @@
 #include "bvh/kernel/kernels.h"
 #include "bvh/kernel/walk.inl"
 
-const rayscope::kernel::Kernels rayscope::kernel::kPortableKernels = {closestHit, anyHit, closestHitsInTurn,
-                                                                      anyHitsInTurn};
+const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kPortableKernels = {
+    closestHit, anyHit, closestHitsInTurn, anyHitsInTurn};

@@ -5,4 +5,5 @@
 #include "bvh/kernel/kernels.h"
 #include "bvh/kernel/stream.inl"
 
-const rayscope::kernel::Kernels rayscope::kernel::kSse2Kernels = {closestHit, anyHit, closestHits, anyHits};
+const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kSse2Kernels = {closestHit, anyHit, closestHits,
+                                                                            anyHits};

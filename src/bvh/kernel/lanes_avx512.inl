@@ -3,7 +3,7 @@
 
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 struct Lanes {
@@ -64,4 +64,4 @@ RAYSCOPE_INLINE uint32_t gatherByBit(const uint8_t* bytes, int bit, const uint32
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

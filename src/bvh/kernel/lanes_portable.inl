@@ -1,7 +1,7 @@
 // Eight floats at a time, for any machine.
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 struct Lanes {
@@ -76,4 +76,4 @@ RAYSCOPE_INLINE unsigned lessOrEqual(Lanes a, Lanes b, Lanes entry, Lanes& neare
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -3,7 +3,7 @@
 
 #include "bvh/kernel/ray_setup.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 struct Lanes {
@@ -69,4 +69,4 @@ RAYSCOPE_INLINE unsigned lessOrEqual(Lanes a, Lanes b, Lanes entry, Lanes& neare
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

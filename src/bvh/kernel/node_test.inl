@@ -3,7 +3,7 @@
 #include "bvh/kernel/query.h"
 #include "bvh/kernel/wide_tree.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 /// Rows of WideNode::planes, by the direction of a ray.
@@ -82,4 +82,4 @@ RAYSCOPE_INLINE unsigned intersectChildren(const WideNode& node, const BoxLanes&
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

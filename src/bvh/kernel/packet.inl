@@ -7,7 +7,7 @@
 // other.
 #include "bvh/kernel/walk.inl"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 constexpr uint32_t kPacketSize = 16;
@@ -127,4 +127,4 @@ struct Packet {
 };
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -4,7 +4,7 @@
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // how eight floats are passed: they never are, all is inlined
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 using Float8 = float __attribute__((vector_size(32)));
 using Int8 = int32_t __attribute__((vector_size(32)));
@@ -93,4 +93,4 @@ RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, PackedRa
     return mask;
 }
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -2,7 +2,7 @@
 // When does a ray hit a triangle? The answer depends on the two alone, never on the way the search took.
 #include "bvh/kernel/exact_triangle.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 /// Whether the ray meets the box between its tMin and `bound`; `entry` is where. See intersect_box.h.
 RAYSCOPE_INLINE bool intersectBox(Float4 lower, Float4 upper, const BoxRay& ray, float bound, float& entry) {
@@ -81,4 +81,4 @@ RAYSCOPE_INLINE bool hitsTriangle(const ExactRay& ray, Float4 a, Float4 b, Float
     return true;
 }
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -6,7 +6,7 @@
 // the copy that the linker picks for everyone.
 #include <stdint.h>
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 #define RAYSCOPE_INLINE [[gnu::always_inline]] inline
 
@@ -141,4 +141,4 @@ struct ShearedRay {
     }
 };
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -7,7 +7,7 @@
 // leaves.
 #include "bvh/kernel/stream_rays.inl"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 constexpr uint32_t kMostPackets = kStreamSize / kPacketSize;
@@ -257,4 +257,4 @@ void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, siz
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -1,7 +1,7 @@
 // The rays of a stream. Include after one of the lanes_*.inl.
 #include "bvh/kernel/packet.inl"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 constexpr uint32_t kStreamSize = 1024;
@@ -124,4 +124,4 @@ struct StreamRays {
 };
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -13,7 +13,7 @@
 #include "bvh/kernel/node_test.inl"
 #include "bvh/kernel/sphere.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 /// What a ray has found so far.
@@ -265,4 +265,4 @@ RAYSCOPE_INLINE void searchWatched(const WideTreeView& tree, RayWords ray, bool 
 }
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 
 constexpr int kWidth = 8;
 
@@ -51,4 +51,4 @@ struct WideTreeView {
 };
 constexpr int kMostWideLevels = 76;
 
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

@@ -6,10 +6,10 @@
 
 #include "bvh/layout/collapse_plan.h"
 #include "bvh/layout/primitive_refs.h"
-#include "bvh/stop_check.h"
 #include "bvh/layout/wide_tree.h"
+#include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 using kernel::ChildRef;
@@ -196,4 +196,4 @@ WideTree collapse(const BinaryTree& tree, const AccelInput& input, const std::st
     return Collapser(tree, input, stop).run();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -8,7 +8,7 @@
 #include "bvh/kernel/wide_tree.h"
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 /// Costs of a node and of a block of triangles, in units of a node.
@@ -145,4 +145,4 @@ CollapsePlan::Children CollapsePlan::childrenOf(std::uint32_t node) const {
     return children;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -5,7 +5,7 @@
 
 #include "bvh/binary_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// What a subtree of the binary tree needs in the wide one.
 struct WideCount {
@@ -50,7 +50,7 @@ class CollapsePlan {
     const BinaryTree& tree_;
     const AccelInput& input_;
     const std::stop_token& stop_;
-    BigVector<Plan> plans_;
+    base::BigVector<Plan> plans_;
     int parallelLevels_;  ///< nodes above this level hand their children to different threads
 };
 
@@ -60,4 +60,4 @@ std::uint32_t trianglesIn(const BinaryTree& tree, const AccelInput& input, const
 /// What a binary leaf needs that holds more than one block: a hierarchy over its blocks and spheres in order.
 WideCount countOfLeaf(std::uint32_t triangles, std::uint32_t spheres);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

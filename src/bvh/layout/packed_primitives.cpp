@@ -5,7 +5,7 @@
 
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 PackedPrimitives::PackedPrimitives(const AccelInput& input, const BinaryTree& tree,
                                    const std::stop_token& stop)
@@ -29,4 +29,4 @@ PackedPrimitives::PackedPrimitives(const AccelInput& input, const BinaryTree& tr
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

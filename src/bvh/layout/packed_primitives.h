@@ -4,7 +4,7 @@
 #include "bvh/binary_tree.h"
 #include "bvh/intersect/ray_query.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// The corners of all primitives side by side in the order of the leaves, so that testing a leaf touches one
 /// or two cache lines. A sphere has its center in place of the first corner and its radius in place of the
@@ -29,10 +29,10 @@ class PackedPrimitives {
     struct Record {
         glm::vec3 corner[3];
     };
-    BigVector<Record> records_;
+    base::BigVector<Record> records_;
     const std::uint32_t* order_ = nullptr;  ///< BinaryTree::primitives, which must outlive this
     std::uint32_t firstSphere_ = 0;
     bool hasSpheres_ = false;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -12,7 +12,7 @@
 
 #include "bvh/stop_check.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 using Block = tbb::blocked_range<std::size_t>;
@@ -124,4 +124,4 @@ PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_toke
     return result;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

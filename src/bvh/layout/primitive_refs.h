@@ -5,14 +5,14 @@
 #include "bvh/bounds.h"
 #include "bvh/intersect/ray_query.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Fewer primitives than this are not worth a task of their own while a tree is built.
 constexpr std::size_t kTaskSize = 4096;
 
 /// The boxes of all primitives with finite coordinates, in ascending order of their numbers.
 struct PrimitiveRefs {
-    BigVector<PrimitiveRef> refs;
+    base::BigVector<PrimitiveRef> refs;
     std::uint32_t dropped = 0;  ///< primitives with NaN or infinite coordinates
 };
 
@@ -33,4 +33,4 @@ std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop
 /// exist.
 void checkIndices(const AccelInput& input, const std::stop_token& stop);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

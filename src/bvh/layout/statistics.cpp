@@ -1,6 +1,6 @@
 #include "bvh/layout/statistics.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 void count(std::vector<std::size_t>& histogram, std::size_t index) {
@@ -47,4 +47,4 @@ TreeStatistics statisticsOf(const BinaryTree& tree) {
     return result;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

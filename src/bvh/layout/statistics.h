@@ -5,7 +5,7 @@
 
 #include "bvh/binary_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// The surface area heuristic's cost model: visiting an inner node costs as much as testing a primitive.
 inline constexpr double kTraversalCost = 1.0;
@@ -31,4 +31,4 @@ TreeStatistics statisticsOf(const BinaryTree& tree);
 /// Half the surface area of a node's box.
 double halfArea(const BinaryNode& node);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

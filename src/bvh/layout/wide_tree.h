@@ -5,12 +5,12 @@
 #include "bvh/binary_tree.h"
 #include "bvh/kernel/wide_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Owns what kernel::WideTreeView shows.
 struct WideTree {
-    BigVector<kernel::WideNode> nodes;
-    BigVector<kernel::TriangleBlock> blocks;
+    base::BigVector<kernel::WideNode> nodes;
+    base::BigVector<kernel::TriangleBlock> blocks;
     std::vector<kernel::SphereRecord> spheres;
     kernel::ChildRef root = 0;
     float largest = 0.0f;
@@ -24,4 +24,4 @@ struct WideTree {
 /// Throws std::length_error if there are more leaves than a child reference can name.
 WideTree collapse(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -1,6 +1,6 @@
 #include "bvh/traversal/traverse.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 bool closestHitBruteForce(const AccelInput& input, const Ray& ray, Hit& hit) {
     hit = Hit{};
@@ -30,4 +30,4 @@ bool anyHitBruteForce(const AccelInput& input, const Ray& ray) {
     return false;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

@@ -2,7 +2,7 @@
 #include <concepts>
 #include <cstdint>
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// What can be watched while a ray walks the binary tree. Node numbers index BinaryTree::nodes.
 template <class O>
@@ -20,4 +20,4 @@ struct NullTraversalObserver {
     static void tested(std::uint32_t, bool) {}
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

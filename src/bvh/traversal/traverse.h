@@ -6,12 +6,12 @@
 #include "bvh/intersect/ray_query.h"
 #include "bvh/traversal/traversal_observer.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// Fetches primitives through the caller's index arrays.
 struct IndexedPrimitives {
     const AccelInput& input;
-    const BigVector<std::uint32_t>& order;  ///< BinaryTree::primitives
+    const base::BigVector<std::uint32_t>& order;  ///< BinaryTree::primitives
 
     std::uint32_t number(std::uint32_t slot) const { return order[slot]; }
     bool hits(const RayQuery& query, std::uint32_t slot, float bound, Hit& found) const {
@@ -133,4 +133,4 @@ bool walkToAnyHit(const BinaryTree& tree, const Primitives& primitives, const Ra
 bool closestHitBruteForce(const AccelInput& input, const Ray& ray, Hit& hit);
 bool anyHitBruteForce(const AccelInput& input, const Ray& ray);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

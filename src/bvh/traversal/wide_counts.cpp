@@ -10,7 +10,7 @@
 // clang-format on
 #include "bvh/kernel/walk.inl"
 
-namespace rayscope {
+namespace rayscope::bvh {
 namespace {
 
 using kernel::ChildRef, kernel::HitWords, kernel::Search, kernel::TriangleBlock, kernel::WideNode;
@@ -52,4 +52,4 @@ WideCounts countSearches(const WideTree& tree, std::span<const Ray> rays, bool a
                                 sum);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

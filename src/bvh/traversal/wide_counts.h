@@ -4,7 +4,7 @@
 
 #include "bvh/layout/wide_tree.h"
 
-namespace rayscope {
+namespace rayscope::bvh {
 
 /// What searches of the wide tree do, summed over rays.
 struct WideCounts {
@@ -18,4 +18,4 @@ struct WideCounts {
 /// sets round the margins of boxes differently and may visit a few nodes more or less.
 WideCounts countSearches(const WideTree& tree, std::span<const Ray> rays, bool any);
 
-}  // namespace rayscope
+}  // namespace rayscope::bvh

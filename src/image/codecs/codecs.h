@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace rayscope {
+namespace rayscope::image {
 
 using FileBytes = std::span<const std::byte>;
 
@@ -32,4 +32,4 @@ void checkImageSize(long long width, long long height, const std::string& name);
 /// Throws InputError: the file is damaged, `why`.
 [[noreturn]] void throwDamaged(const std::string& name, const std::string& why);
 
-}  // namespace rayscope
+}  // namespace rayscope::image

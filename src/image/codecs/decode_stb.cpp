@@ -9,7 +9,7 @@
 #include "image/codecs/codecs.h"
 #include "image/srgb.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -109,4 +109,4 @@ RgbImage decodeStb(FileBytes file, const std::string& name) {
     return load<stbi_uc>(Source(file), name, stbi_load_from_callbacks, decodeByte);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

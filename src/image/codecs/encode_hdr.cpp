@@ -2,7 +2,7 @@
 
 #include "image/codecs/codecs.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 std::string encodeHdr(const RgbImage& image) {
     std::string file;
@@ -14,4 +14,4 @@ std::string encodeHdr(const RgbImage& image) {
     return file;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -9,7 +9,7 @@
 #include "image/codecs/codecs.h"
 #include "image/srgb.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Tone
     return file.insert(kHeaderLength, extra);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

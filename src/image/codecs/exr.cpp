@@ -16,7 +16,7 @@
 
 #include "image/codecs/codecs.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -152,4 +152,4 @@ std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
     return std::move(stream.bytes);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

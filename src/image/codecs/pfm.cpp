@@ -11,7 +11,7 @@
 
 #include "image/codecs/codecs.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::string encodePfm(const RgbImage& image) {
     return file;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -24,17 +24,17 @@ std::string checkedSuffix(const std::string& path) {
     if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
         throw InputError(
             fmt::format("cannot tell the kind of image to write: the name should end in {}, not '{}'{}",
-                        joinChoices(kSuffixes), suffix, didYouMean(suffix, kSuffixes)),
+                        base::joinChoices(kSuffixes), suffix, base::didYouMean(suffix, kSuffixes)),
             {path});
     return suffix;
 }
 
 std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
                    ToneCurve curve) {
-    if (suffix == ".png") return encodePng(image, metadata, curve);
-    if (suffix == ".exr") return encodeExr(image, metadata);
-    if (suffix == ".pfm") return encodePfm(image);
-    return encodeHdr(image);
+    if (suffix == ".png") return image::encodePng(image, metadata, curve);
+    if (suffix == ".exr") return image::encodeExr(image, metadata);
+    if (suffix == ".pfm") return image::encodePfm(image);
+    return image::encodeHdr(image);
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ void writeImage(const std::string& path, const RgbImage& image, const ImageMetad
                 ToneCurve curve) {
     checkImageDestination(path);
     if (image.empty()) throw InputError("there are no pixels to write", {path});
-    writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, curve));
+    base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, curve));
 }
 
 void checkImageDestination(const std::string& path) {
     checkedSuffix(path);
-    checkFileDestination(path);
+    base::checkFileDestination(path);
 }
 
 }  // namespace rayscope

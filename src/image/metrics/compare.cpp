@@ -62,8 +62,8 @@ void cutToDisplay(RgbImage& image, RgbImage& reference, float exposure) {
 Image<double> perceptualMap(RgbImage image, RgbImage reference, ErrorMetric metric,
                             const CompareOptions& options) {
     cutToDisplay(image, reference, options.exposure);
-    if (metric == ErrorMetric::Flip) return flipMap(image, reference, options.pixelsPerDegree);
-    Image<double> map = ssimMap(image, reference);
+    if (metric == ErrorMetric::Flip) return image::flipMap(image, reference, options.pixelsPerDegree);
+    Image<double> map = image::ssimMap(image, reference);
     for (double& value : map.pixels) value = 1.0 - value;
     return map;
 }
@@ -86,8 +86,8 @@ std::string_view nameOf(ErrorMetric metric) { return kNames[static_cast<std::siz
 ErrorMetric errorMetricNamed(std::string_view name) {
     const auto found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
-        throw InputError(fmt::format("unknown metric '{}': expected {}{}", name, joinChoices(kNames),
-                                     didYouMean(name, kNames)));
+        throw InputError(fmt::format("unknown metric '{}': expected {}{}", name, base::joinChoices(kNames),
+                                     base::didYouMean(name, kNames)));
     return static_cast<ErrorMetric>(found - kNames.begin());
 }
 

@@ -7,7 +7,7 @@
 
 #include "image/metrics/perceptual.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -170,4 +170,4 @@ Plane flipMap(const RgbImage& image, const RgbImage& reference, double pixelsPer
     return flip;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -4,7 +4,7 @@
 
 #include "image/metrics/plane.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 /// ꟻLIP of each pixel, 0 … 1: P. Andersson et al. 2020, "ꟻLIP: A Difference Evaluator for Alternating
 /// Images". Constants are those of the paper; borders are continued by their nearest pixel.
@@ -16,4 +16,4 @@ Plane flipMap(const RgbImage& image, const RgbImage& reference, double pixelsPer
 /// pixel.
 Plane ssimMap(const RgbImage& image, const RgbImage& reference);
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -36,4 +36,4 @@ std::vector<double> gaussianWeights(double sigma, int radius) {
     return weights;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

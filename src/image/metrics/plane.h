@@ -3,7 +3,7 @@
 #include <rayscope/image.h>
 #include <span>
 
-namespace rayscope {
+namespace rayscope::image {
 
 using Plane = Image<double>;
 
@@ -14,4 +14,4 @@ Plane convolve(const Plane& plane, std::span<const double> alongX, std::span<con
 /// exp(−x² / (2 sigma²)) for x = −radius … radius, not normalised.
 std::vector<double> gaussianWeights(double sigma, int radius);
 
-}  // namespace rayscope
+}  // namespace rayscope::image

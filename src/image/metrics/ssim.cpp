@@ -3,7 +3,7 @@
 #include "image/metrics/perceptual.h"
 #include "image/srgb.h"
 
-namespace rayscope {
+namespace rayscope::image {
 
 namespace {
 
@@ -45,4 +45,4 @@ Plane ssimMap(const RgbImage& image, const RgbImage& reference) {
     return ssim;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::image

@@ -18,7 +18,7 @@
 #include "measure/bench/random_lines.h"
 #include "measure/statistics/statistics.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 namespace {
 
 constexpr std::size_t kChunk = 16384;
@@ -98,8 +98,8 @@ class Track {
         });
     }
 
-    BigVector<Ray> rays_;
-    BigVector<Hit> hits_;
+    base::BigVector<Ray> rays_;
+    base::BigVector<Hit> hits_;
     std::vector<std::uint8_t> occluded_;
     bool any_;
     int threads_;
@@ -156,7 +156,7 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     return timing;
 }
 
-void setCounts(RayTiming& timing, const WideCounts& counts) {
+void setCounts(RayTiming& timing, const bvh::WideCounts& counts) {
     const auto perRay = [&](std::uint64_t count) {
         return static_cast<double>(count) / static_cast<double>(timing.rays);
     };
@@ -173,8 +173,8 @@ void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, co
         row.blockFill = static_cast<double>(row.triangles) / static_cast<double>(row.summary.triangleBlocks);
     BuildSettings toLookAt = settings;
     toLookAt.keepBinaryTree = true;
-    const BinaryTree tree = buildBinaryTree(input, toLookAt);
-    row.sahCost = statisticsOf(tree).sahCost;
+    const bvh::BinaryTree tree = bvh::buildBinaryTree(input, toLookAt);
+    row.sahCost = bvh::statisticsOf(tree).sahCost;
     row.countedCost = costOfRandomLines(tree, kLines);
 }
 
@@ -219,9 +219,9 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
         row.rays.push_back(
             race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind, track, options.rounds));
         if (accel.wideTree())
-            setCounts(row.rays.back(), countSearches(*accel.wideTree(), track.rays(), asksAnyHit(kind)));
+            setCounts(row.rays.back(), bvh::countSearches(*accel.wideTree(), track.rays(), asksAnyHit(kind)));
     }
     return row;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -9,7 +9,7 @@
 
 #include "measure/bench/bench_rays.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 struct BenchOptions {
     BuildSettings build;
@@ -52,4 +52,4 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
                   const glm::vec3& light, const BenchOptions& options,
                   const std::function<void(const std::string&)>& note);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

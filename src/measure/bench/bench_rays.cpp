@@ -7,13 +7,13 @@
 #include "sampling/hash.h"
 #include "trace/camera.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 namespace {
 
 constexpr int kTile = 8;
 constexpr double kOffset = 1e-5, kOcclusionReach = 0.1;
 
-std::vector<Ray> primaryRays(const Camera& camera, int size) {
+std::vector<Ray> primaryRays(const trace::Camera& camera, int size) {
     std::vector<Ray> rays;
     rays.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
     for (int tileY = 0; tileY < size; tileY += kTile)
@@ -53,7 +53,9 @@ glm::dvec3 normalAt(const AccelInput& input, const Ray& ray, const Hit& hit, con
 }
 
 /// The n-th of a fixed sequence of random numbers in [0, 1).
-double uniform(std::uint64_t n) { return static_cast<double>(hashPair(0x62656e6368, n) >> 11) * 0x1p-53; }
+double uniform(std::uint64_t n) {
+    return static_cast<double>(sampling::hashPair(0x62656e6368, n) >> 11) * 0x1p-53;
+}
 
 glm::dvec3 cosineDirection(const glm::dvec3& normal, double u, double v) {
     const double z = 1.0 - 2.0 * u, r = std::sqrt(std::max(0.0, 1.0 - z * z)),
@@ -74,7 +76,7 @@ bool asksAnyHit(BenchRayKind kind) {
 
 std::vector<Ray> makeBenchRays(const Accel& accel, const CameraDescription& description,
                                const glm::vec3& light, BenchRayKind kind, int size) {
-    const std::vector<Ray> primary = primaryRays(Camera(description, size, size), size);
+    const std::vector<Ray> primary = primaryRays(trace::Camera(description, size, size), size);
     if (kind == BenchRayKind::Primary) return primary;
     const double sceneSize = sizeOf(accel.input());
     std::vector<Ray> rays;
@@ -98,4 +100,4 @@ std::vector<Ray> makeBenchRays(const Accel& accel, const CameraDescription& desc
     return rays;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The kinds of rays that benchmarks of ray tracers ask for.
 enum class BenchRayKind {
@@ -25,4 +25,4 @@ bool asksAnyHit(BenchRayKind kind);
 std::vector<Ray> makeBenchRays(const Accel& accel, const CameraDescription& camera, const glm::vec3& light,
                                BenchRayKind kind, int size);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::measure {
 namespace {
 
 constexpr std::size_t kStreamLength = 16384;
@@ -187,4 +187,4 @@ void EmbreeRace::anyHits(EmbreeQuery query, bool coherent, std::span<const Ray> 
     }
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

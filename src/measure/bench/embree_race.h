@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 enum class EmbreeQuery { Single, Packet16, Stream };
 
@@ -31,4 +31,4 @@ class EmbreeRace {
     std::unique_ptr<State> state_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -3,7 +3,7 @@
 
 #include "measure/bench/embree_race.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 struct EmbreeRace::State {};
 
@@ -15,4 +15,4 @@ std::size_t EmbreeRace::bytes() const { return 0; }
 void EmbreeRace::closestHits(EmbreeQuery, bool, std::span<const Ray>, std::span<Hit>) const {}
 void EmbreeRace::anyHits(EmbreeQuery, bool, std::span<const Ray>, std::span<std::uint8_t>) const {}
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -7,7 +7,7 @@
 #include "bvh/layout/statistics.h"
 #include "math/frame.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 namespace {
 
 /// Lines that are uniform in the set of all lines meeting a convex body pass its surface uniformly, at angles
@@ -25,7 +25,7 @@ class LinesThroughBox {
         point[axis] = lower_[axis] + (upper ? size_[axis] : 0.0);
         glm::dvec3 inward(0.0);
         inward[axis] = upper ? -1.0 : 1.0;
-        const Frame frame = frameAround(inward);
+        const math::Frame frame = math::frameAround(inward);
         const double sine = std::sqrt(real()), phi = 6.283185307179586 * real();
         const glm::dvec3 direction = std::sqrt(1.0 - sine * sine) * inward +
                                      sine * (std::cos(phi) * frame.u + std::sin(phi) * frame.v);
@@ -41,26 +41,26 @@ class LinesThroughBox {
 
 }  // namespace
 
-double costOfRandomLines(const BinaryTree& tree, int lines) {
+double costOfRandomLines(const bvh::BinaryTree& tree, int lines) {
     if (tree.nodes.empty() || lines < 1) return 0.0;
     LinesThroughBox source(tree.nodes[0].lower, tree.nodes[0].upper);
     double cost = 0.0;
     std::vector<std::uint32_t> stack;
     for (int line = 0; line < lines; ++line) {
         const Ray ray = source.next();
-        const BoxRay box(words(ray));
+        const bvh::BoxRay box(bvh::words(ray));
         stack.assign(1, 0);
         while (!stack.empty()) {
             const std::uint32_t number = stack.back();
-            const BinaryNode& node = tree.nodes[number];
+            const bvh::BinaryNode& node = tree.nodes[number];
             stack.pop_back();
             float entry;
             // The root is met by construction, though rounding may say otherwise at its edges.
-            if (number != 0 && !intersectBox(planes(node), box, box.tMax, entry)) continue;
+            if (number != 0 && !bvh::intersectBox(bvh::planes(node), box, box.tMax, entry)) continue;
             if (node.isLeaf()) {
-                cost += kIntersectionCost * node.count;
+                cost += bvh::kIntersectionCost * node.count;
             } else {
-                cost += kTraversalCost;
+                cost += bvh::kTraversalCost;
                 stack.insert(stack.end(), {node.first, node.first + 1});
             }
         }
@@ -68,4 +68,4 @@ double costOfRandomLines(const BinaryTree& tree, int lines) {
     return cost / lines;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

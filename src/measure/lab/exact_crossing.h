@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/ray.h>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// Where the line of a ray crosses a triangle, without rounding. Ray and triangle must be finite and the
 /// direction not zero.
@@ -22,4 +22,4 @@ struct ExactCrossing {
     ExactCrossing(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -12,7 +12,7 @@
 #include "sampling/hash.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -47,8 +47,8 @@ std::vector<std::size_t> orderOf(const std::vector<LabPlace>& places) {
 }
 
 /// A world that holds the moved mesh and nothing else.
-std::shared_ptr<const World> worldOf(const LabMesh& mesh, const std::vector<glm::vec3>& vertices,
-                                     const LabRequest& request) {
+std::shared_ptr<const trace::World> worldOf(const LabMesh& mesh, const std::vector<glm::vec3>& vertices,
+                                            const LabRequest& request) {
     auto scene = std::make_shared<SceneDescription>();
     auto data = std::make_shared<MeshData>();
     data->positions = vertices;
@@ -57,10 +57,10 @@ std::shared_ptr<const World> worldOf(const LabMesh& mesh, const std::vector<glm:
     scene->meshes.push_back({.name = "mesh", .data = std::move(data), .materials = {0}});
     Settings settings = request.settings;
     settings.motionBlur = false;
-    return compile({scene, settings, CameraDescription{}, 1, 1, false}, nullptr, request.stop);
+    return trace::compile({scene, settings, CameraDescription{}, 1, 1, false}, nullptr, request.stop);
 }
 
-LabTarget targetOf(const LabMesh& mesh, const World& world, const std::vector<glm::vec3>& vertices,
+LabTarget targetOf(const LabMesh& mesh, const trace::World& world, const std::vector<glm::vec3>& vertices,
                    const LabPlace& place, std::uint64_t seed) {
     glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
     for (const glm::vec3& v : vertices) {
@@ -106,9 +106,6 @@ void sortCells(LabResult& result) {
 
 }  // namespace
 
-const LabMethodInfo& infoOf(LabMethod method) { return kMethods[static_cast<int>(method)]; }
-const char* nameOf(LabFault fault) { return kFaults[static_cast<int>(fault)]; }
-
 void LabTally::fail(LabMethod method, LabFault fault, const Ray& ray) {
     const auto kept = std::count_if(failures.begin(), failures.end(), [&](const LabFailure& f) {
         return f.method == method && f.fault == fault;
@@ -133,6 +130,15 @@ void LabTally::add(const LabTally& other) {
     undecided += other.undecided;
     for (const LabFailure& failure : other.failures) fail(failure.method, failure.fault, failure.ray);
 }
+
+}  // namespace rayscope::measure
+
+namespace rayscope {
+
+using namespace measure;
+
+const LabMethodInfo& infoOf(LabMethod method) { return kMethods[static_cast<int>(method)]; }
+const char* nameOf(LabFault fault) { return kFaults[static_cast<int>(fault)]; }
 
 LabResult runLab(const LabRequest& request) {
     using Clock = std::chrono::steady_clock;
@@ -165,7 +171,8 @@ LabResult runLab(const LabRequest& request) {
             if (request.stop.stop_requested()) throw Stopped();
             const std::vector<glm::vec3> vertices = mesh.verticesAt(places[i]);
             const auto world = workers.run([&] { return worldOf(mesh, vertices, request); });
-            const LabTarget target = targetOf(mesh, *world, vertices, places[i], hashPair(request.seed, i));
+            const LabTarget target =
+                targetOf(mesh, *world, vertices, places[i], sampling::hashPair(request.seed, i));
             LabTally tally = workers.run([&] { return shootAt(target, request.raysPerCell, request.stop); });
             result.cells.push_back({places[i], tally.counts, mesh.collapsed(vertices), tally.undecided});
             for (LabFailure& failure : tally.failures) {

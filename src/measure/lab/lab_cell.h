@@ -2,7 +2,7 @@
 #include "measure/lab/lab_mesh.h"
 #include "trace/world.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// What some rays of a cell showed.
 struct LabTally {
@@ -18,7 +18,7 @@ struct LabTally {
 /// One place of the mesh, ready to be shot at.
 struct LabTarget {
     const LabMesh& mesh;
-    const World& world;  ///< holds the moved mesh and nothing else
+    const trace::World& world;  ///< holds the moved mesh and nothing else
     std::span<const glm::vec3> vertices;
     glm::dvec3 center{0.0};  ///< of the moved mesh
     double size = 0.0;
@@ -36,4 +36,4 @@ void leaveSurface(const LabTarget& target, std::uint64_t index, LabTally& tally)
 /// Compares a hit of the tracer with the exact answer.
 void judgeHit(const LabTarget& target, const Ray& ray, const Hit& hit, LabTally& tally);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

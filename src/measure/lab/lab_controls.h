@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// A tolerance below which a determinant counts as zero, and the least t.
 template <class Real>
@@ -39,4 +39,4 @@ inline constexpr MoellerTrumbore<float> kFloatControl{0.0f};
 inline constexpr MoellerTrumbore<float> kEpsilonControl{1e-6f};
 inline constexpr MoellerTrumbore<double> kDoubleControl{0.0};
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

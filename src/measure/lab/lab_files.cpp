@@ -37,9 +37,9 @@ const LabFailure* nearestFailure(const LabResult& result, LabMethod method) {
 std::vector<std::string> writeLab(const LabResult& result, const SceneDescription& scene,
                                   const std::string& folder) {
     const std::filesystem::path path(folder);
-    writeFileAtomically((path / "lab.json").string(), labJson(result));
-    writeFileAtomically((path / "lab.csv").string(), labCsv(result));
-    writeFileAtomically((path / "lab.html").string(), labHtml(result));
+    base::writeFileAtomically((path / "lab.json").string(), labJson(result));
+    base::writeFileAtomically((path / "lab.csv").string(), labCsv(result));
+    base::writeFileAtomically((path / "lab.html").string(), labHtml(result));
     std::vector<std::string> commands;
     for (const LabMethod method : kLabMethods) {
         const LabFailure* first = nearestFailure(result, method);
@@ -49,10 +49,10 @@ std::vector<std::string> writeLab(const LabResult& result, const SceneDescriptio
         for (const LabFailure& failure : result.failures)
             if (failure.method == method && failure.cell == first->cell)
                 rays.append(reinterpret_cast<const char*>(&failure.ray), sizeof(Ray));
-        writeFileAtomically(name + ".obj", objOf(meshAt(scene, result.cells[first->cell].place)));
-        writeFileAtomically(name + ".rays", rays);
-        commands.push_back(fmt::format("rayscope cast {} --rays {} -o {}", shellWord(name + ".obj"),
-                                       shellWord(name + ".rays"), shellWord(name + ".hits")));
+        base::writeFileAtomically(name + ".obj", objOf(meshAt(scene, result.cells[first->cell].place)));
+        base::writeFileAtomically(name + ".rays", rays);
+        commands.push_back(fmt::format("rayscope cast {} --rays {} -o {}", base::shellWord(name + ".obj"),
+                                       base::shellWord(name + ".rays"), base::shellWord(name + ".hits")));
     }
     return commands;
 }

@@ -64,7 +64,7 @@ const LabCell* cellAt(const LabResult& r, int scale, double offset) {
 /// Scales down, offsets to the right; a cell says and shows the share of rays that went wrong.
 std::string map(const LabResult& r, LabMethod method, Share value, const char* title) {
     std::string table = fmt::format("<div class='card'><b>{}: {}</b><table><tr><th>scale</th>", title,
-                                    escaped(infoOf(method).label));
+                                    measure::escaped(infoOf(method).label));
     const std::vector<double> offsets = offsetsOf(r);
     for (const double offset : offsets) table += fmt::format("<th class='n'>{:g}</th>", offset);
     table += "</tr>\n";
@@ -88,8 +88,8 @@ std::string errorChart(const LabResult& r) {
     for (const LabCell& cell : r.cells)
         for (const LabMethod method : kLabMethods)
             if (cell.place.scale == 0) values.push_back(errorOf(cell.of(method)));
-    LogChart chart(1040, 380, {0.1, 2e7}, rangeOf(values), "offset in sizes (0 stands at 0.1)",
-                   "largest error of t / bound");
+    measure::LogChart chart(1040, 380, {0.1, 2e7}, measure::rangeOf(values),
+                            "offset in sizes (0 stands at 0.1)", "largest error of t / bound");
     chart.line({{0.1, 1.0}, {2e7, 1.0}}, "base");
     for (const LabMethod method : kLabMethods) {
         std::vector<std::pair<double, double>> line;
@@ -99,14 +99,14 @@ std::string errorChart(const LabResult& r) {
             line.emplace_back(x, y);
             chart.mark({x, x, x}, {y, y, y}, classOf(method),
                        fmt::format("{}\noffset {:g} sizes\nerror / bound {}", infoOf(method).label,
-                                   cell.place.offset, shortNumber(y)));
+                                   cell.place.offset, measure::shortNumber(y)));
         }
         chart.line(line, classOf(method));
     }
     std::string legend = "<p class='legend soft'>";
     for (const LabMethod method : kLabMethods)
-        legend +=
-            fmt::format("<span class='{}'><i></i>{}</span>", classOf(method), escaped(infoOf(method).label));
+        legend += fmt::format("<span class='{}'><i></i>{}</span>", classOf(method),
+                              measure::escaped(infoOf(method).label));
     return "<div class='card'>" + chart.svg() + legend + "</p></div>\n";
 }
 
@@ -122,7 +122,7 @@ std::string header(const LabResult& r) {
         "The mesh was scaled and moved through {} cells; in each, exact arithmetic on its floats says what "
         "{} rays "
         "have to hit.</p>\n<div class='facts'>\n",
-        escaped(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.cells.size(),
+        measure::escaped(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.cells.size(),
         r.raysPerCell + r.raysPerCell / 2);
     page += fact(fmt::format("2<sup>{}</sup> … 2<sup>{}</sup>", safe.lowestScale, safe.highestScale),
                  "scales without a fault");
@@ -133,7 +133,7 @@ std::string header(const LabResult& r) {
         fact(fmt::format("{:.3g} / {:.3g}", r.size, r.offset), "size of the scene, and its offset in sizes");
     page += "</div>\n";
     for (const std::string& remark : r.remarks)
-        page += fmt::format("<p class='warn'>{}</p>\n", escaped(remark));
+        page += fmt::format("<p class='warn'>{}</p>\n", measure::escaped(remark));
     return page;
 }
 

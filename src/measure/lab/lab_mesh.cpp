@@ -6,7 +6,7 @@
 
 #include "trace/body.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -24,7 +24,7 @@ glm::dvec3 offsetDirection() { return glm::normalize(glm::dvec3(1.0, -0.83, 0.57
 }  // namespace
 
 LabMesh::LabMesh(const SceneDescription& scene) {
-    const auto bodies = makeGeometry(scene, false);
+    const auto bodies = trace::makeGeometry(scene, false);
     if (!bodies.empty()) weld(bodies[0]->input.vertices, bodies[0]->input.triangles);
     findEdges();
     findFans();
@@ -123,16 +123,20 @@ std::uint64_t LabMesh::collapsed(const std::vector<glm::vec3>& moved) const {
     return count;
 }
 
+}  // namespace rayscope::measure
+
+namespace rayscope {
+
 Ray rayInScene(const LabResult& result, const LabFailure& failure) {
     const LabPlace& place = result.cells[failure.cell].place;
     Ray ray = failure.ray;
     ray.origin = glm::vec3(std::ldexp(1.0, -place.scale) * glm::dvec3(ray.origin) -
-                           place.offset * result.size * offsetDirection() + result.center);
+                           place.offset * result.size * measure::offsetDirection() + result.center);
     return ray;
 }
 
 MeshData meshAt(const SceneDescription& scene, const LabPlace& place) {
-    const LabMesh mesh(scene);
+    const measure::LabMesh mesh(scene);
     return {.positions = mesh.verticesAt(place), .triangles = mesh.triangles()};
 }
 

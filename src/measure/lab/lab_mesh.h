@@ -2,7 +2,7 @@
 #include <rayscope/lab.h>
 #include <span>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// An edge that exactly two triangles share.
 struct SharedEdge {
@@ -41,4 +41,4 @@ class LabMesh {
     double size_ = 0.0;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -6,12 +6,12 @@
 
 #include "sampling/hash.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The random numbers of one ray: a function of its name.
 class LabRandom {
   public:
-    LabRandom(std::uint64_t seed, std::uint64_t index) : state_(hashPair(seed, index)) {}
+    LabRandom(std::uint64_t seed, std::uint64_t index) : state_(sampling::hashPair(seed, index)) {}
 
     double real() { return static_cast<double>(next() >> 11) * 0x1p-53; }  ///< [0, 1)
     double real(double low, double high) { return low + (high - low) * real(); }
@@ -23,8 +23,8 @@ class LabRandom {
     }
 
   private:
-    std::uint64_t next() { return mix(state_ += 0x9e3779b97f4a7c15u); }
+    std::uint64_t next() { return sampling::mix(state_ += 0x9e3779b97f4a7c15u); }
     std::uint64_t state_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

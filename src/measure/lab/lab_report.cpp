@@ -19,8 +19,8 @@ nlohmann::json toJson(const LabCounts& c) {
             {"false_hits", c.falseHits},
             {"second_surfaces", c.plates},
             {"lost_surfaces", c.lost},
-            {"t_error_over_bound", numberOrNull(c.tRatio)},
-            {"weight_error_over_bound", numberOrNull(c.weightRatio)},
+            {"t_error_over_bound", base::numberOrNull(c.tRatio)},
+            {"weight_error_over_bound", base::numberOrNull(c.weightRatio)},
             {"sound", c.sound()}};
 }
 

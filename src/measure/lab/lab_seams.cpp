@@ -8,7 +8,7 @@
 #include "measure/lab/lab_controls.h"
 #include "measure/lab/lab_random.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -64,12 +64,12 @@ struct SeamTruth {
     double farthest = 0.0;  ///< t of the last crossing and what it may be off by
 
     SeamTruth(const LabTarget& target, const Seam& seam, const Ray& ray) {
-        const ShearedRay sheared(words(ray));
+        const bvh::ShearedRay sheared(bvh::words(ray));
         for (const std::uint32_t triangle : seam.triangles) {
             const glm::vec3 a = target.corner(triangle, 0), b = target.corner(triangle, 1),
                             c = target.corner(triangle, 2);
             const ExactCrossing& exact = crossings.emplace_back(ray, a, b, c);
-            const HitError error(sheared, a, b, c);
+            const bvh::HitError error(sheared, a, b, c);
             for (int k = 0; k < 3; ++k) {
                 const std::uint32_t corner = target.mesh.triangles()[triangle][k];
                 const bool onRim = corner == seam.ends[0] || corner == seam.ends[1];
@@ -101,7 +101,7 @@ void judgeControl(const LabTarget& target, const Seam& seam, const SeamTruth& tr
         ++hits;
         const ExactCrossing& exact = truth.crossings[i];
         if (!exact.crossed) continue;
-        const HitError error(ShearedRay(words(ray)), a, b, c);
+        const bvh::HitError error(bvh::ShearedRay(bvh::words(ray)), a, b, c);
         const auto off = [](auto value, long double right) {
             return static_cast<double>(std::abs(static_cast<long double>(value) - right));
         };
@@ -130,12 +130,12 @@ void judgeTracer(const LabTarget& target, const Seam& seam, const SeamTruth& tru
         ++counts.leaks;
         tally.fail(LabMethod::Rayscope, LabFault::Leak, ray);
     }
-    const ShearedRay sheared(words(ray));
+    const bvh::ShearedRay sheared(bvh::words(ray));
     int hits = 0;
     for (const std::uint32_t triangle : seam.triangles) {
-        TriangleHit single;
-        hits += intersectTriangle(sheared, target.corner(triangle, 0), target.corner(triangle, 1),
-                                  target.corner(triangle, 2), single);
+        bvh::TriangleHit single;
+        hits += bvh::intersectTriangle(sheared, target.corner(triangle, 0), target.corner(triangle, 1),
+                                       target.corner(triangle, 2), single);
     }
     if (hits % 2 == 0) {
         ++counts.doubleHits;
@@ -166,7 +166,7 @@ void judgeHit(const LabTarget& target, const Ray& ray, const Hit& hit, LabTally&
     const glm::vec3 a = target.corner(hit.primitive, 0), b = target.corner(hit.primitive, 1),
                     c = target.corner(hit.primitive, 2);
     const ExactCrossing exact(ray, a, b, c);
-    const HitError error(ShearedRay(words(ray)), a, b, c);
+    const bvh::HitError error(bvh::ShearedRay(bvh::words(ray)), a, b, c);
     bool left = false, right = false;
     for (const long double edge : exact.edges) {
         left |= edge < -static_cast<long double>(error.edge);
@@ -189,4 +189,4 @@ void judgeHit(const LabTarget& target, const Ray& ray, const Hit& hit, LabTally&
     if (t > 1.0 || weight > 1.0) tally.fail(LabMethod::Rayscope, LabFault::Inaccurate, ray);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

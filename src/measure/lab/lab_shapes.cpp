@@ -18,12 +18,12 @@ SceneDescription labShapes() {
         mesh.transform.translate = at;
         scene.meshes.push_back(std::move(mesh));
     };
-    add("icosphere", generate(IcosphereShape{.subdivisions = 4}), {-3, 0, 0});
-    add("needles", generate(UvSphereShape{.segments = 512, .rings = 4}), {0, 0, 0});
-    add("box", generate(BoxShape{}), {3, 0, 0});
-    add("torus", generate(TorusShape{}), {-3, 0, -3});
-    add("monkey", generate(MonkeyShape{}), {0, 0, -3});
-    add("terrain", generate(TerrainShape{.cellsX = 32, .cellsZ = 32}), {3, 0, -3});
+    add("icosphere", scene::generate(scene::IcosphereShape{.subdivisions = 4}), {-3, 0, 0});
+    add("needles", scene::generate(scene::UvSphereShape{.segments = 512, .rings = 4}), {0, 0, 0});
+    add("box", scene::generate(scene::BoxShape{}), {3, 0, 0});
+    add("torus", scene::generate(scene::TorusShape{}), {-3, 0, -3});
+    add("monkey", scene::generate(scene::MonkeyShape{}), {0, 0, -3});
+    add("terrain", scene::generate(scene::TerrainShape{.cellsX = 32, .cellsZ = 32}), {3, 0, -3});
     return scene;
 }
 

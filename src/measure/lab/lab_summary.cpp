@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -48,18 +48,6 @@ LabRange rangeOf(const std::vector<LabCell>& cells, LabMethod method) {
 
 }  // namespace
 
-LabCounts LabResult::total(LabMethod method) const {
-    LabCounts sum;
-    for (const LabCell& cell : cells) {
-        const LabCounts& c = cell.of(method);
-        sum.aimed += c.aimed, sum.leaks += c.leaks, sum.doubleHits += c.doubleHits;
-        sum.spawned += c.spawned, sum.falseHits += c.falseHits, sum.plates += c.plates, sum.lost += c.lost;
-        sum.tRatio = std::max(sum.tRatio, c.tRatio);
-        sum.weightRatio = std::max(sum.weightRatio, c.weightRatio);
-    }
-    return sum;
-}
-
 void summarize(LabResult& result) {
     for (int i = 0; i < static_cast<int>(kLabMethods.size()); ++i)
         result.ranges[static_cast<std::size_t>(i)] = rangeOf(result.cells, static_cast<LabMethod>(i));
@@ -75,6 +63,22 @@ void summarize(LabResult& result) {
             fmt::format("{} spheres were left out: the laboratory shoots at triangles", result.spheres));
     if (result.interrupted)
         result.remarks.push_back(fmt::format("stopped early, after {} cells", result.cells.size()));
+}
+
+}  // namespace rayscope::measure
+
+namespace rayscope {
+
+LabCounts LabResult::total(LabMethod method) const {
+    LabCounts sum;
+    for (const LabCell& cell : cells) {
+        const LabCounts& c = cell.of(method);
+        sum.aimed += c.aimed, sum.leaks += c.leaks, sum.doubleHits += c.doubleHits;
+        sum.spawned += c.spawned, sum.falseHits += c.falseHits, sum.plates += c.plates, sum.lost += c.lost;
+        sum.tRatio = std::max(sum.tRatio, c.tRatio);
+        sum.weightRatio = std::max(sum.weightRatio, c.weightRatio);
+    }
+    return sum;
 }
 
 }  // namespace rayscope

@@ -1,9 +1,9 @@
 #pragma once
 #include <rayscope/lab.h>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// Finds the ranges of a result whose cells are complete and in order, and what is to be remarked.
 void summarize(LabResult& result);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

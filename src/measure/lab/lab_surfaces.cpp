@@ -12,7 +12,7 @@
 #include "measure/lab/lab_random.h"
 #include "trace/interaction.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -41,22 +41,22 @@ Ray rayAtSurface(const LabTarget& target, const Corners& t, LabRandom& random) {
 glm::vec3 directionAbove(const glm::dvec3& normal, LabRandom& random) {
     const double sine = std::pow(10.0, random.real(-4.0, 0.0)),
                  phi = random.real(0.0, 2.0 * std::numbers::pi);
-    const Frame frame = frameAround(normal);
+    const math::Frame frame = math::frameAround(normal);
     const double cosine = std::sqrt(1.0 - sine * sine);
     return glm::vec3(sine * normal + cosine * (std::cos(phi) * frame.u + std::sin(phi) * frame.v));
 }
 
 /// The exact sign of direction · normal.
 int sideOf(const Corners& t, const glm::vec3& direction) {
-    ExactSum sum;
-    addDeterminant(sum, t.b, t.c, direction);
-    addDeterminant(sum, -t.a, t.c, direction);
-    addDeterminant(sum, t.b, -t.a, direction);
+    math::ExactSum sum;
+    math::addDeterminant(sum, t.b, t.c, direction);
+    math::addDeterminant(sum, -t.a, t.c, direction);
+    math::addDeterminant(sum, t.b, -t.a, direction);
     return sum.sign();
 }
 
 int sideOfPoint(const Corners& t, const glm::vec3& point) {
-    return signedVolume(t.a, t.b, t.c, point).sign();
+    return math::signedVolume(t.a, t.b, t.c, point).sign();
 }
 
 /// The point where a control believes the ray to have hit.
@@ -75,10 +75,11 @@ struct Plate {
     glm::vec3 towards{0.0f};
     bool isWide = false;  ///< so much wider than the distance that a ray along the normal is sure to hit it
 
-    Plate(const Corners& t, const Interaction& at, const glm::dvec3& normal) {
+    Plate(const Corners& t, const trace::Interaction& at, const glm::dvec3& normal) {
         const glm::dvec3 a = t.a, b = t.b, c = t.c;
-        double bound = spawnDistance(at.position, at.magnitude, normal);
-        for (const glm::dvec3& p : {a, b, c}) bound = std::max(bound, spawnDistance(p, at.magnitude, normal));
+        double bound = math::spawnDistance(at.position, at.magnitude, normal);
+        for (const glm::dvec3& p : {a, b, c})
+            bound = std::max(bound, math::spawnDistance(p, at.magnitude, normal));
         const glm::dvec3 step = 9.0 * bound * normal;
         corners = {glm::vec3(a + step), glm::vec3(b + step), glm::vec3(c + step)};
         towards = glm::vec3(normal);
@@ -129,7 +130,7 @@ void judgeTracer(const LabTarget& target, const Corners& t, const Ray& next, con
     if (!plate.isWide) return;
     ++counts.plates;
     const Ray up{next.origin, plate.towards};
-    const RayQuery query(up);
+    const bvh::RayQuery query(up);
     if (query.hits(plate.corners.a, plate.corners.b, plate.corners.c, up.tMax, hit)) return;
     ++counts.lost;
     tally.fail(LabMethod::Rayscope, LabFault::LostSurface, up);
@@ -145,7 +146,7 @@ void leaveSurface(const LabTarget& target, std::uint64_t index, LabTally& tally)
     if (first.direction == glm::vec3(0.0f) || !target.world.closestHit(first, 0.0f, hit)) return;
     judgeHit(target, first, hit, tally);
     const Corners t = cornersOf(target, hit.primitive);
-    const Interaction at = interactionAt(target.world, first, 0.0f, {}, hit);
+    const trace::Interaction at = trace::interactionAt(target.world, first, 0.0f, {}, hit);
     const bool through = random.coin();
     const glm::dvec3 normal = through ? -at.geometricNormal : at.geometricNormal;
     const glm::vec3 direction = directionAbove(normal, random);
@@ -159,4 +160,4 @@ void leaveSurface(const LabTarget& target, std::uint64_t index, LabTally& tally)
     judgeControl(t, first, direction, plate, LabMethod::Double, kDoubleControl, tally);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

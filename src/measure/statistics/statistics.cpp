@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -147,4 +147,4 @@ double slopeOf(std::span<const double> x, std::span<const double> y) {
     return xy / xx;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

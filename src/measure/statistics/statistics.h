@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The value below which a Student-t variable with `degrees` degrees of freedom lies with `probability`, in
 /// (0, 1); degrees ≥ 1, infinity gives the normal distribution.
@@ -31,4 +31,4 @@ Interval rootOf(const Interval& squares);
 /// Least-squares slope of y over x; at least two different x.
 double slopeOf(std::span<const double> x, std::span<const double> y);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 constexpr int kLeft = 62, kRight = 16, kTop = 14, kBottom = 46;
@@ -123,4 +123,4 @@ std::string LogChart::svg() const {
     return fmt::format("<svg viewBox='0 0 {} {}' role='img'>\n{}</svg>\n", width_, height_, body_);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// Text that means itself in HTML and SVG.
 std::string escaped(std::string_view text);
@@ -40,4 +40,4 @@ class LogChart {
 /// The range of positive values with a margin of a few per cent on a logarithmic axis.
 LogChart::Range rangeOf(const std::vector<double>& values);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -11,7 +11,7 @@
 #include <stop_token>
 #include <thread>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The threads that a measurement uses; 0 takes one per core.
 class Workers {
@@ -55,4 +55,4 @@ class Deadline {
     std::jthread timer_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -88,8 +88,8 @@ ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const 
                             const ErrorTarget& target, const SpreadImage* spread) {
     constexpr double kNormal = std::numeric_limits<double>::infinity();
     if (!target.worstTile)
-        return estimatePart(halfA, halfB, region, target.metric, studentQuantile(target.confidence, kNormal),
-                            spread);
+        return estimatePart(halfA, halfB, region, target.metric,
+                            measure::studentQuantile(target.confidence, kNormal), spread);
     std::vector<PixelBounds> tiles;
     for (int y = region.y0; y < region.y1; y += kTile)
         for (int x = region.x0; x < region.x1; x += kTile)
@@ -97,7 +97,7 @@ ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const 
     // Bonferroni: all bounds hold together if each holds with the confidence that leaves its part of the
     // risk.
     const double risk = (1.0 - target.confidence) / static_cast<double>(tiles.size());
-    const double quantile = studentQuantile(1.0 - risk, kNormal);
+    const double quantile = measure::studentQuantile(1.0 - risk, kNormal);
     ErrorEstimate worst;
     for (const PixelBounds& tile : tiles) {
         const ErrorEstimate estimate = estimatePart(halfA, halfB, tile, target.metric, quantile, spread);

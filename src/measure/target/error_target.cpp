@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/statistics/workers.h"
 #include "measure/target/error_trend.h"
 #include "measure/target/halves.h"
 #include "measure/target/tile_shares.h"
-#include "measure/statistics/workers.h"
 #include "render/crash_report.h"
 #include "render/pass_plan.h"
 #include "render/render_pass.h"
@@ -51,15 +51,15 @@ class TargetRender {
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     const ErrorTargetRequest& request_;
-    Workers workers_;
+    measure::Workers workers_;
     PixelBounds region_;
-    std::unique_ptr<Halves> halves_;
-    RenderCounters counters_;
-    ErrorTrend trend_;  ///< over samples per pixel and half
-    int planned_ = 0;   ///< samples per half before which it does not end; 0: no plan yet
+    std::unique_ptr<measure::Halves> halves_;
+    render::RenderCounters counters_;
+    measure::ErrorTrend trend_;  ///< over samples per pixel and half
+    int planned_ = 0;            ///< samples per half before which it does not end; 0: no plan yet
     Clock::time_point start_ = Clock::now();
     std::vector<std::pair<double, double>> timed_;  ///< samples taken, seconds, as they grew
-    std::unique_ptr<Deadline> limit_;
+    std::unique_ptr<measure::Deadline> limit_;
     ErrorTargetResult result_;
 };
 
@@ -78,21 +78,22 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
         throw InputError(
             fmt::format("an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels,
                         kFewestPixels));
-    describeForCrashReport(render);
-    limit_ = std::make_unique<Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
-    CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
+    render::describeForCrashReport(render);
+    limit_ =
+        std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
+    trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
     // A jittered pattern must know how many samples follow, which nobody does here.
     if (compiled.settings.sampler == SamplePattern::Jittered)
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with a target");
-    result_.world = workers_.run([&] { return compile(compiled, nullptr, request.stop); });
-    halves_ = std::make_unique<Halves>(render.width, render.height, region_);
+    result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });
+    halves_ = std::make_unique<measure::Halves>(render.width, render.height, region_);
 }
 
 ErrorTargetResult TargetRender::run() {
     if (request_.adaptive) pilot();
     timed_.emplace_back(0.0, elapsed());
-    for (int samples = kFirstLook;; samples = sampleStepFrom(samples + 1)) {
+    for (int samples = kFirstLook;; samples = measure::sampleStepFrom(samples + 1)) {
         const int most = std::max(kFirstLook, request_.mostSamples / 2);
         samples = std::min(samples, most);
         if (!extendTo(samples)) {
@@ -115,20 +116,21 @@ ErrorTargetResult TargetRender::run() {
 /// Finds out where the noise is, with samples that enter nothing else: so the number of samples of a pixel
 /// does not depend on their values, and their mean stays without bias.
 void TargetRender::pilot() {
-    Film film(request_.render.width, request_.render.height, region_);
-    const std::uint64_t seed = hashPair(request_.render.seed, 0x70696c6f74u);
+    render::Film film(request_.render.width, request_.render.height, region_);
+    const std::uint64_t seed = sampling::hashPair(request_.render.seed, 0x70696c6f74u);
     const bool complete = workers_.run([&] {
-        return renderPass(*result_.world, seed, film, kPilotSamples, {limit_->token(), {}}, counters_);
+        return render::renderPass(*result_.world, seed, film, kPilotSamples, {limit_->token(), {}},
+                                  counters_);
     });
     if (complete)
-        halves_->share(
-            tileShares(film, request_.target.metric == ErrorMetric::RelMse, request_.target.worstTile));
+        halves_->share(measure::tileShares(film, request_.target.metric == ErrorMetric::RelMse,
+                                           request_.target.worstTile));
 }
 
 /// Brings both halves to `samples` per pixel on average. False if it was stopped.
 bool TargetRender::extendTo(int samples) {
     for (int done = static_cast<int>(trend_.samples()); done < samples;) {
-        done = nextPassTarget(done, samples, false);
+        done = render::nextPassTarget(done, samples, false);
         const bool complete = workers_.run([&] {
             return halves_->extend(*result_.world, request_.render.seed, done, limit_->token(), counters_);
         });
@@ -167,7 +169,7 @@ int TargetRender::expectedEnd() const {
     if (planned_ > trend_.samples()) return planned_;
     const double more =
         std::max(trend_.samples() + 1.0, trend_.samplesFor(kPlannedFor * request_.target.error));
-    return std::max(kFirstStop, sampleStepFrom(more));
+    return std::max(kFirstStop, measure::sampleStepFrom(more));
 }
 
 /// By the later half of the samples: what was loaded and compiled before them, and what else the machine did

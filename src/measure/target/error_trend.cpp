@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -67,4 +67,4 @@ double ErrorTrend::errorAt(double samples) const {
     return smoothed().error * std::pow(samples / samples_, -power_ * slope());
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

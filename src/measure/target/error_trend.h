@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// How the estimated error of a picture falls while samples are added. One look is noisy, above all at a
 /// small picture; what the looks of the last three doublings say together is less so.
@@ -47,4 +47,4 @@ class ErrorTrend {
     std::vector<Look> looks_;  ///< those that saw an error
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

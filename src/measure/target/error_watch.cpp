@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -30,7 +30,7 @@ void splitHalves(const ErrorWatch::Snapshot& before, const ErrorWatch::Snapshot&
 
 }  // namespace
 
-ErrorWatch::Snapshot ErrorWatch::take(const Film& film) {
+ErrorWatch::Snapshot ErrorWatch::take(const render::Film& film) {
     const PixelBounds& region = film.region();
     Snapshot snapshot;
     snapshot.width = region.x1 - region.x0;
@@ -39,7 +39,7 @@ ErrorWatch::Snapshot ErrorWatch::take(const Film& film) {
     snapshot.sums.resize(count);
     snapshot.samples.resize(count);
     snapshot.completeSamples = film.completeSamples();
-    Film::TileCopy copy;
+    render::Film::TileCopy copy;
     for (int tile = 0; tile < film.tileCount(); ++tile) {
         film.read(tile, copy);
         const PixelBounds bounds = film.tileBounds(tile);
@@ -94,4 +94,4 @@ ErrorForecast ErrorWatch::forecast(double samples, double seconds, double timeLi
     return f;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -7,7 +7,7 @@
 #include "measure/target/error_trend.h"
 #include "render/film.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// Compares a film with what it was at about half of its samples: two halves of the same pixels, one after
 /// the other. For independent samples the estimate has the expectation of the squared error; later points of
@@ -21,11 +21,11 @@ class ErrorWatch {
     /// Sums of a film at one moment.
     struct Snapshot {
         int width = 0;
-        std::vector<PixelSums> sums;  ///< row by row of the region
-        std::vector<int> samples;     ///< of each pixel
+        std::vector<render::PixelSums> sums;  ///< row by row of the region
+        std::vector<int> samples;             ///< of each pixel
         int completeSamples = 0;
     };
-    static Snapshot take(const Film& film);
+    static Snapshot take(const render::Film& film);
 
     /// Whether a film with so many samples is worth a look: twice as many as at the last one.
     bool wantsLook(int completeSamples) const;
@@ -47,4 +47,4 @@ class ErrorWatch {
     ErrorTrend trend_;  ///< over samples per pixel
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

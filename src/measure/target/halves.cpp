@@ -5,7 +5,7 @@
 
 #include "sampling/hash.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 int sampleStepFrom(double x) {
     x = std::clamp(x, 4.0, 1e9);
@@ -14,7 +14,7 @@ int sampleStepFrom(double x) {
 }
 
 Halves::Halves(int width, int height, const PixelBounds& region) {
-    for (auto& film : films_) film = std::make_unique<Film>(width, height, region);
+    for (auto& film : films_) film = std::make_unique<render::Film>(width, height, region);
     shares_.assign(static_cast<std::size_t>(films_[0]->tileCount()), 1.0);
 }
 
@@ -24,13 +24,13 @@ int Halves::samplesOfTile(std::size_t tile, int samples) const {
     return shares_[tile] == 1.0 ? samples : sampleStepFrom(shares_[tile] * samples);
 }
 
-bool Halves::extend(const World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
-                    RenderCounters& counters) {
+bool Halves::extend(const trace::World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
+                    render::RenderCounters& counters) {
     std::vector<int> targets(shares_.size());
     for (std::size_t tile = 0; tile < targets.size(); ++tile) targets[tile] = samplesOfTile(tile, samples);
     for (std::size_t half = 0; half < films_.size(); ++half)
-        if (!renderPass(world, half == 0 ? seed : hashPair(seed, half), *films_[half], targets, {{}, stop},
-                        counters))
+        if (!render::renderPass(world, half == 0 ? seed : sampling::hashPair(seed, half), *films_[half],
+                                targets, {{}, stop}, counters))
             return false;
     return true;
 }
@@ -63,7 +63,7 @@ ErrorEstimate Halves::estimate(const ErrorTarget& target) const {
 /// Of all samples of both halves; that of luminance stands for the channels.
 SpreadImage Halves::spreadOfSamples() const {
     SpreadImage spread(films_[0]->width(), films_[0]->height());
-    Film::TileCopy copy;
+    render::Film::TileCopy copy;
     for (const auto& film : films_) {
         for (int tile = 0; tile < film->tileCount(); ++tile) {
             film->read(tile, copy);
@@ -72,7 +72,7 @@ SpreadImage Halves::spreadOfSamples() const {
             auto pixel = copy.pixels.begin();
             for (int y = bounds.y0; n > 1.0 && y < bounds.y1; ++y)
                 for (int x = bounds.x0; x < bounds.x1; ++x, ++pixel)
-                    spread.at(x, y) += varianceOfLuminance(*pixel, n) / (4.0 * n);
+                    spread.at(x, y) += render::varianceOfLuminance(*pixel, n) / (4.0 * n);
         }
     }
     return spread;
@@ -80,7 +80,7 @@ SpreadImage Halves::spreadOfSamples() const {
 
 /// The films have equal numbers of samples, but for tiles that a limit ended between the two.
 RgbImage Halves::mean() const {
-    const Film &a = *films_[0], &b = *films_[1];
+    const render::Film &a = *films_[0], &b = *films_[1];
     RgbImage image = a.mean();
     const RgbImage other = b.mean();
     for (int tile = 0; tile < a.tileCount(); ++tile) {
@@ -94,4 +94,4 @@ RgbImage Halves::mean() const {
     return image;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -7,7 +7,7 @@
 #include "render/film.h"
 #include "render/render_pass.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The numbers of samples that halves may have: the least of 4, 5, 6, 7, 8, 10, 12, 14, 16, 20 … that is no
 /// less than x. With Sobol points the error goes down from one to the next but for little, and a forecast
@@ -24,8 +24,8 @@ class Halves {
 
     /// Brings each half to `samples` per pixel on average. False if it was stopped, which leaves tiles in
     /// flight done. Runs on the threads of the calling arena.
-    bool extend(const World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
-                RenderCounters& counters);
+    bool extend(const trace::World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
+                render::RenderCounters& counters);
 
     /// Samples per pixel of both together, mean of the region: now, and once extended to `samples`.
     double samplesTaken() const;
@@ -41,8 +41,8 @@ class Halves {
     template <class SamplesOfTile>
     double perPixel(const SamplesOfTile& samplesOfTile) const;
 
-    std::array<std::unique_ptr<Film>, 2> films_;
+    std::array<std::unique_ptr<render::Film>, 2> films_;
     std::vector<double> shares_;
 };
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <numeric>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
-double variancePerPixel(const Film& pilot, int tile, bool relative) {
-    Film::TileCopy copy;
+double variancePerPixel(const render::Film& pilot, int tile, bool relative) {
+    render::Film::TileCopy copy;
     pilot.read(tile, copy);
     const double n = copy.samples;
     double sum = 0.0;
-    for (const PixelSums& pixel : copy.pixels) {
-        const double mean = luminance(pixel.radiance) / n;
-        double variance = varianceOfLuminance(pixel, n);
+    for (const render::PixelSums& pixel : copy.pixels) {
+        const double mean = render::luminance(pixel.radiance) / n;
+        double variance = render::varianceOfLuminance(pixel, n);
         if (relative) variance /= mean * mean + 0.01;
         if (std::isfinite(variance)) sum += variance;
     }
@@ -34,7 +34,7 @@ void scaleToMeanOne(std::vector<double>& shares) {
 
 }  // namespace
 
-std::vector<double> tileShares(const Film& pilot, bool relative, bool alike) {
+std::vector<double> tileShares(const render::Film& pilot, bool relative, bool alike) {
     std::vector<double> shares;
     for (int tile = 0; tile < pilot.tileCount(); ++tile) {
         const double variance = variancePerPixel(pilot, tile, relative);
@@ -53,4 +53,4 @@ std::vector<double> tileShares(const Film& pilot, bool relative, bool alike) {
     return widened;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -127,4 +127,4 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
     return list;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

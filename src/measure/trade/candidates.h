@@ -3,7 +3,7 @@
 
 #include "measure/trade/knobs.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// What will be measured: the base, its control and what the caller added; then presets, effects and single
 /// knobs from cheap to dear; then several knobs at once from cheap to dear. Cheap and dear go by samples
@@ -14,4 +14,4 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
 /// "spp 16, max_depth 2": in what `settings` differ from the base.
 std::string differenceInWords(const Settings& base, const Settings& settings);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -9,7 +9,7 @@
 #include "settings/table.h"
 #include "trace/radiance.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -43,8 +43,8 @@ class Hasher {
         return w;
     }
     void word(std::uint64_t w) {
-        a_ = hashPair(a_, w);
-        b_ = hashPair(w, b_);
+        a_ = sampling::hashPair(a_, w);
+        b_ = sampling::hashPair(w, b_);
     }
     std::uint64_t a_ = 1, b_ = 2;
 };
@@ -112,26 +112,26 @@ void add(Hasher& hash, const SceneDescription& scene) {
 }
 
 /// Samples that only this tracer gives for this world.
-void addBehaviour(Hasher& hash, const World& world) {
-    NullObserver silent;
+void addBehaviour(Hasher& hash, const trace::World& world) {
+    trace::NullObserver silent;
     for (int i = 0; i < 64; ++i) {
-        const auto place = hashPair(0, static_cast<std::uint64_t>(i));
+        const auto place = sampling::hashPair(0, static_cast<std::uint64_t>(i));
         const SampleName name{static_cast<int>(place % static_cast<std::uint64_t>(world.width)),
                               static_cast<int>((place >> 32) % static_cast<std::uint64_t>(world.height)), i};
-        const RgbSum radiance = rayscope::radiance(world, 0, name, silent).radiance;
+        const RgbSum radiance = rayscope::trace::radiance(world, 0, name, silent).radiance;
         hash.bytes(&radiance, sizeof radiance);
     }
 }
 
 }  // namespace
 
-std::string filmContentHash(const CompileRequest& request, const World& world) {
+std::string filmContentHash(const trace::CompileRequest& request, const trace::World& world) {
     Hasher hash;
     hash.value(request.width);
     hash.value(request.height);
     add(hash, request.camera);
     add(hash, *request.scene);
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         const bool counts = row.text.key == "spp" && request.settings.sampler != SamplePattern::Jittered;
         if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !counts)
             hash.text(textOf(request.settings, row.text.key));
@@ -140,4 +140,4 @@ std::string filmContentHash(const CompileRequest& request, const World& world) {
     return hash.digits();
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -13,7 +13,7 @@
 #include "render/film.h"
 #include "sampling/hash.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -33,7 +33,8 @@ std::uint64_t hashOf(const RgbImage& image) {
     for (const Rgb& c : image.pixels) {
         std::uint32_t words[3];
         std::memcpy(words, &c, sizeof words);
-        hash = hashPair(hash, hashPair(words[0], (static_cast<std::uint64_t>(words[1]) << 32) | words[2]));
+        hash = sampling::hashPair(
+            hash, sampling::hashPair(words[0], (static_cast<std::uint64_t>(words[1]) << 32) | words[2]));
     }
     return hash;
 }
@@ -59,7 +60,7 @@ double Experiment::elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-CompileRequest Experiment::compileRequest(const Settings& settings) const {
+trace::CompileRequest Experiment::compileRequest(const Settings& settings) const {
     return {request_.render.scene, settings, request_.render.camera, result_.width, result_.height};
 }
 
@@ -95,7 +96,7 @@ bool Experiment::pilot() {
     base_ = request_.render.settings;
     base_.spp = 1;
     mostSeconds_ = kPartOfBudget * request_.budgetSeconds;
-    world_ = workers_.run([&] { return compile(compileRequest(base_), nullptr, request_.stop); });
+    world_ = workers_.run([&] { return trace::compile(compileRequest(base_), nullptr, request_.stop); });
     std::optional<Trial> trial;
     for (int warmUp = 0; warmUp < 2 && !stopped(); ++warmUp)
         trial = runTrial(workers_, compileRequest(base_), world_.get(), kFirstSeed,
@@ -201,7 +202,7 @@ void Experiment::laterBlocks() {
 bool Experiment::measure(std::size_t index, int block, double mostSeconds) {
     const TradePoint& point = result_.points[index];
     CandidateRuns& runs = runs_[index];
-    const World* lender = buildsAnew(point, base_) ? nullptr : world_.get();
+    const trace::World* lender = buildsAnew(point, base_) ? nullptr : world_.get();
     const std::optional<Trial> trial =
         runTrial(workers_, compileRequest(point.settings), lender,
                  kFirstSeed + static_cast<std::uint64_t>(block), mostSeconds, request_.stop);
@@ -216,9 +217,9 @@ bool Experiment::measure(std::size_t index, int block, double mostSeconds) {
 
 /// The walks through the tree are counted after the clock has stopped.
 TradeWork Experiment::workOf(const Trial& trial) const {
-    constexpr Aov kCounted[] = {Aov::Nodes, Aov::Triangles, Aov::Rays};
-    const AovRequest once{*trial.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
-    const std::vector<RgbImage> counts = renderAovs(once, kCounted);
+    constexpr probe::Aov kCounted[] = {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays};
+    const probe::AovRequest once{*trial.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
+    const std::vector<RgbImage> counts = probe::renderAovs(once, kCounted);
     const auto sum = [](const RgbImage& image) {
         double total = 0.0;
         for (const Rgb& pixel : image.pixels) total += static_cast<double>(pixel.x);
@@ -244,6 +245,10 @@ void Experiment::judge(const Trial& trial, CandidateRuns& runs, int block) {
     runs.previous = {};
 }
 
-TradeResult measureTrade(const TradeRequest& request) { return Experiment(request).run(); }
+}  // namespace rayscope::measure
+
+namespace rayscope {
+
+TradeResult measureTrade(const TradeRequest& request) { return measure::Experiment(request).run(); }
 
 }  // namespace rayscope

@@ -7,7 +7,7 @@
 #include "measure/trade/reference.h"
 #include "measure/trade/trial.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// What was measured of one candidate; entry b of each list is of block b.
 struct CandidateRuns {
@@ -35,7 +35,7 @@ class Experiment {
     bool measure(std::size_t index, int block, double mostSeconds);
     TradeWork workOf(const Trial& trial) const;
     void judge(const Trial& trial, CandidateRuns& runs, int block);
-    CompileRequest compileRequest(const Settings& settings) const;
+    trace::CompileRequest compileRequest(const Settings& settings) const;
     double elapsed() const;
     bool stopped() const { return request_.stop.stop_requested(); }
     void report(const std::string& phase) const;
@@ -43,7 +43,7 @@ class Experiment {
     const TradeRequest& request_;
     Workers workers_;
     std::chrono::steady_clock::time_point start_;
-    std::shared_ptr<const World> world_;
+    std::shared_ptr<const trace::World> world_;
     std::unique_ptr<Reference> reference_;
     RgbImage halfA_, halfB_, mean_;
     Settings base_;
@@ -55,4 +55,4 @@ class Experiment {
 /// Turns runs into figures with intervals, and figures into the front, advice and needs.
 void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, const SceneRequirements& scene);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

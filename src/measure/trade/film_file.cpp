@@ -12,11 +12,11 @@
 #include "base/read_file.h"
 #include "sampling/hash.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
-std::string headerOf(const std::string& hash, const Film& film) {
+std::string headerOf(const std::string& hash, const render::Film& film) {
     return fmt::format("rayscope films 1 {} {} {}\n", hash, film.width(), film.height());
 }
 
@@ -25,7 +25,7 @@ std::uint64_t checksum(std::string_view bytes) {
     for (std::size_t i = 0; i < bytes.size(); i += 8) {
         std::uint64_t word = 0;
         std::memcpy(&word, bytes.data() + i, std::min<std::size_t>(8, bytes.size() - i));
-        sum = hashPair(sum, word);
+        sum = sampling::hashPair(sum, word);
     }
     return sum;
 }
@@ -41,17 +41,18 @@ void take(std::string_view& bytes, T* values, std::size_t count) {
     bytes.remove_prefix(count * sizeof(T));
 }
 
-std::size_t bytesOf(const Film& film) {
+std::size_t bytesOf(const render::Film& film) {
     std::size_t bytes = 0;
     for (int tile = 0; tile < film.tileCount(); ++tile) {
         const PixelBounds b = film.tileBounds(tile);
-        bytes += sizeof(int) + sizeof(PixelSums) * static_cast<std::size_t>((b.x1 - b.x0) * (b.y1 - b.y0));
+        bytes +=
+            sizeof(int) + sizeof(render::PixelSums) * static_cast<std::size_t>((b.x1 - b.x0) * (b.y1 - b.y0));
     }
     return bytes;
 }
 
-void takeFilm(std::string_view& bytes, Film& film) {
-    Film::TileCopy copy;
+void takeFilm(std::string_view& bytes, render::Film& film) {
+    render::Film::TileCopy copy;
     for (int tile = 0; tile < film.tileCount(); ++tile) {
         film.read(tile, copy);
         take(bytes, &copy.samples, 1);
@@ -62,10 +63,11 @@ void takeFilm(std::string_view& bytes, Film& film) {
 
 }  // namespace
 
-void saveFilms(const std::string& path, const std::string& hash, const Film& a, const Film& b) {
+void saveFilms(const std::string& path, const std::string& hash, const render::Film& a,
+               const render::Film& b) {
     std::string bytes = headerOf(hash, a);
-    Film::TileCopy copy;
-    for (const Film* film : {&a, &b}) {
+    render::Film::TileCopy copy;
+    for (const render::Film* film : {&a, &b}) {
         for (int tile = 0; tile < film->tileCount(); ++tile) {
             film->read(tile, copy);
             append(bytes, &copy.samples, 1);
@@ -76,13 +78,13 @@ void saveFilms(const std::string& path, const std::string& hash, const Film& a, 
     append(bytes, &sum, 1);
     std::error_code ignored;
     std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
-    writeFileAtomically(path, bytes);
+    base::writeFileAtomically(path, bytes);
 }
 
-bool loadFilms(const std::string& path, const std::string& hash, Film& a, Film& b) {
+bool loadFilms(const std::string& path, const std::string& hash, render::Film& a, render::Film& b) {
     std::string file;
     try {
-        file = readFile(path);
+        file = base::readFile(path);
     } catch (const InputError&) {
         return false;
     }
@@ -99,4 +101,4 @@ bool loadFilms(const std::string& path, const std::string& hash, Film& a, Film& 
     return true;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -7,19 +7,19 @@
 
 #include "settings/table.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
-std::vector<std::string> levelsOf(const Toggle&, const Settings&) { return {"false", "true"}; }
+std::vector<std::string> levelsOf(const settings::Toggle&, const Settings&) { return {"false", "true"}; }
 
 template <class E, std::size_t N>
-std::vector<std::string> levelsOf(const Choice<E, N>& row, const Settings&) {
+std::vector<std::string> levelsOf(const settings::Choice<E, N>& row, const Settings&) {
     return {row.names.begin(), row.names.end()};
 }
 
 template <class T>
-std::vector<std::string> levelsOf(const Range<T>& row, const Settings& settings) {
+std::vector<std::string> levelsOf(const settings::Range<T>& row, const Settings& settings) {
     const T highest = std::min<T>(row.highest, row.text.key == "spp" ? T(4096) : T(64));
     std::set<T> numbers{settings.*row.member};
     if (row.lowest <= T(0)) numbers.insert(T(0));
@@ -40,7 +40,7 @@ std::string whyNoEffect(const Row& row, const SceneRequirements& scene, const Se
 
 std::vector<Knob> knobsOf(const SceneRequirements& scene, const Settings& settings) {
     std::vector<Knob> knobs;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         if (row.text.trade == Trade::Nothing || !whyNoEffect(row, scene, settings).empty()) return;
         const bool splits = row.text.key.ends_with("_samples");
         knobs.push_back({std::string(row.text.key), row.text.trade, splits, levelsOf(row, settings)});
@@ -50,8 +50,8 @@ std::vector<Knob> knobsOf(const SceneRequirements& scene, const Settings& settin
 
 std::vector<Effect> effectsOf(const SceneRequirements& scene, const Settings& settings) {
     std::vector<Effect> effects;
-    forEachSetting([&](const auto& row) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(row)>, Toggle>) {
+    settings::forEachSetting([&](const auto& row) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(row)>, settings::Toggle>) {
             if (row.invalidates != Invalidates::Film || row.text.trade == Trade::Speed) return;
             effects.push_back(
                 {row.text.key, row.text.label, settings.*row.member, whyNoEffect(row, scene, settings)});
@@ -60,4 +60,4 @@ std::vector<Effect> effectsOf(const SceneRequirements& scene, const Settings& se
     return effects;
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

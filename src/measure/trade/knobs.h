@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// A setting that trades, and the values worth measuring, from the smallest number up.
 struct Knob {
@@ -28,4 +28,4 @@ struct Effect {
 };
 std::vector<Effect> effectsOf(const SceneRequirements& scene, const Settings& settings);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -67,27 +67,6 @@ double excessOverFront(const std::vector<TradePoint>& points, const std::vector<
     return 0.0;
 }
 
-double excessTime(const TradeResult& result, std::size_t point) {
-    return excessOverFront(result.points, result.front, result.points[point]);
-}
-
-std::string excessInWords(const TradeResult& result, const TradeDial& dial) {
-    const std::string percent = fmt::format("{:.0f} %", 100.0 * dial.excess);
-    const bool doubtful = percent != "0 %" && result.points[dial.point].dominatedBy.empty();
-    return doubtful ? percent + ", not beyond doubt" : percent;
-}
-
-std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings) {
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
-        const TradePoint& point = result.points[i];
-        if (point.runs == 0 || point.role == TradeRole::Control) continue;
-        Settings same = settings;
-        for (const std::string& key : result.withoutEffect) assign(same, key, textOf(point.settings, key));
-        if (same.spp == point.settings.spp && changed(same, point.settings) <= Invalidates::Display) return i;
-    }
-    return std::nullopt;
-}
-
 std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
                                     const std::vector<std::size_t>& front) {
     std::vector<TradeAdvice> advice;
@@ -105,6 +84,31 @@ std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
             advice.push_back({points[best].seconds.upper, best});
     }
     return advice;
+}
+
+}  // namespace rayscope::measure
+
+namespace rayscope {
+
+double excessTime(const TradeResult& result, std::size_t point) {
+    return measure::excessOverFront(result.points, result.front, result.points[point]);
+}
+
+std::string excessInWords(const TradeResult& result, const TradeDial& dial) {
+    const std::string percent = fmt::format("{:.0f} %", 100.0 * dial.excess);
+    const bool doubtful = percent != "0 %" && result.points[dial.point].dominatedBy.empty();
+    return doubtful ? percent + ", not beyond doubt" : percent;
+}
+
+std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings) {
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        const TradePoint& point = result.points[i];
+        if (point.runs == 0 || point.role == TradeRole::Control) continue;
+        Settings same = settings;
+        for (const std::string& key : result.withoutEffect) assign(same, key, textOf(point.settings, key));
+        if (same.spp == point.settings.spp && changed(same, point.settings) <= Invalidates::Display) return i;
+    }
+    return std::nullopt;
 }
 
 }  // namespace rayscope

@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/trade.h>
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// Fills `onFront` and `dominatedBy` of each point, and returns the front from fast to accurate. A point is
 /// on the front if none is both faster and more accurate. It is dominated only beyond doubt: if another is
@@ -19,4 +19,4 @@ double excessOverFront(const std::vector<TradePoint>& points, const std::vector<
 std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
                                     const std::vector<std::size_t>& front);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -9,7 +9,7 @@
 #include "post/develop.h"
 #include "render/render_pass.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -45,13 +45,13 @@ bool converges(const std::vector<std::pair<int, double>>& history) {
     return steps < 3 || history[steps - 1].second <= kConverging * history[steps - 3].second;
 }
 
-Reference::Reference(CompileRequest request, Workers& workers, const World* previous,
+Reference::Reference(trace::CompileRequest request, Workers& workers, const trace::World* previous,
                      const std::stop_token& stop)
     : request_(std::move(request)), workers_(workers) {
-    world_ = workers_.run([&] { return compile(request_, previous, stop); });
+    world_ = workers_.run([&] { return trace::compile(request_, previous, stop); });
     for (auto& half : halves_)
-        half = std::make_unique<Film>(request_.width, request_.height,
-                                      PixelBounds{0, request_.width, 0, request_.height});
+        half = std::make_unique<render::Film>(request_.width, request_.height,
+                                              PixelBounds{0, request_.width, 0, request_.height});
 }
 
 int Reference::samples() const {
@@ -59,10 +59,10 @@ int Reference::samples() const {
 }
 
 bool Reference::extend(int samples, const std::stop_token& stop) {
-    RenderCounters counters;
+    render::RenderCounters counters;
     for (std::size_t i = 0; i < halves_.size(); ++i) {
         const bool complete = workers_.run([&] {
-            return renderPass(*world_, kSeeds[i], *halves_[i], samples, {stop, {}}, counters);
+            return render::renderPass(*world_, kSeeds[i], *halves_[i], samples, {stop, {}}, counters);
         });
         if (!complete) return false;
     }
@@ -70,7 +70,7 @@ bool Reference::extend(int samples, const std::stop_token& stop) {
 }
 
 RgbImage Reference::half(int which) const {
-    return develop(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings, false);
+    return post::develop(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings, false);
 }
 
 RgbImage Reference::mean() const {
@@ -127,4 +127,4 @@ double commonSquaredError(const RgbImage& one, const RgbImage& other, const RgbI
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

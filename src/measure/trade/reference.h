@@ -7,7 +7,7 @@
 #include "render/film.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// The truth, as near as time allows: two halves of the same picture with independent random numbers. The
 /// difference of the halves tells their error, and products with both are free of it: for an image I that is
@@ -15,10 +15,10 @@ namespace rayscope {
 class Reference {
   public:
     /// `settings` says what picture is the truth; their samples per pixel are ignored.
-    Reference(CompileRequest request, Workers& workers, const World* previous = nullptr,
+    Reference(trace::CompileRequest request, Workers& workers, const trace::World* previous = nullptr,
               const std::stop_token& stop = {});
 
-    const World& world() const { return *world_; }
+    const trace::World& world() const { return *world_; }
     /// Samples that every pixel of both halves has.
     int samples() const;
     /// Brings every pixel of both halves to `samples`. False if it was stopped; what was traced is kept.
@@ -38,10 +38,10 @@ class Reference {
     void save(const std::string& path) const;
 
   private:
-    CompileRequest request_;
+    trace::CompileRequest request_;
     Workers& workers_;
-    std::shared_ptr<const World> world_;
-    std::array<std::unique_ptr<Film>, 2> halves_;
+    std::shared_ptr<const trace::World> world_;
+    std::array<std::unique_ptr<render::Film>, 2> halves_;
 };
 
 /// Whether a reference converges whose error was `history` at doubling samples: it should have halved with
@@ -58,4 +58,4 @@ double meanSquaredError(const RgbImage& image, const RgbImage& halfA, const RgbI
 double commonSquaredError(const RgbImage& one, const RgbImage& other, const RgbImage& halfA,
                           const RgbImage& halfB);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

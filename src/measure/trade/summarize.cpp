@@ -4,12 +4,12 @@
 #include <cmath>
 #include <map>
 
+#include "measure/statistics/statistics.h"
 #include "measure/trade/experiment.h"
 #include "measure/trade/knobs.h"
 #include "measure/trade/pareto.h"
-#include "measure/statistics/statistics.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 namespace {
 
@@ -144,4 +144,4 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
     remark(result);
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

@@ -17,8 +17,8 @@ namespace {
 std::string_view styleSheet() { return report::files()[0].content; }
 
 std::string withInterval(const Interval& i, const char* unit = "") {
-    return fmt::format("{}{} <span class='soft'>[{}, {}]</span>", shortNumber(i.value), unit,
-                       shortNumber(i.lower), shortNumber(i.upper));
+    return fmt::format("{}{} <span class='soft'>[{}, {}]</span>", measure::shortNumber(i.value), unit,
+                       measure::shortNumber(i.lower), measure::shortNumber(i.upper));
 }
 
 const char* classOf(const TradePoint& p) {
@@ -31,9 +31,10 @@ const char* classOf(const TradePoint& p) {
 std::string markClass(const TradePoint& p) { return std::string(classOf(p)) + (p.judged ? "" : " hollow"); }
 
 std::string tipOf(const TradePoint& p) {
-    return fmt::format("{}\n{} s [{}, {}]\nRMSE {} [{}, {}]\n{} runs{}", p.name, shortNumber(p.seconds.value),
-                       shortNumber(p.seconds.lower), shortNumber(p.seconds.upper), shortNumber(p.error.value),
-                       shortNumber(p.error.lower), shortNumber(p.error.upper), p.runs,
+    return fmt::format("{}\n{} s [{}, {}]\nRMSE {} [{}, {}]\n{} runs{}", p.name,
+                       measure::shortNumber(p.seconds.value), measure::shortNumber(p.seconds.lower),
+                       measure::shortNumber(p.seconds.upper), measure::shortNumber(p.error.value),
+                       measure::shortNumber(p.error.lower), measure::shortNumber(p.error.upper), p.runs,
                        p.dominatedBy.empty() ? "" : "\ndominated by " + p.dominatedBy);
 }
 
@@ -45,7 +46,7 @@ std::string header(const TradeResult& r) {
     std::string page = fmt::format(
         "<h1>Speed against accuracy: {}</h1>\n<p class='soft'>{} × {} pixels, {} threads, "
         "{} blocks of interleaved runs in {:.0f} s. All intervals are 95 %.</p>\n",
-        escaped(r.scene), r.width, r.height, r.threads, r.blocks, r.spentSeconds);
+        measure::escaped(r.scene), r.width, r.height, r.threads, r.blocks, r.spentSeconds);
     const auto measured =
         std::count_if(r.points.begin(), r.points.end(), [](const auto& p) { return p.runs > 0; });
     const auto dominated =
@@ -53,7 +54,7 @@ std::string header(const TradeResult& r) {
     page += "<div class='facts'>\n" + fact(std::to_string(measured), "settings measured");
     page += fact(std::to_string(r.front.size()), "on the front") +
             fact(std::to_string(dominated), "dominated beyond doubt");
-    page += fact(shortNumber(r.reference.error),
+    page += fact(measure::shortNumber(r.reference.error),
                  fmt::format("RMSE of the reference, 2 × {} samples{}", r.reference.samples,
                              r.reference.fromCache ? ", some from the cache" : ""));
     page += fact(fmt::format("± {:.1f} %", 100.0 * r.smallestRatio), "noise of the machine in time");
@@ -63,20 +64,20 @@ std::string header(const TradeResult& r) {
             fmt::format("convergence: error ~ samples^slope [{:.2f}, {:.2f}]", r.slope.lower, r.slope.upper));
     page += "</div>\n";
     for (const std::string& remark : r.remarks)
-        page += fmt::format("<p class='warn'>{}</p>\n", escaped(remark));
+        page += fmt::format("<p class='warn'>{}</p>\n", measure::escaped(remark));
     return page;
 }
 
-LogChart::Range rangeOfPoints(const TradeResult& r, Interval TradePoint::*value) {
+measure::LogChart::Range rangeOfPoints(const TradeResult& r, Interval TradePoint::*value) {
     std::vector<double> values;
     for (const TradePoint& p : r.points)
         if (p.runs > 0) values.push_back((p.*value).value);
-    return rangeOf(values);
+    return measure::rangeOf(values);
 }
 
 std::string frontChart(const TradeResult& r) {
-    LogChart chart(1040, 520, rangeOfPoints(r, &TradePoint::seconds), rangeOfPoints(r, &TradePoint::error),
-                   "seconds for the picture", "error (RMSE)");
+    measure::LogChart chart(1040, 520, rangeOfPoints(r, &TradePoint::seconds),
+                            rangeOfPoints(r, &TradePoint::error), "seconds for the picture", "error (RMSE)");
     std::vector<std::pair<double, double>> line;
     for (const std::size_t i : r.front) line.emplace_back(r.points[i].seconds.value, r.points[i].error.value);
     for (const bool front : {false, true})
@@ -112,8 +113,8 @@ std::string adviceTable(const TradeResult& r) {
         table += fmt::format(
             "<tr><td class='n'>{} s</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td>"
             "<td><code>rayscope render {} {}</code></td></tr>\n",
-            shortNumber(a.budgetSeconds), withInterval(p.nextSeconds), withInterval(p.nextError),
-            withInterval(p.flip), escaped(r.scene), escaped(renderArguments(r, p)));
+            measure::shortNumber(a.budgetSeconds), withInterval(p.nextSeconds), withInterval(p.nextError),
+            withInterval(p.flip), measure::escaped(r.scene), measure::escaped(renderArguments(r, p)));
     }
     return table + "</table></div>\n";
 }
@@ -129,8 +130,8 @@ std::string dialTable(const TradeResult& r) {
     for (const TradeDial& d : r.dial)
         table += fmt::format(
             "<tr><td>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td></tr>\n",
-            escaped(d.preset), withInterval(r.points[d.point].seconds), withInterval(r.points[d.point].error),
-            excessInWords(r, d));
+            measure::escaped(d.preset), withInterval(r.points[d.point].seconds),
+            withInterval(r.points[d.point].error), excessInWords(r, d));
     return table + "</table></div>\n";
 }
 
@@ -138,7 +139,7 @@ std::string needRow(const TradeResult& r, const TradeNeed& n) {
     const TradePoint& p = r.points[n.point];
     std::string verdict;
     if (!n.proof.empty())
-        verdict = fmt::format("<span class='good'>proof</span>: {}{}", escaped(n.proof),
+        verdict = fmt::format("<span class='good'>proof</span>: {}{}", measure::escaped(n.proof),
                               p.runs == 0     ? ""
                               : p.samePicture ? "; measured too: the same picture, bit for bit"
                                               : "; <b class='bad'>but the picture differs</b>");
@@ -149,8 +150,9 @@ std::string needRow(const TradeResult& r, const TradeNeed& n) {
     else
         verdict = fmt::format("measured: switched {} the picture is off by {} (RMSE without noise)",
                               n.on ? "off" : "on", withInterval(p.bias));
-    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class='n'>{}</td></tr>\n", escaped(n.label),
-                       n.on ? "on" : "off", verdict, p.runs > 1 ? withInterval(p.timeRatio) : "–");
+    return fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class='n'>{}</td></tr>\n",
+                       measure::escaped(n.label), n.on ? "on" : "off", verdict,
+                       p.runs > 1 ? withInterval(p.timeRatio) : "–");
 }
 
 std::string needsTable(const TradeResult& r) {
@@ -167,8 +169,8 @@ std::string needsTable(const TradeResult& r) {
 
 std::string knobChart(const TradeResult& r, const std::string& knob,
                       const std::vector<const TradePoint*>& points) {
-    LogChart chart(340, 250, rangeOfPoints(r, &TradePoint::seconds), rangeOfPoints(r, &TradePoint::error),
-                   "seconds", "RMSE");
+    measure::LogChart chart(340, 250, rangeOfPoints(r, &TradePoint::seconds),
+                            rangeOfPoints(r, &TradePoint::error), "seconds", "RMSE");
     std::vector<std::pair<double, double>> front, line;
     for (const std::size_t i : r.front)
         front.emplace_back(r.points[i].seconds.value, r.points[i].error.value);
@@ -185,7 +187,7 @@ std::string knobChart(const TradeResult& r, const std::string& knob,
         chart.label(p->seconds.value, p->error.value,
                     p->role == TradeRole::Base ? textOf(p->settings, knob) : p->level);
     }
-    return fmt::format("<div class='card'><h3>{}</h3>{}</div>\n", escaped(knob), chart.svg());
+    return fmt::format("<div class='card'><h3>{}</h3>{}</div>\n", measure::escaped(knob), chart.svg());
 }
 
 std::string knobRows(const std::vector<const TradePoint*>& points) {
@@ -197,8 +199,8 @@ std::string knobRows(const std::vector<const TradePoint*>& points) {
                                                       : "";
         if (p->samePicture) verdict = "same picture" + (verdict.empty() ? "" : "; " + verdict);
         if (p->biased) verdict = "biased" + (verdict.empty() ? "" : "; " + verdict);
-        rows += fmt::format("<tr><td>{} {}</td><td>{}</td>", escaped(p->knob), escaped(p->level),
-                            escaped(verdict));
+        rows += fmt::format("<tr><td>{} {}</td><td>{}</td>", measure::escaped(p->knob),
+                            measure::escaped(p->level), measure::escaped(verdict));
         for (const Interval* i : {&p->timeRatio, &p->error, &p->noise, &p->bias, &p->efficiency})
             rows += fmt::format("<td class='n'>{}</td>", withInterval(*i));
         rows += "</tr>\n";
@@ -241,8 +243,8 @@ std::string breakEvens(const TradeResult& r) {
         withInterval(r.points.front().buildSeconds), static_cast<double>(r.points.front().work.rays));
     for (const TradeBreakEven& b : r.breakEvens)
         table += fmt::format("<tr><td>{}</td><td class='n'>{}</td><td>{}</td></tr>\n",
-                             escaped(r.points[b.point].name), withInterval(r.points[b.point].buildSeconds),
-                             escaped(b.words));
+                             measure::escaped(r.points[b.point].name),
+                             withInterval(r.points[b.point].buildSeconds), measure::escaped(b.words));
     return table + "</table></div>\n";
 }
 
@@ -260,9 +262,9 @@ std::string allPoints(const TradeResult& r) {
                 "<tr><td class='{}'>{}</td><td class='n'>{}</td><td class='n'>{}</td><td class='n'>{}</td>"
                 "<td class='n'>{:.2f}</td><td class='n'>{:.2f}</td><td class='n'>{}</td><td class='n'>{}</td>"
                 "<td class='n'>{}</td><td>{}</td></tr>\n",
-                classOf(p), escaped(p.name), p.runs, p.work.samples, p.work.rays, p.work.nodesPerRay,
+                classOf(p), measure::escaped(p.name), p.runs, p.work.samples, p.work.rays, p.work.nodesPerRay,
                 p.work.testsPerRay, withInterval(p.seconds), withInterval(p.error), withInterval(p.flip),
-                escaped(p.dominatedBy));
+                measure::escaped(p.dominatedBy));
     table += "</table></div></details>\n";
     if (!r.notMeasured.empty())
         table += fmt::format("<p class='soft'>{} more settings did not fit into the budget.</p>\n",
@@ -284,7 +286,7 @@ std::string method(const TradeResult& r) {
         "within "
         "blocks. The base ran twice per block: what its two runs differ by is the noise of the "
         "machine.</p>\n",
-        r.reference.samples, shortNumber(r.reference.error));
+        r.reference.samples, measure::shortNumber(r.reference.error));
 }
 
 }  // namespace
@@ -293,7 +295,7 @@ std::string tradeHtml(const TradeResult& result) {
     std::string page = fmt::format(
         "<!doctype html>\n<html lang='en'><meta charset='utf-8'><meta name='viewport' "
         "content='width=device-width'><title>Trade: {}</title>\n<style>{}</style>\n<main>\n",
-        escaped(result.scene), styleSheet());
+        measure::escaped(result.scene), styleSheet());
     page += header(result);
     if (result.complete)
         page += frontChart(result) + adviceTable(result) + dialTable(result) + needsTable(result) +

@@ -14,8 +14,9 @@ namespace {
 constexpr const char* kRoles[] = {"base", "control", "yours", "knob", "joint", "feature", "preset", "extra"};
 
 nlohmann::json toJson(const Interval& i) {
-    return {
-        {"value", numberOrNull(i.value)}, {"lower", numberOrNull(i.lower)}, {"upper", numberOrNull(i.upper)}};
+    return {{"value", base::numberOrNull(i.value)},
+            {"lower", base::numberOrNull(i.lower)},
+            {"upper", base::numberOrNull(i.upper)}};
 }
 
 nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
@@ -52,9 +53,9 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
 nlohmann::json toJson(const TradeReference& r) {
     nlohmann::json history = nlohmann::json::array();
     for (const auto& [samples, error] : r.history)
-        history.push_back({{"samples", samples}, {"rmse", numberOrNull(error)}});
+        history.push_back({{"samples", samples}, {"rmse", base::numberOrNull(error)}});
     return {{"samples_per_half", r.samples},
-            {"rmse", numberOrNull(r.error)},
+            {"rmse", base::numberOrNull(r.error)},
             {"seconds", r.seconds},
             {"from_cache", r.fromCache},
             {"converges", r.converges},
@@ -106,7 +107,7 @@ std::string tradeJson(const TradeResult& result) {
                                 {"complete", result.complete},
                                 {"interrupted", result.interrupted},
                                 {"reference", toJson(result.reference)},
-                                {"smallest_time_difference", numberOrNull(result.smallestRatio)},
+                                {"smallest_time_difference", base::numberOrNull(result.smallestRatio)},
                                 {"convergence_slope", toJson(result.slope)},
                                 {"points", points},
                                 {"front", front},

@@ -6,30 +6,31 @@
 #include "render/pass_plan.h"
 #include "render/render_pass.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
-std::optional<Trial> runTrial(Workers& workers, const CompileRequest& request, const World* previous,
-                              std::uint64_t seed, double mostSeconds, const std::stop_token& stop) {
+std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& request,
+                              const trace::World* previous, std::uint64_t seed, double mostSeconds,
+                              const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const Deadline deadline(mostSeconds, stop);
     return workers.run([&]() -> std::optional<Trial> {
-        std::shared_ptr<const World> world;
+        std::shared_ptr<const trace::World> world;
         try {
-            world = compile(request, previous, deadline.token());
+            world = trace::compile(request, previous, deadline.token());
         } catch (const Stopped&) {
             return std::nullopt;
         }
         Trial trial;
         trial.buildSeconds = world->buildSeconds;
-        Film film(request.width, request.height, {0, request.width, 0, request.height});
-        RenderCounters counters;
+        render::Film film(request.width, request.height, {0, request.width, 0, request.height});
+        render::RenderCounters counters;
         const int wanted = request.settings.spp;
         const Clock::time_point start = Clock::now();
         for (int done = 0; done < wanted; done = film.completeSamples())
-            if (!renderPass(*world, seed, film, nextPassTarget(done, wanted, false), {deadline.token(), {}},
-                            counters))
+            if (!render::renderPass(*world, seed, film, render::nextPassTarget(done, wanted, false),
+                                    {deadline.token(), {}}, counters))
                 return std::nullopt;
-        trial.image = develop(film.mean(), request.settings, false);
+        trial.image = post::develop(film.mean(), request.settings, false);
         trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         trial.rays = counters.rays;
         trial.world = std::move(world);
@@ -37,4 +38,4 @@ std::optional<Trial> runTrial(Workers& workers, const CompileRequest& request, c
     });
 }
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

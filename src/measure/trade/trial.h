@@ -6,7 +6,7 @@
 #include "measure/statistics/workers.h"
 #include "trace/compile.h"
 
-namespace rayscope {
+namespace rayscope::measure {
 
 /// One timed picture.
 struct Trial {
@@ -14,12 +14,13 @@ struct Trial {
     double buildSeconds = 0.0;  ///< of hierarchies that the previous world could not lend
     std::uint64_t rays = 0;
     RgbImage image;  ///< developed, linear
-    std::shared_ptr<const World> world;
+    std::shared_ptr<const trace::World> world;
 };
 
 /// Renders `request.settings.spp` samples per pixel as `rayscope render` would. Nothing is returned if it
 /// takes longer than `mostSeconds` or a stop is requested.
-std::optional<Trial> runTrial(Workers& workers, const CompileRequest& request, const World* previous,
-                              std::uint64_t seed, double mostSeconds, const std::stop_token& stop);
+std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& request,
+                              const trace::World* previous, std::uint64_t seed, double mostSeconds,
+                              const std::stop_token& stop);
 
-}  // namespace rayscope
+}  // namespace rayscope::measure

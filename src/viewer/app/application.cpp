@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -192,7 +192,7 @@ void Application::updateComparison() {
 /// What is looked at in detail is prepared beside the window, and only if something of it is seen.
 void Application::updateInspectors() {
     const bool bvhSeen = std::exchange(workspace_.bvhSeen, false) || workspace_.bvh.shown.any();
-    const std::shared_ptr<const World> world = workspace_.render.session().world();
+    const std::shared_ptr<const trace::World> world = workspace_.render.session().world();
     const bool isPresent = world && world->description == workspace_.edit.scene;
     if (bvhSeen && isPresent) workspace_.bvh.update(world);
 

@@ -2,10 +2,10 @@
 #include <chrono>
 #include <string>
 
-#include "viewer/panels/panels.h"
-#include "viewer/view/picture.h"
 #include "viewer/input/view_input.h"
 #include "viewer/input/window.h"
+#include "viewer/panels/panels.h"
+#include "viewer/view/picture.h"
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {

@@ -111,8 +111,8 @@ void Application::exportRays() {
     const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
     const SceneBounds& bounds = picture_.sceneBounds();
     try {
-        writeFileAtomically(lines, toObj(shot->tree(), glm::distance(bounds.lower, bounds.upper)));
-        writeFileAtomically(tree, toJson(shot->tree(), *shot->world));
+        base::writeFileAtomically(lines, toObj(shot->tree(), glm::distance(bounds.lower, bounds.upper)));
+        base::writeFileAtomically(tree, toJson(shot->tree(), *shot->world));
         workspace_.tell("Saved " + lines + " and " + tree);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();

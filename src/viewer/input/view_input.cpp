@@ -20,8 +20,8 @@ constexpr double kWheelFactor = 0.88;    // of the distance, per notch
 constexpr double kSettleSeconds = 0.18;  // after the last notch or key the motion is over
 
 /// The world that holds the geometry of the present scene, whatever camera it was compiled for.
-std::shared_ptr<const World> worldOf(Workspace& workspace) {
-    std::shared_ptr<const World> world = workspace.render.session().world();
+std::shared_ptr<const trace::World> worldOf(Workspace& workspace) {
+    std::shared_ptr<const trace::World> world = workspace.render.session().world();
     return world && world->description == workspace.edit.scene ? world : nullptr;
 }
 
@@ -29,7 +29,7 @@ struct SurfacePoint {
     glm::dvec3 position;
     Hit hit;
 };
-std::optional<SurfacePoint> surfaceAt(const World& world, const ViewFrame& frame, glm::dvec2 pixel) {
+std::optional<SurfacePoint> surfaceAt(const trace::World& world, const ViewFrame& frame, glm::dvec2 pixel) {
     Ray ray;
     ray.origin = glm::vec3(frame.eye);
     ray.direction = glm::vec3(frame.directionThrough(pixel));
@@ -174,9 +174,9 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
     if (const auto world = worldOf(workspace)) {
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
-            const PrimitiveName name = world->nameOf(surface->hit.primitive);
+            const trace::PrimitiveName name = world->nameOf(surface->hit.primitive);
             info.primitive = surface->hit.primitive;
-            info.object = objectName(*world, static_cast<int>(name.range->object));
+            info.object = probe::objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
         }
     }

@@ -2,8 +2,8 @@
 #include <chrono>
 #include <optional>
 
-#include "viewer/model/light_handles.h"
 #include "viewer/input/window.h"
+#include "viewer/model/light_handles.h"
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {

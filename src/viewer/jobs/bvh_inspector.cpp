@@ -11,37 +11,38 @@ namespace {
 using Inspected = BvhInspector::Inspected;
 
 Inspected inspect(Inspected inspected) {
-    inspected.index = indexTree(inspected.tree());
-    inspected.statistics = statisticsOf(inspected.tree());
+    inspected.index = probe::indexTree(inspected.tree());
+    inspected.statistics = bvh::statisticsOf(inspected.tree());
     return inspected;
 }
 
 Inspected buildRival(Inspected rival, BuildSettings settings) {
     rival.builder = settings.builder;
-    rival.ownTree = std::make_shared<const BinaryTree>(buildBinaryTree(rival.geometry->input, settings));
+    rival.ownTree =
+        std::make_shared<const bvh::BinaryTree>(bvh::buildBinaryTree(rival.geometry->input, settings));
     return inspect(std::move(rival));
 }
 
 /// A tree without what is known about it, kept alive.
 struct BareTree {
-    std::shared_ptr<const Geometry> geometry;
+    std::shared_ptr<const trace::Geometry> geometry;
     std::shared_ptr<const Accel> accel;
-    std::shared_ptr<const BinaryTree> ownTree;
+    std::shared_ptr<const bvh::BinaryTree> ownTree;
 
     explicit BareTree(const Inspected& whole)
         : geometry(whole.geometry), accel(whole.accel), ownTree(whole.ownTree) {}
-    const BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
+    const bvh::BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
     const AccelInput& input() const { return geometry->input; }
 };
 
 /// Over the rays of some hundred pixels of the view.
-BvhInspector::Costs countCosts(std::shared_ptr<const World> world, std::size_t body, BareTree own,
+BvhInspector::Costs countCosts(std::shared_ptr<const trace::World> world, std::size_t body, BareTree own,
                                BareTree rival) {
     constexpr int kColumns = 32, kRows = 24;
     constexpr std::uint64_t kSeed = 0;  // the window renders with this one
-    const ViewRays rays = raysOfView(*world, kSeed, body, kColumns, kRows);
-    return {rays.count(), searchCosts(own.tree(), own.input(), rays),
-            searchCosts(rival.tree(), rival.input(), rays)};
+    const probe::ViewRays rays = probe::raysOfView(*world, kSeed, body, kColumns, kRows);
+    return {rays.count(), probe::searchCosts(own.tree(), own.input(), rays),
+            probe::searchCosts(rival.tree(), rival.input(), rays)};
 }
 
 template <class T>
@@ -53,7 +54,7 @@ bool isReady(const std::future<T>& future) {
 
 BvhInspector::~BvhInspector() { stopRival_.request_stop(); }
 
-void BvhInspector::update(const std::shared_ptr<const World>& world) {
+void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
     if (isReady(coming_)) {
         inspected_ = coming_.get();
         ++version_;
@@ -69,7 +70,7 @@ void BvhInspector::update(const std::shared_ptr<const World>& world) {
         rival_.reset();
         return;
     }
-    const Body& wanted = world->bodies[body];
+    const trace::Body& wanted = world->bodies[body];
     const bool isKnown = inspected_ && inspected_->accel == wanted.accel;
     if (!isKnown && !coming_.valid()) {
         Inspected fresh;
@@ -96,7 +97,7 @@ BvhInspector::Recipe BvhInspector::rivalRecipe(const Settings& settings) const {
     return recipe;
 }
 
-void BvhInspector::updateRival(const std::shared_ptr<const World>& world) {
+void BvhInspector::updateRival(const std::shared_ptr<const trace::World>& world) {
     const Recipe recipe = rivalRecipe(world->settings);
     const bool isWanted = recipe == rivalRecipe_;
     if (isReady(comingRival_)) {
@@ -126,7 +127,7 @@ void BvhInspector::updateRival(const std::shared_ptr<const World>& world) {
                                             .stop = stopRival_.get_token()});
 }
 
-void BvhInspector::updateCosts(const std::shared_ptr<const World>& world) {
+void BvhInspector::updateCosts(const std::shared_ptr<const trace::World>& world) {
     const bool isKnown = countedWorld_.lock() == world && countedVersion_ == version_;
     if (isReady(comingCosts_)) {
         const Costs counted = comingCosts_.get();
@@ -140,17 +141,17 @@ void BvhInspector::updateCosts(const std::shared_ptr<const World>& world) {
         std::async(std::launch::async, countCosts, world, body, BareTree(*inspected_), BareTree(*rival_));
 }
 
-const SplitCurve* BvhInspector::curve(int bins) {
+const probe::SplitCurve* BvhInspector::curve(int bins) {
     if (isReady(comingCurve_)) {
         curve_ = comingCurve_.get();
         curveOf_ = comingCurveOf_;
     }
-    const std::uint32_t node = shown.node == kNoNode ? 0 : shown.node;
+    const std::uint32_t node = shown.node == bvh::kNoNode ? 0 : shown.node;
     const std::tuple wanted{inspected_->accel.get(), node, bins};
     if (wanted != curveOf_ && !comingCurve_.valid()) {
         comingCurveOf_ = wanted;
         comingCurve_ = std::async(std::launch::async, [tree = BareTree(*inspected_), node, bins] {
-            return splitCurve(tree.tree(), tree.input(), node, bins);
+            return probe::splitCurve(tree.tree(), tree.input(), node, bins);
         });
     }
     return wanted == curveOf_ ? &curve_ : nullptr;
@@ -164,7 +165,8 @@ void BvhInspector::keepInRange() {
     const int leaves = static_cast<int>(inspected_->index.leaves.size());
     shown.leafNumber = std::clamp(shown.leafNumber, 0, std::max(0, leaves - 1));
     shown.level = std::clamp(shown.level, 0, std::max(0, inspected_->tree().levels - 1));
-    if (shown.node != kNoNode && shown.node >= inspected_->tree().nodes.size()) shown.node = kNoNode;
+    if (shown.node != bvh::kNoNode && shown.node >= inspected_->tree().nodes.size())
+        shown.node = bvh::kNoNode;
 }
 
 void BvhInspector::stepLeaf(int by) {
@@ -186,15 +188,15 @@ void BvhInspector::stepLevel(int by) {
 
 void BvhInspector::select(std::uint32_t node) {
     shown.node = node;
-    if (!inspected_ || node == kNoNode || !inspected_->tree().nodes[node].isLeaf()) return;
+    if (!inspected_ || node == bvh::kNoNode || !inspected_->tree().nodes[node].isLeaf()) return;
     shown.leafNumber = static_cast<int>(inspected_->index.leafNumber(node));
 }
 
 void BvhInspector::selectLeafOf(std::uint32_t primitive) {
     if (!inspected_) return;
-    const BinaryTree& tree = inspected_->tree();
+    const bvh::BinaryTree& tree = inspected_->tree();
     for (const std::uint32_t leaf : inspected_->index.leaves) {
-        const auto held = primitivesOfLeaf(tree, leaf);
+        const auto held = probe::primitivesOfLeaf(tree, leaf);
         if (std::find(held.begin(), held.end(), primitive) == held.end()) continue;
         select(leaf);
         shown.leaf = true;

@@ -20,21 +20,21 @@ class BvhInspector {
 
     /// A tree and its geometry, kept alive.
     struct Inspected {
-        std::shared_ptr<const Geometry> geometry;
-        std::shared_ptr<const Accel> accel;         ///< whose tree it is, or whose rival
-        std::shared_ptr<const BinaryTree> ownTree;  ///< of a rival
+        std::shared_ptr<const trace::Geometry> geometry;
+        std::shared_ptr<const Accel> accel;              ///< whose tree it is, or whose rival
+        std::shared_ptr<const bvh::BinaryTree> ownTree;  ///< of a rival
         BvhBuilder builder = BvhBuilder::SahBinned;
-        TreeIndex index;
-        TreeStatistics statistics;
+        probe::TreeIndex index;
+        bvh::TreeStatistics statistics;
 
-        const BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
+        const bvh::BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
         IndexedTree indexed() const { return {tree(), index}; }
     };
 
     /// How another tree over the same primitives is built, to compare with.
     struct Recipe {
         BvhBuilder builder = BvhBuilder::SahBinned;
-        int bins = 32, leafSize = 4, maxLevel = kMaxTreeLevel;
+        int bins = 32, leafSize = 4, maxLevel = bvh::kMaxTreeLevel;
         bool operator==(const Recipe&) const = default;
     };
     static Recipe recipeOf(const Settings& settings);
@@ -46,7 +46,7 @@ class BvhInspector {
     std::size_t body = 0;  ///< of the world
 
     /// Follows the world and what is shown. To be called in each frame in which any of it is seen.
-    void update(const std::shared_ptr<const World>& world);
+    void update(const std::shared_ptr<const trace::World>& world);
     /// The tree of the chosen body; null where there is none, or until it is indexed.
     const Inspected* inspected() const { return inspected_ ? &*inspected_ : nullptr; }
     /// The same primitives sorted otherwise; null until it is built, or if not wanted.
@@ -54,11 +54,11 @@ class BvhInspector {
     /// What the rays of the present view cost with the tree and with its rival; null until counted.
     struct Costs {
         std::size_t rays = 0;
-        SearchCosts own, rival;
+        probe::SearchCosts own, rival;
     };
     const Costs* costs() const { return rival() != nullptr && costs_ ? &*costs_ : nullptr; }
     /// What splits of the selected node, or of the root, would cost; null until known.
-    const SplitCurve* curve(int bins);
+    const probe::SplitCurve* curve(int bins);
     bool busy() const {
         return coming_.valid() || comingRival_.valid() || comingCosts_.valid() || comingCurve_.valid();
     }
@@ -73,25 +73,25 @@ class BvhInspector {
     /// Chooses no node and no leaf.
     void letGo() {
         shown.leaf = false;
-        shown.node = kNoNode;
+        shown.node = bvh::kNoNode;
     }
     /// Chooses the leaf that holds a primitive of the body.
     void selectLeafOf(std::uint32_t primitive);
 
   private:
     void keepInRange();
-    void updateRival(const std::shared_ptr<const World>& world);
-    void updateCosts(const std::shared_ptr<const World>& world);
+    void updateRival(const std::shared_ptr<const trace::World>& world);
+    void updateCosts(const std::shared_ptr<const trace::World>& world);
 
     std::optional<Inspected> inspected_, rival_;
     Recipe rivalRecipe_;  ///< of the rival, or of the one that is being built
     std::optional<Costs> costs_;
     std::future<Costs> comingCosts_;
-    std::weak_ptr<const World> countedWorld_;  ///< whose view costs_ is of, or will be
+    std::weak_ptr<const trace::World> countedWorld_;  ///< whose view costs_ is of, or will be
     int countedVersion_ = -1;
-    SplitCurve curve_;
-    std::future<SplitCurve> comingCurve_;
-    std::tuple<const Accel*, std::uint32_t, int> curveOf_{nullptr, kNoNode, 0}, comingCurveOf_;
+    probe::SplitCurve curve_;
+    std::future<probe::SplitCurve> comingCurve_;
+    std::tuple<const Accel*, std::uint32_t, int> curveOf_{nullptr, bvh::kNoNode, 0}, comingCurveOf_;
     std::future<Inspected> coming_, comingRival_;
     std::stop_source stopRival_;
     int version_ = 0;

@@ -19,8 +19,8 @@ std::size_t bytesOf(const RayTree& tree) {
 
 }  // namespace
 
-void DebugRays::shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
-                      SampleName name, const Film* film) {
+void DebugRays::shoot(std::shared_ptr<const trace::World> world, const EditState& state, glm::ivec2 imageSize,
+                      SampleName name, const render::Film* film) {
     Shot shot;
     // Beside the rasterised view the world is compiled for one sample, which only a jittered grid depends on.
     const bool dependsOnCount = world->settings.sampler == SamplePattern::Jittered;
@@ -30,8 +30,8 @@ void DebugRays::shoot(std::shared_ptr<const World> world, const EditState& state
     shot.trees = {RayTree{}};
     shot.trees[0].name = name;
     if (film != nullptr) shot.verdict = verify(*world, *film, kSeed, name.x, name.y);
-    shot.pixel = replayPixel(*world, kSeed, name.x, name.y, std::min(shot.samples, mostSamples));
-    shot.statistics = statisticsOf(shot.pixel.values);
+    shot.pixel = probe::replayPixel(*world, kSeed, name.x, name.y, std::min(shot.samples, mostSamples));
+    shot.statistics = probe::statisticsOf(shot.pixel.values);
     shot.world = std::move(world);
     shot_ = std::move(shot);
     sample_ = name.index;
@@ -47,7 +47,7 @@ void DebugRays::record() {
     name.index = sample_;
     if (filter.allSamples)
         for (name.index = 0; name.index < shot.samples && bytes < budget; ++name.index) {
-            shot.trees.push_back(probe(*shot.world, kSeed, name));
+            shot.trees.push_back(probeSample(*shot.world, kSeed, name));
             bytes += bytesOf(shot.trees.back());
         }
     if (static_cast<std::size_t>(sample_) < shot.trees.size()) {
@@ -55,7 +55,7 @@ void DebugRays::record() {
     } else {
         name.index = sample_;
         shot.chosen = shot.trees.size();
-        shot.trees.push_back(probe(*shot.world, kSeed, name));
+        shot.trees.push_back(probeSample(*shot.world, kSeed, name));
     }
     filter.selected = {};
     filter.hidden.clear();
@@ -84,7 +84,7 @@ void DebugRays::showAllSamples(bool all) {
     if (shot_) record();
 }
 
-void DebugRays::verifyAgain(const Film& film) {
+void DebugRays::verifyAgain(const render::Film& film) {
     if (!shot_ || !shot_->verdict) return;
     const SampleName name = shot_->tree().name;
     int samples = 0;
@@ -98,16 +98,17 @@ void DebugRays::select(RaySelection selection) {
     ++version_;
 }
 
-const std::vector<Explanation>& DebugRays::explain() {
+const std::vector<probe::Explanation>& DebugRays::explain() {
     Shot& shot = *shot_;
     const SampleName name = shot.tree().name;
     if (!shot.explanations)
-        shot.explanations = explainPixel(*shot.world, kSeed, name.x, name.y,
-                                         std::min(samplesToExplain(shot.state.settings), shot.samples));
+        shot.explanations =
+            probe::explainPixel(*shot.world, kSeed, name.x, name.y,
+                                std::min(probe::samplesToExplain(shot.state.settings), shot.samples));
     return *shot.explanations;
 }
 
-void DebugRays::show(const Evidence& evidence) {
+void DebugRays::show(const probe::Evidence& evidence) {
     chooseSample(evidence.sample);
     select({evidence.node, evidence.shadow});
 }
@@ -119,7 +120,7 @@ void DebugRays::pin() {
     double rays = 0.0;
     for (const std::uint32_t count : shot_->pixel.rays) rays += count;
     pins.push_back({{tree.name.x, tree.name.y},
-                    first.hit ? objectName(*shot_->world, first.object) : "nothing",
+                    first.hit ? probe::objectName(*shot_->world, first.object) : "nothing",
                     shot_->statistics.mean,
                     shot_->statistics.errorOfMean(),
                     rays / static_cast<double>(std::max<std::size_t>(shot_->pixel.rays.size(), 1))});
@@ -139,10 +140,10 @@ void DebugRays::updateSearch() {
     searchedLayout_ = search.layout;
     if (filter.selected.shadow >= 0) {
         const ShadowRay& shadow = tree.shadowRays[static_cast<std::size_t>(filter.selected.shadow)];
-        searches_ = recordAnyHit(*shot_->world, shadow.ray, tree.time, search.layout);
+        searches_ = probe::recordAnyHit(*shot_->world, shadow.ray, tree.time, search.layout);
     } else {
         const auto node = static_cast<std::size_t>(std::max(filter.selected.node, 0));
-        searches_ = recordClosestHit(*shot_->world, tree.nodes[node].ray, tree.time, search.layout);
+        searches_ = probe::recordClosestHit(*shot_->world, tree.nodes[node].ray, tree.time, search.layout);
     }
     ++version_;
 }
@@ -151,7 +152,7 @@ void DebugRays::step(int by) {
     search.shown = search.stepping = true;
     updateSearch();
     std::size_t most = 0;
-    for (const TraversalLog& log : searches_) most = std::max(most, log.steps.size());
+    for (const probe::TraversalLog& log : searches_) most = std::max(most, log.steps.size());
     search.step = std::clamp(search.step + by, 0, static_cast<int>(most));
 }
 

@@ -23,19 +23,19 @@ class DebugRays {
         int samples = 1;             ///< that the pixel has with these settings
         EditState state;
         glm::ivec2 imageSize{1};
-        std::shared_ptr<const World> world;
+        std::shared_ptr<const trace::World> world;
         std::optional<ReplayVerdict> verdict;
-        PixelSamples pixel;  ///< of all samples, at most mostSamples
-        SampleStatistics statistics;
-        std::optional<std::vector<Explanation>> explanations;
+        probe::PixelSamples pixel;  ///< of all samples, at most mostSamples
+        probe::SampleStatistics statistics;
+        std::optional<std::vector<probe::Explanation>> explanations;
 
         const RayTree& tree() const { return trees[chosen]; }
     };
 
     /// Records the pixel of `world`, which was compiled from `state`. With a film, whether the replay gives
     /// what the film holds is found out too.
-    void shoot(std::shared_ptr<const World> world, const EditState& state, glm::ivec2 imageSize,
-               SampleName name, const Film* film);
+    void shoot(std::shared_ptr<const trace::World> world, const EditState& state, glm::ivec2 imageSize,
+               SampleName name, const render::Film* film);
     void clear();
     static constexpr int kMostSamples = 4096, kMostLiveSamples = 64;
     int mostSamples = kMostSamples;  ///< that are replayed for the strip
@@ -46,12 +46,12 @@ class DebugRays {
     void chooseSample(int index);
     void showAllSamples(bool all);
     /// Compares with the film again if that has other samples than at the time of the last verdict.
-    void verifyAgain(const Film& film);
+    void verifyAgain(const render::Film& film);
 
     /// Finds out what stands out about the pixel, if that was not done yet.
-    const std::vector<Explanation>& explain();
+    const std::vector<probe::Explanation>& explain();
     /// Goes to the ray that a sentence rests on.
-    void show(const Evidence& evidence);
+    void show(const probe::Evidence& evidence);
 
     /// The chosen ray; its search is recorded as soon as it is to be shown.
     void select(RaySelection selection);
@@ -59,7 +59,7 @@ class DebugRays {
     void hideSelected();
     void updateSearch();
     /// The search of the chosen ray, or of the camera ray, through each body.
-    const std::vector<TraversalLog>& searches() const { return searches_; }
+    const std::vector<probe::TraversalLog>& searches() const { return searches_; }
     void step(int by);
 
     /// What is kept of a pixel, to compare it with others.
@@ -83,7 +83,7 @@ class DebugRays {
     void record();
 
     std::optional<Shot> shot_;
-    std::vector<TraversalLog> searches_;
+    std::vector<probe::TraversalLog> searches_;
     std::optional<RaySelection> searched_;          ///< whose search is recorded …
     BvhLayout searchedLayout_ = BvhLayout::Binary;  ///< … through which tree
     int sample_ = 0;

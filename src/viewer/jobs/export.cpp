@@ -22,7 +22,7 @@ std::string nextFreeName(std::string_view suffix) {
 }
 
 ImageMetadata metadataOf(const EditState& state, std::uint64_t seed, int samples) {
-    ImageMetadata metadata = imageMetadata(*state.scene, state.settings, seed, samples);
+    ImageMetadata metadata = render::imageMetadata(*state.scene, state.settings, seed, samples);
     metadata["camera"] = toOptions(state.camera);
     return metadata;
 }
@@ -35,7 +35,8 @@ RgbImage readFramebuffer(int x, int y, int width, int height) {
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const std::uint8_t* pixel = &bytes[3 * image.index(column, height - 1 - row)];
-            image.at(column, row) = {decodeByte(pixel[0]), decodeByte(pixel[1]), decodeByte(pixel[2])};
+            image.at(column, row) = {image::decodeByte(pixel[0]), image::decodeByte(pixel[1]),
+                                     image::decodeByte(pixel[2])};
         }
     return image;
 }
@@ -62,7 +63,7 @@ void RenderJob::update() {
         } else if (status.state == RenderState::Done) {
             phase_ = Phase::Writing;
             writing_ = std::async(std::launch::async, [this, film = session_.film(), status] {
-                writeImage(path_, develop(film->mean(), state_.settings, isDisplayFormat(path_)),
+                writeImage(path_, post::develop(film->mean(), state_.settings, post::isDisplayFormat(path_)),
                            metadataOf(state_, 0, status.samples), state_.settings.tone);
             });
         }

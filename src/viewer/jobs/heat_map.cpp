@@ -10,12 +10,12 @@ namespace rayscope::viewer {
 
 namespace {
 
-RgbImage compute(std::shared_ptr<const World> world, std::shared_ptr<const Film> film, Aov aov, int samples,
-                 int threads, std::stop_token stop) {
+RgbImage compute(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
+                 probe::Aov aov, int samples, int threads, std::stop_token stop) {
     constexpr std::uint64_t kSeed = 0;  // the window renders with this one
-    AovRequest request{*world, film.get(), kSeed, samples, std::nullopt, threads, std::move(stop)};
-    const Aov wanted[] = {aov};
-    return std::move(renderAovs(request, wanted).front());
+    probe::AovRequest request{*world, film.get(), kSeed, samples, std::nullopt, threads, std::move(stop)};
+    const probe::Aov wanted[] = {aov};
+    return std::move(probe::renderAovs(request, wanted).front());
 }
 
 }  // namespace
@@ -41,24 +41,25 @@ HeatStatistics heatStatistics(const RgbImage& values) {
     return s;
 }
 
-RgbImage colored(const RgbImage& values, ColorMap map, double from, double to) {
+RgbImage colored(const RgbImage& values, post::ColorMap map, double from, double to) {
     // The path through Oklab is looked up: a picture has a million pixels.
     constexpr int kSteps = 1024;
     std::vector<Rgb> table;
-    for (int i = 0; i <= kSteps; ++i) table.push_back(mapColor(map, static_cast<double>(i) / kSteps));
+    for (int i = 0; i <= kSteps; ++i) table.push_back(post::mapColor(map, static_cast<double>(i) / kSteps));
     RgbImage image(values.width, values.height);
     for (std::size_t i = 0; i < values.pixels.size(); ++i) {
         const double value = static_cast<double>(values.pixels[i].x);
         const double share = to > from ? (value - from) / (to - from) : (value > to ? 1.0 : 0.0);
         image.pixels[i] =
             std::isnan(share)
-                ? mapColor(map, share)
+                ? post::mapColor(map, share)
                 : table[static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * kSteps))];
     }
     return image;
 }
 
-void HeatMap::update(std::shared_ptr<const World> world, std::shared_ptr<const Film> film, int threads) {
+void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
+                     int threads) {
     if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
             values_ = coming_.get();
@@ -75,7 +76,7 @@ void HeatMap::update(std::shared_ptr<const World> world, std::shared_ptr<const F
     }
     if (!shown || !world) return;
     // What the film knows is asked again whenever it has more samples.
-    const bool ofFilm = aov >= Aov::Samples;
+    const bool ofFilm = aov >= probe::Aov::Samples;
     const Source wanted{world, ofFilm ? film : nullptr, aov, samples,
                         ofFilm && film ? film->completeSamples() : 0};
     if (wanted == computed_) return;

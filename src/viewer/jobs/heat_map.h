@@ -18,7 +18,7 @@ struct HeatStatistics {
 HeatStatistics heatStatistics(const RgbImage& values);
 
 /// The image as colours: `from` and below has the first, `to` and above the last.
-RgbImage colored(const RgbImage& values, ColorMap map, double from, double to);
+RgbImage colored(const RgbImage& values, post::ColorMap map, double from, double to);
 
 /// A picture of what pixels cost or how certain they are, in place of the traced one.
 class HeatMap {
@@ -26,14 +26,15 @@ class HeatMap {
     ~HeatMap() { stop_.request_stop(); }
 
     bool shown = false;
-    Aov aov = Aov::Nodes;
-    ColorMap map = ColorMap::Spectrum;
+    probe::Aov aov = probe::Aov::Nodes;
+    post::ColorMap map = post::ColorMap::Spectrum;
     float from = 0.0f, to = 1.0f;  ///< values at the ends of the colours
     bool fitRange = true;          ///< to the values, anew for each picture
     int samples = 1;               ///< per pixel, that are counted
 
     /// Computes beside the window what is to be shown. `film` is the one of the present picture.
-    void update(std::shared_ptr<const World> world, std::shared_ptr<const Film> film, int threads);
+    void update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
+                int threads);
     bool busy() const { return coming_.valid(); }
     /// Null until there is one.
     const RgbImage* image() const { return shown && values_ ? &image_ : nullptr; }
@@ -46,9 +47,9 @@ class HeatMap {
 
   private:
     struct Source {
-        std::shared_ptr<const World> world;
-        std::shared_ptr<const Film> film;
-        Aov aov = Aov::Nodes;
+        std::shared_ptr<const trace::World> world;
+        std::shared_ptr<const render::Film> film;
+        probe::Aov aov = probe::Aov::Nodes;
         int samples = 0, filmSamples = 0;
         bool operator==(const Source&) const = default;
     };

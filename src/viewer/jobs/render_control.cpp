@@ -111,7 +111,7 @@ void RenderControl::watchError(const Wish& wish) {
     const bool isOtherTarget = goal_.error != wish.goal.error || goal_.confidence != wish.goal.confidence;
     if (film != watchedFilm_ || isOtherTarget || !watch_) {
         watchedFilm_ = film;
-        watch_ = std::make_shared<const ErrorWatch>(
+        watch_ = std::make_shared<const measure::ErrorWatch>(
             ErrorTarget{.error = static_cast<double>(wish.goal.error),
                         .confidence = static_cast<double>(wish.goal.confidence)},
             wish.state.settings.sampler);
@@ -123,11 +123,12 @@ void RenderControl::watchError(const Wish& wish) {
     }
     if (!film || coarse_ || !wish.traced || !watch_->wantsLook(film->completeSamples())) return;
     lookedFrom_ = watch_;
-    looking_ = std::async(std::launch::async, [before = watch_, film]() -> std::shared_ptr<const ErrorWatch> {
-        auto next = std::make_shared<ErrorWatch>(*before);
-        next->look(ErrorWatch::take(*film));
-        return next;
-    });
+    looking_ = std::async(std::launch::async,
+                          [before = watch_, film]() -> std::shared_ptr<const measure::ErrorWatch> {
+                              auto next = std::make_shared<measure::ErrorWatch>(*before);
+                              next->look(measure::ErrorWatch::take(*film));
+                              return next;
+                          });
 }
 
 void RenderControl::stopAtGoal(const Wish& wish) {
@@ -158,7 +159,7 @@ double RenderControl::raysPerSecond() const {
     return status_.elapsedSeconds > 0.0 ? static_cast<double>(status_.rays) / status_.elapsedSeconds : 0.0;
 }
 
-std::shared_ptr<const World> RenderControl::settledWorld() const {
+std::shared_ptr<const trace::World> RenderControl::settledWorld() const {
     const RenderState state = session_.status().state;
     const bool compiled = state == RenderState::Rendering || state == RenderState::Done ||
                           (state == RenderState::Idle && stopped_);

@@ -48,7 +48,7 @@ class RenderControl {
     double raysPerSecond() const;
 
     /// The world of the present state at full size; null while it is being compiled or a coarse one is shown.
-    std::shared_ptr<const World> settledWorld() const;
+    std::shared_ptr<const trace::World> settledWorld() const;
     /// Whether something is on its way to the screen.
     bool busy() const;
 
@@ -77,10 +77,10 @@ class RenderControl {
 
     RenderGoal goal_;
     std::optional<StopReason> stopped_;
-    std::shared_ptr<const ErrorWatch> watch_;
-    std::shared_ptr<const Film> watchedFilm_;
-    std::future<std::shared_ptr<const ErrorWatch>> looking_;
-    std::shared_ptr<const ErrorWatch> lookedFrom_;  ///< what the look that is underway goes on from
+    std::shared_ptr<const measure::ErrorWatch> watch_;
+    std::shared_ptr<const render::Film> watchedFilm_;
+    std::future<std::shared_ptr<const measure::ErrorWatch>> looking_;
+    std::shared_ptr<const measure::ErrorWatch> lookedFrom_;  ///< what the look that is underway goes on from
 };
 
 }  // namespace rayscope::viewer

@@ -1,8 +1,8 @@
 #pragma once
 #include <rayscope/trade.h>
 
-#include "viewer/model/edit_state.h"
 #include "viewer/jobs/long_run.h"
+#include "viewer/model/edit_state.h"
 
 namespace rayscope::viewer {
 

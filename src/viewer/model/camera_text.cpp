@@ -74,8 +74,8 @@ CameraDescription withOptions(const CameraDescription& camera, std::string_view 
         else if (option == "--fov")
             changed.fov = numbers(option, value, 1)[0];
         else
-            throw InputError(fmt::format("expected {}, got '{}'{}", joinChoices(kOptions), option,
-                                         didYouMean(option, kOptions)));
+            throw InputError(fmt::format("expected {}, got '{}'{}", base::joinChoices(kOptions), option,
+                                         base::didYouMean(option, kOptions)));
     }
     if (!(changed.fov > 0.0f && changed.fov < 180.0f))
         throw InputError("--fov: expected degrees between 0 and 180");

@@ -25,7 +25,7 @@ CameraDescription chooseCamera(const SceneDescription& scene, const std::string&
         if (camera.name == name) return camera;
         names.push_back(camera.name);
     }
-    throw InputError(fmt::format("the scene has no camera '{}'{}", name, didYouMean(name, names)));
+    throw InputError(fmt::format("the scene has no camera '{}'{}", name, base::didYouMean(name, names)));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ ViewFrame viewFrame(const CameraDescription& camera, int width, int height) {
     if (glm::length(view) > 0.0) frame.forward = glm::normalize(view);
 
     const glm::dvec3 sideways = glm::cross(frame.forward, glm::dvec3(camera.up));
-    frame.right = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : frameAround(frame.forward).u;
+    frame.right = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : math::frameAround(frame.forward).u;
     frame.up = glm::cross(frame.right, frame.forward);
     return frame;
 }

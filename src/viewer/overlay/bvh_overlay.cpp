@@ -9,7 +9,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-OverlayBox boxOf(const BinaryNode& node, glm::vec4 color, LineStyle style, float width) {
+OverlayBox boxOf(const bvh::BinaryNode& node, glm::vec4 color, LineStyle style, float width) {
     return {node.lower, node.upper, color, style, width};
 }
 
@@ -38,17 +38,18 @@ OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* rival, const 
     OverlayBoxes boxes;
     if (choice.savings && rival != nullptr)
         for (const std::uint32_t node :
-             nodesAtLevel(rival->tree, rival->index, choice.level, choice.leavesAbove))
+             probe::nodesAtLevel(rival->tree, rival->index, choice.level, choice.leavesAbove))
             boxes.push_back(boxOf(rival->tree.nodes[node], palette::kRivalBox, LineStyle::Solid, 2.5f));
     if (choice.levels || choice.savings)
-        for (const std::uint32_t node : nodesAtLevel(own.tree, own.index, choice.level, choice.leavesAbove))
+        for (const std::uint32_t node :
+             probe::nodesAtLevel(own.tree, own.index, choice.level, choice.leavesAbove))
             boxes.push_back(boxOf(own.tree.nodes[node], palette::kLevelBox, LineStyle::Solid, 1.2f));
     return boxes;
 }
 
-OverlayBoxes nodeBoxes(const BinaryTree& tree, std::uint32_t number) {
+OverlayBoxes nodeBoxes(const bvh::BinaryTree& tree, std::uint32_t number) {
     if (number >= tree.nodes.size()) return {};
-    const BinaryNode& node = tree.nodes[number];
+    const bvh::BinaryNode& node = tree.nodes[number];
     OverlayBoxes boxes;
     if (!node.isLeaf())
         for (const std::uint32_t child : {node.first, node.first + 1})
@@ -84,8 +85,8 @@ OverlayBoxes leafBoxes(const IndexedTree& own, const BvhChoice& choice) {
 
 OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhChoice& choice) {
     if (!hasLeaf(own, choice)) return {};
-    return primitiveLines(input, primitivesOfLeaf(own.tree, leafNode(own, choice)), palette::kLeafPrimitive,
-                          3.0f);
+    return primitiveLines(input, probe::primitivesOfLeaf(own.tree, leafNode(own, choice)),
+                          palette::kLeafPrimitive, 3.0f);
 }
 
 }  // namespace rayscope::viewer

@@ -8,21 +8,21 @@ namespace rayscope::viewer {
 
 /// What is drawn of a bounding volume hierarchy.
 struct BvhChoice {
-    bool levels = false;           ///< boxes of one level …
-    int level = 0;                 ///< … this one
-    bool leavesAbove = false;      ///< and the leaves that end above it
-    bool savings = false;          ///< the boxes of the rival tree on the same level below them
-    bool leaf = false;             ///< one leaf with its primitives …
-    int leafNumber = 0;            ///< … by its place in preorder
-    std::uint32_t node = kNoNode;  ///< the selected node
-    bool any() const { return levels || savings || leaf || node != kNoNode; }
+    bool levels = false;                ///< boxes of one level …
+    int level = 0;                      ///< … this one
+    bool leavesAbove = false;           ///< and the leaves that end above it
+    bool savings = false;               ///< the boxes of the rival tree on the same level below them
+    bool leaf = false;                  ///< one leaf with its primitives …
+    int leafNumber = 0;                 ///< … by its place in preorder
+    std::uint32_t node = bvh::kNoNode;  ///< the selected node
+    bool any() const { return levels || savings || leaf || node != bvh::kNoNode; }
     bool operator==(const BvhChoice&) const = default;
 };
 
 /// A tree with what is known about it.
 struct IndexedTree {
-    const BinaryTree& tree;
-    const TreeIndex& index;
+    const bvh::BinaryTree& tree;
+    const probe::TreeIndex& index;
 };
 
 /// The boxes of the chosen level. Those of the `rival` (may be null) come first and are wider and red, so
@@ -30,7 +30,7 @@ struct IndexedTree {
 OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* rival, const BvhChoice& choice);
 
 /// The box of a node, and the boxes of its children dashed.
-OverlayBoxes nodeBoxes(const BinaryTree& tree, std::uint32_t node);
+OverlayBoxes nodeBoxes(const bvh::BinaryTree& tree, std::uint32_t node);
 
 /// The outlines of primitives: the edges of triangles, and three great circles of spheres.
 OverlayLines primitiveLines(const AccelInput& input, std::span<const std::uint32_t> primitives,

@@ -1,8 +1,8 @@
 #pragma once
 #include <rayscope/probe.h>
 
-#include "viewer/overlay/overlay.h"
 #include "viewer/model/projection.h"
+#include "viewer/overlay/overlay.h"
 
 namespace rayscope::viewer {
 

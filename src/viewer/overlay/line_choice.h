@@ -1,6 +1,6 @@
 #pragma once
-#include "viewer/overlay/overlay.h"
 #include "viewer/model/projection.h"
+#include "viewer/overlay/overlay.h"
 
 namespace rayscope::viewer {
 

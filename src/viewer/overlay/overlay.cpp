@@ -21,7 +21,7 @@ glm::vec3 displayColor(Rgb linear) {
     const float largest = std::max({linear.r, linear.g, linear.b, 1.0f});
     glm::vec3 shown;
     for (int channel = 0; channel < 3; ++channel)
-        shown[channel] = std::min(1.0f, linearToSrgb(std::max(linear[channel], 0.0f) / largest));
+        shown[channel] = std::min(1.0f, image::linearToSrgb(std::max(linear[channel], 0.0f) / largest));
     return shown;
 }
 

@@ -16,7 +16,7 @@ void appendLoop(OverlayLines& lines, std::span<const glm::vec3> corners, glm::ve
 
 }  // namespace
 
-OverlayLines vertexNormalLines(const VertexNormals& normals, float length) {
+OverlayLines vertexNormalLines(const probe::VertexNormals& normals, float length) {
     OverlayLines lines;
     appendLoop(lines, normals.position, palette::kVertexNormal, LineStyle::Solid, 1.5f);
     for (int i = 0; i < 3; ++i)
@@ -25,7 +25,7 @@ OverlayLines vertexNormalLines(const VertexNormals& normals, float length) {
     return lines;
 }
 
-OverlayLines glossySquareLines(const GlossySquare& square) {
+OverlayLines glossySquareLines(const probe::GlossySquare& square) {
     OverlayLines lines;
     const glm::vec3 corners[] = {
         square.center - square.right - square.up, square.center + square.right - square.up,
@@ -36,13 +36,13 @@ OverlayLines glossySquareLines(const GlossySquare& square) {
     return lines;
 }
 
-OverlayLines environmentLines(const EnvironmentPoint& point, glm::vec3 from, float length) {
+OverlayLines environmentLines(const probe::EnvironmentPoint& point, glm::vec3 from, float length) {
     const glm::vec3 direction = glm::vec3(glm::normalize(point.direction));
     return {{from, from + length * direction, glm::vec4(displayColor(point.color), 1.0f), LineStyle::Dashed,
              2.5f}};
 }
 
-OverlayLines lensLines(const LensReport& lens) {
+OverlayLines lensLines(const probe::LensReport& lens) {
     OverlayLines lines;
     appendLoop(lines, lens.outline, palette::kLens, LineStyle::Solid, 2.0f);
     appendLoop(lines, lens.focus, palette::kLens, LineStyle::Solid, 2.0f);

@@ -11,15 +11,15 @@ struct SurfaceChoice {
 };
 
 /// The edges of the triangle and the normals of its vertices, `length` long.
-OverlayLines vertexNormalLines(const VertexNormals& normals, float length);
+OverlayLines vertexNormalLines(const probe::VertexNormals& normals, float length);
 
 /// The square as two triangles, and the mirrored direction through its middle.
-OverlayLines glossySquareLines(const GlossySquare& square);
+OverlayLines glossySquareLines(const probe::GlossySquare& square);
 
 /// A ray of the length into the environment, in the colour that it fetches.
-OverlayLines environmentLines(const EnvironmentPoint& point, glm::vec3 from, float length);
+OverlayLines environmentLines(const probe::EnvironmentPoint& point, glm::vec3 from, float length);
 
 /// The outline of the aperture; the plane of focus, and dashed the planes of the sharp zone.
-OverlayLines lensLines(const LensReport& lens);
+OverlayLines lensLines(const probe::LensReport& lens);
 
 }  // namespace rayscope::viewer

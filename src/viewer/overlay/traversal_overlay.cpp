@@ -9,18 +9,18 @@ namespace rayscope::viewer {
 
 namespace {
 
-bool isTest(TraversalEvent event) {
-    return event == TraversalEvent::Hit || event == TraversalEvent::NoHit ||
-           event == TraversalEvent::Filtered;
+bool isTest(probe::TraversalEvent event) {
+    return event == probe::TraversalEvent::Hit || event == probe::TraversalEvent::NoHit ||
+           event == probe::TraversalEvent::Filtered;
 }
 
 /// What became of a box in the end, or as far as the steps go.
 struct Fate {
     bool seen = false;
-    TraversalEvent last = TraversalEvent::Missed;
+    probe::TraversalEvent last = probe::TraversalEvent::Missed;
 };
 
-std::vector<Fate> fatesOf(const TraversalLog& log, std::size_t steps) {
+std::vector<Fate> fatesOf(const probe::TraversalLog& log, std::size_t steps) {
     std::vector<Fate> fates(log.boxes.size());
     for (std::size_t i = 0; i < steps; ++i)
         if (!isTest(log.steps[i].event)) fates[log.steps[i].number] = {true, log.steps[i].event};
@@ -29,12 +29,12 @@ std::vector<Fate> fatesOf(const TraversalLog& log, std::size_t steps) {
 
 }  // namespace
 
-std::size_t shownSteps(const TraversalLog& log, const TraversalChoice& choice) {
+std::size_t shownSteps(const probe::TraversalLog& log, const TraversalChoice& choice) {
     if (!choice.stepping) return log.steps.size();
     return std::min(static_cast<std::size_t>(std::max(choice.step, 0)), log.steps.size());
 }
 
-OverlayBoxes traversalBoxes(const TraversalLog& log, const TraversalChoice& choice) {
+OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalChoice& choice) {
     OverlayBoxes boxes;
     if (!choice.shown) return boxes;
     const std::size_t steps = shownSteps(log, choice);
@@ -46,31 +46,31 @@ OverlayBoxes traversalBoxes(const TraversalLog& log, const TraversalChoice& choi
     for (std::size_t i = 0; i < fates.size(); ++i) {
         if (!fates[i].seen) continue;
         switch (fates[i].last) {
-            case TraversalEvent::Missed:
+            case probe::TraversalEvent::Missed:
                 if (choice.missed) add(i, palette::kMissedBox, LineStyle::Dotted, 1.0f);
                 break;
-            case TraversalEvent::Behind:
+            case probe::TraversalEvent::Behind:
                 if (choice.skipped) add(i, palette::kSkippedBox, LineStyle::Dashed, 1.5f);
                 break;
-            case TraversalEvent::Waits:
+            case probe::TraversalEvent::Waits:
                 add(i, palette::kWaitingBox, LineStyle::Dashed, 1.5f);
                 break;
             default:
                 add(i, palette::kVisitedBox, LineStyle::Solid, 1.3f);
         }
     }
-    const int current = stateAfter(log, steps).current;
+    const int current = probe::stateAfter(log, steps).current;
     if (choice.stepping && current >= 0)
         add(static_cast<std::size_t>(current), palette::kVisitedBox, LineStyle::Solid, 3.5f);
     return boxes;
 }
 
-OverlayLines traversalLines(const TraversalLog& log, const AccelInput& input, const TraversalChoice& choice,
-                            float sceneSize) {
+OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& input,
+                            const TraversalChoice& choice, float sceneSize) {
     OverlayLines lines;
     if (!choice.shown) return lines;
     const std::size_t steps = shownSteps(log, choice);
-    const TraversalState state = stateAfter(log, steps);
+    const probe::TraversalState state = probe::stateAfter(log, steps);
     const auto outline = [&](std::uint32_t primitive, glm::vec4 color, float width) {
         const std::uint32_t one[] = {primitive};
         for (OverlayLine line : primitiveLines(input, one, color, width)) {

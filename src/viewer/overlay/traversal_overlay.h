@@ -18,15 +18,15 @@ struct TraversalChoice {
 };
 
 /// How many steps of the log the choice shows.
-std::size_t shownSteps(const TraversalLog& log, const TraversalChoice& choice);
+std::size_t shownSteps(const probe::TraversalLog& log, const TraversalChoice& choice);
 
 /// Entered boxes green, skipped ones purple, waiting ones orange and dashed, missed ones grey and dotted; the
 /// one that is searched at the moment is drawn thick.
-OverlayBoxes traversalBoxes(const TraversalLog& log, const TraversalChoice& choice);
+OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalChoice& choice);
 
 /// The primitive that is the closest hit so far, the one that was tested last, and the interval of the ray in
 /// which hits still count, drawn as far as the scene reaches.
-OverlayLines traversalLines(const TraversalLog& log, const AccelInput& input, const TraversalChoice& choice,
-                            float sceneSize);
+OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& input,
+                            const TraversalChoice& choice, float sceneSize);
 
 }  // namespace rayscope::viewer

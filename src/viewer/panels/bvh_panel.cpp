@@ -5,8 +5,8 @@
 #include "bvh/layout/statistics.h"
 #include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -56,7 +56,7 @@ void drawLeaf(BvhInspector& bvh, const Inspected& seen) {
     if (!bvh.shown.leaf || bvh.shown.leafNumber >= leaves) return;
     const std::uint32_t node = seen.index.leaves[static_cast<std::size_t>(bvh.shown.leafNumber)];
     constexpr std::size_t kNamed = 12;
-    const auto primitives = primitivesOfLeaf(seen.tree(), node);
+    const auto primitives = probe::primitivesOfLeaf(seen.tree(), node);
     std::string words = fmt::format("node {}, level {}: primitives", node, seen.index.level[node]);
     for (const std::uint32_t primitive : primitives.first(std::min(primitives.size(), kNamed)))
         words += fmt::format(" {}", primitive);
@@ -70,22 +70,22 @@ void drawBuild(Workspace& workspace, const Inspected& seen) {
     Settings& settings = workspace.edit.settings;
     labelledRow("Max level", settings.bvhMaxLevel != Settings{}.bvhMaxLevel,
                 "The deepest level that is built (setting bvh_max_level); moving it builds anew.");
-    ImGui::SliderInt("##max", &settings.bvhMaxLevel, 0, kMaxTreeLevel, "%d", kClamp);
-    const TreeStatistics& s = seen.statistics;
+    ImGui::SliderInt("##max", &settings.bvhMaxLevel, 0, bvh::kMaxTreeLevel, "%d", kClamp);
+    const bvh::TreeStatistics& s = seen.statistics;
     valueRow("Built", fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
     valueRow("Nodes", fmt::format("{}, {} are leaves", s.nodes, s.leaves));
     valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));
     valueRow("Memory", fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
 }
 
-bool isAncestor(const TreeIndex& index, std::uint32_t node, std::uint32_t below) {
-    while (below != kNoNode && below != node) below = index.parent[below];
+bool isAncestor(const probe::TreeIndex& index, std::uint32_t node, std::uint32_t below) {
+    while (below != bvh::kNoNode && below != node) below = index.parent[below];
     return below == node;
 }
 
 /// A node and, where it is unfolded, everything below it.
 void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bool reveal) {
-    const BinaryNode& node = seen.tree().nodes[number];
+    const bvh::BinaryNode& node = seen.tree().nodes[number];
     ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
     if (node.isLeaf()) flags |= ImGuiTreeNodeFlags_Leaf;
     const bool selected = number == bvh.shown.node;
@@ -97,7 +97,7 @@ void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bo
                                                 seen.index.primitives[number], seen.index.cost[number]);
     const bool open = ImGui::TreeNodeEx(
         reinterpret_cast<const void*>(static_cast<std::uintptr_t>(number) + 1), flags, "%s", label.c_str());
-    if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) bvh.select(selected ? kNoNode : number);
+    if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) bvh.select(selected ? bvh::kNoNode : number);
     if (reveal && selected) ImGui::SetScrollHereY();
     if (!open) return;
     if (!node.isLeaf())
@@ -107,23 +107,23 @@ void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bo
 
 void drawSelected(const Inspected& seen, std::uint32_t number) {
     if (number >= seen.tree().nodes.size()) return dimText("Click a node to see it in the picture.");
-    const BinaryNode& node = seen.tree().nodes[number];
-    const double rootArea = halfArea(seen.tree().nodes[0]);
+    const bvh::BinaryNode& node = seen.tree().nodes[number];
+    const double rootArea = bvh::halfArea(seen.tree().nodes[0]);
     valueRow("Node", fmt::format("{}, level {}", number, seen.index.level[number]));
     valueRow("Lower", vectorText(node.lower));
     valueRow("Upper", vectorText(node.upper));
     valueRow("Primitives", fmt::format("{}", seen.index.primitives[number]));
     valueRow("SAH cost", fmt::format("{:.4g} once entered", seen.index.cost[number]));
     if (rootArea > 0.0)
-        valueRow("Entered", fmt::format("by {:.3g} % of all lines", 100.0 * halfArea(node) / rootArea));
+        valueRow("Entered", fmt::format("by {:.3g} % of all lines", 100.0 * bvh::halfArea(node) / rootArea));
     if (!node.isLeaf())
         valueRow("Overlap",
-                 fmt::format("both children: {:.3g} %", 100.0 * childOverlap(seen.tree(), number)));
+                 fmt::format("both children: {:.3g} %", 100.0 * probe::childOverlap(seen.tree(), number)));
 }
 
 void drawTree(BvhInspector& bvh, const Inspected& seen) {
-    static std::uint32_t revealed = kNoNode;
-    const bool reveal = bvh.shown.node != revealed && bvh.shown.node != kNoNode;
+    static std::uint32_t revealed = bvh::kNoNode;
+    const bool reveal = bvh.shown.node != revealed && bvh.shown.node != bvh::kNoNode;
     revealed = bvh.shown.node;
     if (ImGui::BeginChild("nodes", {0.0f, scaled(150.0f)}, true, ImGuiWindowFlags_HorizontalScrollbar))
         drawNode(bvh, seen, 0, reveal);

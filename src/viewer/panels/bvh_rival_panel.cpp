@@ -43,9 +43,9 @@ void drawTable(const BvhInspector& bvh, const Inspected& seen, const Inspected& 
     const auto pair = [](const char* name, const char* format, double own, double other) {
         row(name, fmt::format(fmt::runtime(format), own), fmt::format(fmt::runtime(format), other));
     };
-    const LevelComparison c =
-        compareAtLevel(seen.tree(), seen.index, rival.tree(), rival.index, bvh.shown.level);
-    const TreeStatistics &a = seen.statistics, &b = rival.statistics;
+    const probe::LevelComparison c =
+        probe::compareAtLevel(seen.tree(), seen.index, rival.tree(), rival.index, bvh.shown.level);
+    const bvh::TreeStatistics &a = seen.statistics, &b = rival.statistics;
     row("", "this build", "the other");
     row("", nameOf(seen.builder), nameOf(rival.builder));
     pair("SAH cost", "{:.3f}", c.sahCost[0], c.sahCost[1]);

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 

@@ -4,17 +4,18 @@
 
 #include "image/srgb.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
 namespace {
 
 void drawChoices(HeatMap& heat) {
-    labelledRow("Quantity", false, infoOf(heat.aov).help);
-    if (ImGui::BeginCombo("##aov", std::string(infoOf(heat.aov).name).c_str(), ImGuiComboFlags_HeightLarge)) {
-        for (const AovInfo& info : aovTable()) {
+    labelledRow("Quantity", false, probe::infoOf(heat.aov).help);
+    if (ImGui::BeginCombo("##aov", std::string(probe::infoOf(heat.aov).name).c_str(),
+                          ImGuiComboFlags_HeightLarge)) {
+        for (const probe::AovInfo& info : probe::aovTable()) {
             if (info.isColor) continue;
             if (ImGui::Selectable(std::string(info.name).c_str(), info.aov == heat.aov)) {
                 heat.aov = info.aov;
@@ -26,10 +27,10 @@ void drawChoices(HeatMap& heat) {
     }
     labelledRow("Colours", false,
                 "All grow evenly in lightness, which every kind of colour vision tells apart.");
-    if (ImGui::BeginCombo("##map", kColorMapNames[static_cast<int>(heat.map)].data())) {
+    if (ImGui::BeginCombo("##map", post::kColorMapNames[static_cast<int>(heat.map)].data())) {
         for (int i = 0; i < 3; ++i)
-            if (ImGui::Selectable(kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
-                heat.map = static_cast<ColorMap>(i);
+            if (ImGui::Selectable(post::kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
+                heat.map = static_cast<post::ColorMap>(i);
                 heat.recolor();
             }
         ImGui::EndCombo();
@@ -54,9 +55,9 @@ void drawHistogram(HeatMap& heat) {
                                             static_cast<double>(s.counts.size());
         const double range = static_cast<double>(heat.to) - static_cast<double>(heat.from);
         const Rgb c =
-            mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
-        const ImU32 color =
-            ImGui::ColorConvertFloat4ToU32({linearToSrgb(c.r), linearToSrgb(c.g), linearToSrgb(c.b), 1.0f});
+            post::mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
+        const ImU32 color = ImGui::ColorConvertFloat4ToU32(
+            {image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
         // The square root lets rare values show beside common ones.
         const float share = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
         const float x = at.x + width * static_cast<float>(i) / bars;

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 

@@ -6,8 +6,8 @@
 
 #include "viewer/overlay/overlay.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -63,7 +63,7 @@ void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
 
 /// A bar per sample, outliers in orange, and the running mean as a line. A click chooses a sample.
 void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float height) {
-    const SampleStatistics& s = shot.statistics;
+    const probe::SampleStatistics& s = shot.statistics;
     const auto count = static_cast<int>(s.luminance.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -109,7 +109,7 @@ void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float 
 }  // namespace
 
 void drawPixelSamples(Workspace& workspace, const DebugRays::Shot& shot) {
-    const SampleStatistics& s = shot.statistics;
+    const probe::SampleStatistics& s = shot.statistics;
     const float side = scaled(96.0f), gap = ImGui::GetStyle().ItemSpacing.x;
     drawGrid(workspace.rays, shot, side);
     ImGui::SameLine(0.0f, gap);

@@ -5,8 +5,8 @@
 #include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -27,28 +27,29 @@ double largest(const RgbSum& c) { return std::max({c.x, c.y, c.z}); }
 struct Row {
     std::string kind, where, adds;
 };
-Row rowOf(const World& world, const RayTree& tree, RaySelection ray) {
+Row rowOf(const trace::World& world, const RayTree& tree, RaySelection ray) {
     if (ray.shadow >= 0) {
         const ShadowRay& shadow = tree.shadowRays[static_cast<std::size_t>(ray.shadow)];
         const int level = levelOf(tree, shadow.node) + 1;
         return {std::string(static_cast<std::size_t>(level), ' ') + fmt::format("light {}", shadow.light),
-                fmt::format("#{} {}", shadow.sample, nameOf(shadow.visibility)),
+                fmt::format("#{} {}", shadow.sample, probe::nameOf(shadow.visibility)),
                 fmt::format("{:.2g}", largest(shadow.contribution))};
     }
     const RayNode& node = tree.nodes[static_cast<std::size_t>(ray.node)];
-    std::string where(nameOf(node.end));
-    if (node.hit) where = fmt::format("{:.4g} {}", node.primitiveHit.t, objectName(world, node.object));
+    std::string where(probe::nameOf(node.end));
+    if (node.hit)
+        where = fmt::format("{:.4g} {}", node.primitiveHit.t, probe::objectName(world, node.object));
     return {std::string(static_cast<std::size_t>(levelOf(tree, ray.node)), ' ') +
-                fmt::format("{} {}", nameOf(node.kind), node.depth),
+                fmt::format("{} {}", probe::nameOf(node.kind), node.depth),
             where, fmt::format("{:.2g}", largest(node.contribution))};
 }
 
-void drawNode(const World& world, const RayNode& node) {
+void drawNode(const trace::World& world, const RayNode& node) {
     valueRow("Origin", vectorText(node.ray.origin));
     valueRow("Direction", vectorText(node.ray.direction));
     if (node.hit) {
-        const PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
-        valueRow("Hit", objectName(world, node.object));
+        const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+        valueRow("Hit", probe::objectName(world, node.object));
         valueRow(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
         valueRow("t", fmt::format("{:.9g}", node.primitiveHit.t));
         valueRow("u, v", fmt::format("{:.6g}, {:.6g}", node.primitiveHit.u, node.primitiveHit.v));
@@ -57,14 +58,14 @@ void drawNode(const World& world, const RayNode& node) {
     }
     valueRow("Throughput", rgbText(node.throughput));
     valueRow("Adds", rgbText(node.contribution));
-    valueRow("Ends", std::string(nameOf(node.end)));
+    valueRow("Ends", std::string(probe::nameOf(node.end)));
 }
 
 void drawShadowRay(const ShadowRay& ray) {
     valueRow("From", vectorText(ray.from));
     valueRow("To", vectorText(ray.to));
     valueRow("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
-    valueRow("Verdict", std::string(nameOf(ray.visibility)));
+    valueRow("Verdict", std::string(probe::nameOf(ray.visibility)));
     valueRow("Its colour", rgbText(RgbSum(ray.color)));
     valueRow("Adds", rgbText(ray.contribution));
 }

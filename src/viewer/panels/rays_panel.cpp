@@ -4,8 +4,8 @@
 #include "probe/names.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -123,11 +123,12 @@ void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
 
 /// Sentences about the pixel; a click goes to a ray that they rest on.
 void drawExplanations(DebugRays& rays) {
-    const std::vector<Explanation> all = rays.explain();
+    const std::vector<probe::Explanation> all = rays.explain();
     if (all.empty()) dimText("Nothing stands out about this pixel.");
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Explanation& why = all[i];
-        coloredText(kWarningText, fmt::format("{}: {}", nameOf(why.symptom), nameOf(why.cause)));
+        const probe::Explanation& why = all[i];
+        coloredText(kWarningText,
+                    fmt::format("{}: {}", probe::nameOf(why.symptom), probe::nameOf(why.cause)));
         wrappedText(why.sentence);
         ImGui::PushID(static_cast<int>(i));
         for (std::size_t e = 0; e < std::min<std::size_t>(why.evidence.size(), 8); ++e) {

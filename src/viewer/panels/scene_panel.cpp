@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 

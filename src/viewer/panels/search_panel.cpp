@@ -4,20 +4,20 @@
 #include <cmath>
 
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
 namespace {
 
 /// The step that was taken last, the interval in which hits still count, and what waits.
-void drawStep(const TraversalLog& log, std::size_t steps) {
-    const TraversalState state = stateAfter(log, steps);
+void drawStep(const probe::TraversalLog& log, std::size_t steps) {
+    const probe::TraversalState state = probe::stateAfter(log, steps);
     if (steps > 0) {
-        const TraversalStep& step = log.steps[steps - 1];
+        const probe::TraversalStep& step = log.steps[steps - 1];
         const std::string distance = std::isnan(step.t) ? "" : fmt::format(" at t {:.6g}", step.t);
-        text(describe(log, step) + distance);
+        text(probe::describe(log, step) + distance);
     } else {
         dimText("before the first step");
     }
@@ -27,16 +27,16 @@ void drawStep(const TraversalLog& log, std::size_t steps) {
     std::string words;
     constexpr std::size_t kNamed = 4;
     for (std::size_t i = 0; i < std::min(kNamed, state.stack.size()); ++i) {
-        const TraversalState::Waiting& waiting = state.stack[state.stack.size() - 1 - i];
+        const probe::TraversalState::Waiting& waiting = state.stack[state.stack.size() - 1 - i];
         words += fmt::format("{}{} at {:.4g}", i > 0 ? "\n" : "", log.boxes[waiting.box].node, waiting.t);
     }
     if (state.stack.size() > kNamed) words += fmt::format("\nand {} more", state.stack.size() - kNamed);
     text(words);
 }
 
-void drawLog(DebugRays& rays, const TraversalLog& log) {
+void drawLog(DebugRays& rays, const probe::TraversalLog& log) {
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
-    wrappedText(summary(log));
+    wrappedText(probe::summary(log));
     ImGui::PopStyleColor();
     ImGui::Checkbox("Step by step", &rays.search.stepping);
     if (!rays.search.stepping) return;
@@ -79,7 +79,7 @@ void drawSearch(Workspace& workspace) {
         return wrappedText(rays.search.layout == BvhLayout::Wide
                                ? "There is no wide tree to search: see the setting bvh_layout."
                                : "There is no hierarchy to search.");
-    for (const TraversalLog& log : rays.searches()) {
+    for (const probe::TraversalLog& log : rays.searches()) {
         ImGui::PushID(static_cast<int>(log.body));
         if (rays.searches().size() > 1) dimText(fmt::format("body {}", log.body));
         drawLog(rays, log);

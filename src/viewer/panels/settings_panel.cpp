@@ -5,19 +5,19 @@
 
 #include "settings/table.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
 namespace {
 
-void drawControl(const Toggle& row, Settings& settings) {
+void drawControl(const settings::Toggle& row, Settings& settings) {
     ImGui::Checkbox("##value", &(settings.*row.member));
 }
 
 /// A slider where its whole range fits, else a field to drag whose speed goes with its value.
-void drawControl(const Range<int>& row, Settings& settings) {
+void drawControl(const settings::Range<int>& row, Settings& settings) {
     int& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (row.logarithmic)
@@ -27,7 +27,7 @@ void drawControl(const Range<int>& row, Settings& settings) {
         ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d", flags);
 }
 
-void drawControl(const Range<float>& row, Settings& settings) {
+void drawControl(const settings::Range<float>& row, Settings& settings) {
     constexpr float kWidestSlider = 120.0f;
     float& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
@@ -41,7 +41,7 @@ void drawControl(const Range<float>& row, Settings& settings) {
 }
 
 template <class E, std::size_t N>
-void drawControl(const Choice<E, N>& row, Settings& settings) {
+void drawControl(const settings::Choice<E, N>& row, Settings& settings) {
     const auto present = static_cast<std::size_t>(settings.*row.member);
     const std::string shown(row.names[present]);
     if (!ImGui::BeginCombo("##value", shown.c_str())) return;
@@ -51,13 +51,13 @@ void drawControl(const Choice<E, N>& row, Settings& settings) {
     ImGui::EndCombo();
 }
 
-std::string rangeText(const Toggle&) { return "on or off"; }
+std::string rangeText(const settings::Toggle&) { return "on or off"; }
 template <class T>
-std::string rangeText(const Range<T>& row) {
+std::string rangeText(const settings::Range<T>& row) {
     return fmt::format("{} to {}", row.lowest, row.highest);
 }
 template <class E, std::size_t N>
-std::string rangeText(const Choice<E, N>& row) {
+std::string rangeText(const settings::Choice<E, N>& row) {
     return fmt::format("{}", fmt::join(row.names, ", "));
 }
 
@@ -99,7 +99,7 @@ void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs)
 
 std::vector<std::string_view> groupsOfTable() {
     std::vector<std::string_view> groups;
-    forEachSetting([&](const auto& row) {
+    settings::forEachSetting([&](const auto& row) {
         if (std::find(groups.begin(), groups.end(), row.text.group) == groups.end())
             groups.push_back(row.text.group);
     });
@@ -116,7 +116,7 @@ void drawSettingsPanel(Workspace& workspace) {
     for (const std::string_view group : groups) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
         if (!ImGui::CollapsingHeader(std::string(group).c_str(), open)) continue;
-        forEachSetting([&](const auto& row) {
+        settings::forEachSetting([&](const auto& row) {
             if (row.text.group == group) drawRow(row, workspace.edit.settings, workspace.needs());
         });
         ImGui::Spacing();

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "viewer/panels/bvh_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -20,19 +20,19 @@ struct Range {
 };
 
 /// The costs of splits; what a leaf costs may be far above them.
-Range rangeOf(const SplitCurve& curve) {
+Range rangeOf(const probe::SplitCurve& curve) {
     Range range{INFINITY, -INFINITY};
     const auto include = [&](double cost) {
         if (std::isnan(cost)) return;
         range = {std::min(range.low, cost), std::max(range.high, cost)};
     };
     for (const auto& planes : curve.axes)
-        for (const SplitCurve::Plane& plane : planes) include(plane.cost);
+        for (const probe::SplitCurve::Plane& plane : planes) include(plane.cost);
     include(curve.made);
     return range;
 }
 
-void drawPlot(const SplitCurve& curve, Range range) {
+void drawPlot(const probe::SplitCurve& curve, Range range) {
     const float width = ImGui::GetContentRegionAvail().x, height = scaled(90.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -67,12 +67,12 @@ void drawPlot(const SplitCurve& curve, Range range) {
 }  // namespace
 
 void drawSplitCurve(BvhInspector& bvh, int bins) {
-    const SplitCurve* known = bvh.curve(bins);
+    const probe::SplitCurve* known = bvh.curve(bins);
     if (known == nullptr) return dimText("computing ...");
-    const SplitCurve& curve = *known;
+    const probe::SplitCurve& curve = *known;
     const Range range = rangeOf(curve);
     dimText(fmt::format("{}: {} primitives, {} bins per axis",
-                        bvh.shown.node == kNoNode ? "root" : fmt::format("node {}", bvh.shown.node),
+                        bvh.shown.node == bvh::kNoNode ? "root" : fmt::format("node {}", bvh.shown.node),
                         curve.primitives, bins));
     if (!(range.low <= range.high)) return dimText("No border separates its primitives.");
     drawPlot(curve, range);

@@ -4,8 +4,8 @@
 
 #include "image/srgb.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 

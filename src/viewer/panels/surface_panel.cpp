@@ -6,8 +6,8 @@
 #include "probe/surface_report.h"
 #include "viewer/overlay/overlay.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/widgets.h"
 #include "viewer/panels/theme.h"
+#include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
 
@@ -16,7 +16,7 @@ namespace {
 ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
 
 /// The four texels as squares with their weights, the place that was hit as a cross, and what they mix to.
-void drawTexels(const TexelQuad& quad) {
+void drawTexels(const probe::TexelQuad& quad) {
     const float side = scaled(44.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -46,9 +46,10 @@ void drawTexels(const TexelQuad& quad) {
     tooltip("Left the four texels with their weights, right what they mix to.");
 }
 
-void drawEnvironment(const EnvironmentPoint& point) {
+void drawEnvironment(const probe::EnvironmentPoint& point) {
     if (point.face >= 0)
-        text(fmt::format("environment: face {}, s {:.4f} t {:.4f}", faceName(point.face), point.s, point.t));
+        text(fmt::format("environment: face {}, s {:.4f} t {:.4f}", probe::faceName(point.face), point.s,
+                         point.t));
     else
         text(fmt::format("environment: longitude {:.1f}, latitude {:.1f}", point.s, point.t));
     text(fmt::format("colour {:.4g}  {:.4g}  {:.4g}", point.color.r, point.color.g, point.color.b));
@@ -61,19 +62,19 @@ void drawSurface(Workspace& workspace, const DebugRays::Shot& shot) {
     const int number = std::max(workspace.rays.selection().node, 0);
     const RayNode& node = tree.nodes[static_cast<std::size_t>(number)];
     bool any = false;
-    if (const auto quad = texelsOf(*shot.world, node)) drawTexels(*quad), any = true;
-    if (const auto point = environmentOf(*shot.world, node)) drawEnvironment(*point), any = true;
-    if (const auto square = glossySquareOf(*shot.world, tree, number)) {
+    if (const auto quad = probe::texelsOf(*shot.world, node)) drawTexels(*quad), any = true;
+    if (const auto point = probe::environmentOf(*shot.world, node)) drawEnvironment(*point), any = true;
+    if (const auto square = probe::glossySquareOf(*shot.world, tree, number)) {
         text(fmt::format("glossy: {} rays, {} below the surface", square->rays, square->rejected));
         text(fmt::format("square at 0.3, half side {:.4g}", glm::length(square->right)));
         any = true;
     }
-    if (const auto normals = vertexNormalsOf(*shot.world, node, tree.time)) {
+    if (const auto normals = probe::vertexNormalsOf(*shot.world, node, tree.time)) {
         text(fmt::format("normal: weights {:.3f} {:.3f} {:.3f}", normals->weight[0], normals->weight[1],
                          normals->weight[2]));
         any = true;
     }
-    if (const auto lens = lensOf(*shot.world)) {
+    if (const auto lens = probe::lensOf(*shot.world)) {
         text(fmt::format("lens: radius {:.4g}, focus at {:.4g}", shot.world->camera.lensRadius(),
                          shot.world->camera.focusDistance()));
         any = true;

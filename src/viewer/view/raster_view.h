@@ -4,13 +4,13 @@
 #include <memory>
 #include <vector>
 
-#include "viewer/view/drawable_mesh.h"
-#include "viewer/view/drawing_budget.h"
 #include "viewer/gl/render_target.h"
 #include "viewer/gl/shader.h"
 #include "viewer/gl/texture.h"
 #include "viewer/model/projection.h"
 #include "viewer/model/raster_style.h"
+#include "viewer/view/drawable_mesh.h"
+#include "viewer/view/drawing_budget.h"
 
 namespace rayscope::viewer {
 

@@ -44,18 +44,18 @@ void SceneOverlays::addSurfaces(const DebugRays::Shot& shot, const DebugRays& ra
         const RayNode& node = tree.nodes[static_cast<std::size_t>(i)];
         if (!isShown(tree, {i, -1}, rays.filter)) continue;
         if (rays.filter.vertexNormals)
-            if (const auto normals = vertexNormalsOf(*shot.world, node, tree.time))
+            if (const auto normals = probe::vertexNormalsOf(*shot.world, node, tree.time))
                 append(lines_, vertexNormalLines(*normals, sceneSize / 20.0f));
         if (choice.environment && node.hit)
-            if (const auto point = environmentOf(*shot.world, node))
+            if (const auto point = probe::environmentOf(*shot.world, node))
                 append(lines_, environmentLines(*point, node.position, sceneSize));
     }
     if (choice.glossySquare)
-        for (const int i : glossySurfaces(tree))
-            if (const auto square = glossySquareOf(*shot.world, tree, i))
+        for (const int i : probe::glossySurfaces(tree))
+            if (const auto square = probe::glossySquareOf(*shot.world, tree, i))
                 append(lines_, glossySquareLines(*square));
     if (choice.lens)
-        if (const auto lens = lensOf(*shot.world)) append(lines_, lensLines(*lens));
+        if (const auto lens = probe::lensOf(*shot.world)) append(lines_, lensLines(*lens));
 }
 
 void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
@@ -70,7 +70,7 @@ void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, 
     }
     append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
     addSurfaces(shot, rays, sceneSize);
-    for (const TraversalLog& log : rays.searches()) {
+    for (const probe::TraversalLog& log : rays.searches()) {
         append(boxes_, traversalBoxes(log, rays.search));
         append(lines_,
                traversalLines(log, shot.world->bodies[log.body].geometry->input, rays.search, sceneSize));

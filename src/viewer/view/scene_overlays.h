@@ -1,6 +1,6 @@
 #pragma once
-#include "viewer/view/drawing_budget.h"
 #include "viewer/overlay/boxes.h"
+#include "viewer/view/drawing_budget.h"
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {

@@ -73,7 +73,7 @@ bool TracedView::updateBloom(const Settings& settings) {
         bloomSettings_ = settings;
         bloomOutdated_ = false;
         bloom_ = std::async(std::launch::async,
-                            [image = image_, settings] { return applyBloom(image, settings); });
+                            [image = image_, settings] { return post::applyBloom(image, settings); });
     }
     return arrived;
 }

@@ -4,9 +4,9 @@
 #include <future>
 #include <optional>
 
-#include "viewer/jobs/comparison.h"
 #include "viewer/gl/shader.h"
 #include "viewer/gl/texture.h"
+#include "viewer/jobs/comparison.h"
 
 namespace rayscope::viewer {
 

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "viewer/jobs/bvh_inspector.h"
-#include "viewer/workspace/commands.h"
 #include "viewer/jobs/comparison.h"
 #include "viewer/jobs/debug_rays.h"
-#include "viewer/model/edit_state.h"
 #include "viewer/jobs/export.h"
-#include "viewer/model/frame_times.h"
 #include "viewer/jobs/heat_map.h"
-#include "viewer/model/history.h"
 #include "viewer/jobs/lab_run.h"
-#include "viewer/model/raster_style.h"
-#include "viewer/model/recent_files.h"
 #include "viewer/jobs/render_control.h"
 #include "viewer/jobs/scene_loader.h"
 #include "viewer/jobs/trade_run.h"
+#include "viewer/model/edit_state.h"
+#include "viewer/model/frame_times.h"
+#include "viewer/model/history.h"
+#include "viewer/model/raster_style.h"
+#include "viewer/model/recent_files.h"
+#include "viewer/workspace/commands.h"
 
 namespace rayscope::viewer {
 
