@@ -19,9 +19,9 @@ struct AccelInput {
 
 struct BuildSettings {
     BvhBuilder builder = BvhBuilder::SahBinned;
-    int bins = 32;                       ///< candidate planes per axis of SahBinned and High, 2 … 4096
-    int maxLevel = 64;                   ///< deepest level of the binary tree, the root is level 0; 0 … 64
-    int leafSize = 4;                    ///< most primitives in a leaf above the deepest level, ≥ 1
+    int bins = 32;      ///< candidate planes per axis of SahBinned and SahReinsertion, 2 … 4096
+    int maxLevel = 64;  ///< deepest level of the binary tree, the root is level 0; 0 … 64
+    int leafSize = 4;   ///< most primitives in a leaf above the deepest level, ≥ 1
     BvhLayout layout = BvhLayout::Wide;  ///< what rays walk
     Isa isa = Isa::Auto;                 ///< kernels of the wide layout
     bool keepBinaryTree = false;         ///< beside the wide layout, for looking at

@@ -59,6 +59,6 @@ ErrorMeasures measureErrors(const RgbImage& image, const RgbImage& reference,
 /// An error map as a picture: black for 0, through colours of growing lightness, to white for `range` and
 /// above (Green 2011, "A colour scheme for the display of astronomical intensity images"); what is not finite
 /// becomes magenta. The values are linear.
-RgbImage colorMapped(const Image<double>& map, double range);
+RgbImage applyColorMap(const Image<double>& map, double range);
 
 }  // namespace rayscope

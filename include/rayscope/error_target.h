@@ -26,11 +26,11 @@ struct ErrorEstimate {
 };
 /// Of each pixel, the variance of its samples divided by their number. It need not be the squared error,
 /// which is smaller where samples are stratified: it says which pixels hold how much of it.
-using SpreadImage = Image<double>;
+using VarianceImage = Image<double>;
 /// Judges the pixels of `region`; what is not finite is left out. The error comes from the halves alone; with
 /// `spread` the distance of the bound is known better, and so is whether a few pixels hold most of the error.
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
-                            const ErrorTarget& target, const SpreadImage* spread = nullptr);
+                            const ErrorTarget& target, const VarianceImage* spread = nullptr);
 
 /// Where the rendering stands and what is to be expected.
 struct ErrorForecast {
@@ -47,9 +47,9 @@ enum class StopReason { Reached, TimeLimit, SampleLimit, Interrupted };
 struct ErrorTargetRequest {
     RenderRequest render;  ///< its samples per pixel are ignored
     ErrorTarget target;
-    bool adaptive = false;      ///< more samples where a pilot, which is thrown away, found more noise
-    double timeLimit = 0.0;     ///< seconds; 0: none
-    int mostSamples = 1 << 20;  ///< per pixel, of both halves together
+    bool adaptive = false;     ///< more samples where a pilot, which is thrown away, found more noise
+    double timeLimit = 0.0;    ///< seconds; 0: none
+    int maxSamples = 1 << 20;  ///< per pixel, of both halves together
     int threads = 0;
     std::function<void(const ErrorForecast&)> progress;
     std::stop_token stop;

@@ -33,9 +33,9 @@ using RgbImage = Image<Rgb>;
 using ImageMetadata = std::map<std::string, std::string>;
 
 /// How linear values become the bytes of an 8-bit file.
-enum class ToneCurve {
-    Srgb,   ///< the piecewise curve of IEC 61966-2-1
-    Course  ///< none: clamp and truncate, to compare with pictures of programs that do no colour management
+enum class Encoding {
+    Srgb,  ///< the piecewise curve of IEC 61966-2-1
+    None   ///< none: clamp and truncate, to compare with pictures of programs that do no colour management
 };
 
 /// Larger images are refused before anything is allocated for them.
@@ -54,7 +54,7 @@ RgbImage decodeImage(std::span<const std::byte> file, const std::string& name);
 /// stay as they are in .exr and .pfm; in .png NaN becomes 0 and infinity 255. The file appears whole or not
 /// at all. Throws InputError if it cannot be written or the suffix is unknown.
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
-                ToneCurve curve = ToneCurve::Srgb);
+                Encoding curve = Encoding::Srgb);
 
 /// Throws InputError unless writeImage(path, …) could write there: the suffix is known and the folder is
 /// writable.

@@ -28,62 +28,63 @@ struct LabMethodInfo {
 };
 const LabMethodInfo& infoOf(LabMethod method);
 
-enum class LabFault { Leak, DoubleHit, FalseHit, LostSurface, Inaccurate };
-const char* nameOf(LabFault fault);
+enum class LabFailureKind { Leak, DoubleHit, FalseHit, LostSurface, Inaccurate };
+const char* nameOf(LabFailureKind fault);
 
-/// What happened to the rays of one cell with one method. Whether a ray should hit is decided by exact
+/// What happened to the rays of one testPoint with one method. Whether a ray should hit is decided by exact
 /// arithmetic on the mesh as its floats are.
 struct LabCounts {
     /// Rays at shared edges and vertices that cross the triangles around them; those that crossed nothing,
     /// and those that crossed an even number of them.
-    std::uint64_t aimed = 0, leaks = 0, doubleHits = 0;
+    std::uint64_t sharedEdgeRays = 0, leaks = 0, doubleHits = 0;
     /// Rays that leave a surface; those that hit it, or what lies behind it. The first method also counts
     /// hits of triangles that the ray passes beside.
     std::uint64_t spawned = 0, falseHits = 0;
     /// Rays that leave a surface towards another one, at least eight error bounds away; those that miss it.
-    std::uint64_t plates = 0, lost = 0;
+    std::uint64_t offsetSurfaceRays = 0, missedSurfaces = 0;
     /// Largest errors, of t and of the barycentric weights, over the bound that the tracer promises.
     double tRatio = 0.0, weightRatio = 0.0;
 
-    bool sound() const {
-        return leaks + doubleHits + falseHits + lost == 0 && tRatio <= 1.0 && weightRatio <= 1.0;
+    bool passed() const {
+        return leaks + doubleHits + falseHits + missedSurfaces == 0 && tRatio <= 1.0 && weightRatio <= 1.0;
     }
 };
 
 /// The mesh scaled by 2^scale and then moved away from the origin by `offset` times its size.
-struct LabPlace {
+struct LabTransform {
     int scale = 0;
     double offset = 0.0;
 };
 
-struct LabCell {
-    LabPlace place;
+struct LabTestPoint {
+    LabTransform transform;
     std::array<LabCounts, kLabMethods.size()> methods;
-    std::uint64_t collapsed =
+    std::uint64_t degenerate =
         0;  ///< triangles that have no area any more: their corners became one point or line
     std::uint64_t undecided = 0;  ///< rays too near to the rim of what they aim at to expect anything
 
     const LabCounts& of(LabMethod method) const { return methods[static_cast<std::size_t>(method)]; }
 };
 
-/// A ray that went wrong, in the coordinates of its cell.
+/// A ray that went wrong, in the coordinates of its testPoint.
 struct LabFailure {
-    std::size_t cell = 0;
+    std::size_t testPoint = 0;
     LabMethod method = LabMethod::Rayscope;
-    LabFault fault = LabFault::Leak;
+    LabFailureKind fault = LabFailureKind::Leak;
     Ray ray;
 };
 
-/// Where a method makes no mistake, among the cells that were measured: scales at offset 0 without a gap
+/// Where a method makes no mistake, among the testPoints that were measured: scales at offset 0 without a gap
 /// around 2^0, and offsets at scale 2^0 without a gap from 0.
 struct LabRange {
-    bool soundAsItIs = false;  ///< in the cell of scale 2^0 and offset 0; if not, the rest says nothing
+    bool soundUntransformed =
+        false;  ///< in the testPoint of scale 2^0 and offset 0; if not, the rest says nothing
     int lowestScale = 0, highestScale = 0;
     double largestOffset = 0.0;
     /// The next steps, if they fail; without them the range ends where measuring did.
     std::optional<int> failsBelow, failsAbove;
     std::optional<double> failsBeyond;
-    std::uint64_t failingCells = 0;  ///< of all
+    std::uint64_t failingTestPoints = 0;  ///< of all
 };
 
 struct LabResult {
@@ -92,25 +93,25 @@ struct LabResult {
     double size = 0.0;    ///< diagonal of the bounds, in scene units
     double offset = 0.0;  ///< of the scene as it is: distance of its centre from the origin, in sizes
     glm::dvec3 center{0.0};
-    int raysPerCell = 0;
-    std::vector<LabCell> cells;        ///< by scale, then by offset
-    std::vector<LabFailure> failures;  ///< some of each cell, method and fault
+    int raysPerTestPoint = 0;
+    std::vector<LabTestPoint> testPoints;  ///< by scale, then by offset
+    std::vector<LabFailure> failures;      ///< some of each testPoint, method and fault
     std::array<LabRange, kLabMethods.size()> ranges;
-    double meshOffset = 0.0;  ///< largest measured offset at scale 2^0 at which no triangle has collapsed
+    double meshOffset = 0.0;  ///< largest measured offset at scale 2^0 at which no triangle has degenerate
     std::vector<std::string> remarks;
     double seconds = 0.0;
     bool interrupted = false;
 
-    /// Counts of all cells together, and the worst of their ratios.
+    /// Counts of all testPoints together, and the worst of their ratios.
     LabCounts total(LabMethod method) const;
     const LabRange& range(LabMethod method) const { return ranges[static_cast<std::size_t>(method)]; }
 };
 
 struct LabRequest {
     std::shared_ptr<const SceneDescription> scene;
-    Settings settings;       ///< those of the hierarchy and its kernels count
-    int raysPerCell = 2000;  ///< rays at edges and vertices; half as many leave surfaces
-    bool quick = false;      ///< a coarse grid of places
+    Settings settings;            ///< those of the hierarchy and its kernels count
+    int raysPerTestPoint = 2000;  ///< rays at edges and vertices; half as many leave surfaces
+    bool quick = false;           ///< a coarse grid of places
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one per core
     std::function<void(double fraction, double remainingSeconds)> progress;
@@ -124,8 +125,8 @@ LabResult runLab(const LabRequest& request);
 /// Closed and open shapes made by formula, for a laboratory without a scene.
 SceneDescription labShapes();
 
-/// The triangles of a scene as they stand in a cell, for looking at its failures and casting them again.
-MeshData meshAt(const SceneDescription& scene, const LabPlace& place);
+/// The triangles of a scene as they stand in a testPoint, for looking at its failures and casting them again.
+MeshData meshAt(const SceneDescription& scene, const LabTransform& transform);
 
 /// A failing ray in the coordinates of the scene as it is, for looking at; rounded.
 Ray rayInScene(const LabResult& result, const LabFailure& failure);
@@ -136,8 +137,9 @@ std::string labText(const LabResult& result);
 /// One page with charts, which needs no other file.
 std::string labHtml(const LabResult& result);
 
-/// Writes lab.json, lab.csv and lab.html into a folder, and of the first failing cell of each method the mesh
-/// as NAME.obj and its failing rays as NAME.rays, ready for `rayscope cast`. Returns the commands that do so.
+/// Writes lab.json, lab.csv and lab.html into a folder, and of the first failing testPoint of each method the
+/// mesh as NAME.obj and its failing rays as NAME.rays, ready for `rayscope cast`. Returns the commands that
+/// do so.
 std::vector<std::string> writeLab(const LabResult& result, const SceneDescription& scene,
                                   const std::string& folder);
 

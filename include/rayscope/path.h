@@ -4,7 +4,7 @@
 namespace rayscope {
 
 /// With a scene, settings and a seed this names a sample; its radiance is a pure function of the name.
-struct SampleName {
+struct SampleId {
     int x = 0, y = 0;
     int index = 0;
 };
@@ -12,6 +12,6 @@ struct SampleName {
 enum class RayKind { Camera, Reflection, Glossy, Transparent };
 /// What became of a path after a segment. A surface that both reflects and transmits ends as Transmitted.
 enum class RayEnd { Missed, Absorbed, Reflected, Transmitted, DepthLimit, BelowSurface, Vanished };
-enum class Visibility { Visible, Blocked, Attenuated, FacingAway };
+enum class Visibility { Visible, Occluded, Attenuated, FacingAway };
 
 }  // namespace rayscope

@@ -41,7 +41,7 @@ struct ShadowRay {
 
 /// All rays of one sample, in the order in which they were traced.
 struct RayTree {
-    SampleName name;
+    SampleId name;
     float time = 0.0f;  ///< of the shutter, 0 … 1
     std::vector<RayNode> nodes;
     std::vector<ShadowRay> shadowRays;
@@ -50,7 +50,7 @@ struct RayTree {
 };
 
 /// Traces one sample again with a recorder. Same code, same bits as the render.
-RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleName name);
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name);
 
 /// The radiance that arrives along each segment of the tree: what it and everything after it adds to the
 /// sample, divided by its throughput (0 where that is 0). Indexed like `nodes`.
@@ -61,17 +61,18 @@ std::vector<RgbSum> radianceAlong(const RayTree& tree);
 RgbSum surfaceColor(const RayNode& node);
 
 /// Where in the image a sample lies: pixel coordinates, x to the right, y downwards.
-glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleName name);
+glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleId name);
 
 /// Whether replaying a pixel gives what the film holds, and whether each tree adds up.
-struct ReplayVerdict {
-    bool matchesFilm = false, addsUp = false;
+struct ReplayResult {
+    bool matchesFilm = false, sumMatches = false;
     RgbSum film{0.0}, replayed{0.0};
     int samples = 0;
     std::vector<RgbSum> values;  ///< of the samples
-    bool good() const { return matchesFilm && addsUp; }
+    bool good() const { return matchesFilm && sumMatches; }
 };
-ReplayVerdict verify(const trace::World& world, const render::Film& film, std::uint64_t seed, int x, int y);
+ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
+                          int y);
 
 /// The tree as an indented text for people, and as JSON for programs.
 std::string toText(const RayTree& tree, const trace::World& world);

@@ -47,8 +47,8 @@ struct RenderStatus {
     double elapsedSeconds = 0.0;    ///< tracing only
     double remainingSeconds = 0.0;  ///< estimate; 0 when unknown
     double compileSeconds = 0.0, buildSeconds = 0.0;
-    double treeGrowth = 1.0;  ///< how many times as dear refits have made the hierarchies, by the SAH
-    std::uint64_t rays = 0;   ///< traced so far, of all kinds
+    double sahCostGrowth = 1.0;  ///< how many times as dear refits have made the hierarchies, by the SAH
+    std::uint64_t rays = 0;      ///< traced so far, of all kinds
     std::uint64_t nonFiniteSamples = 0;
     std::string message;  ///< why it failed
 };

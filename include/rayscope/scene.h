@@ -189,7 +189,7 @@ inline bool blursPixels(const SceneRequirements& scene, const CameraDescription&
 }
 
 /// Why the setting with this key changes nothing in this scene, or an empty text if it may change something.
-std::string_view withoutEffectOn(const SceneRequirements& scene, std::string_view setting);
+std::string_view inactiveReason(const SceneRequirements& scene, std::string_view setting);
 
 /// What is odd about the scene, for the person who made it: energy above one, degenerate triangles, unused
 /// things …

@@ -15,7 +15,7 @@ enum class SamplePattern { Independent, Jittered, Sobol };
 enum class LensShape { Disk, Square, Hexagon };
 enum class BloomFilter { Box, Gaussian };
 enum class BloomStage { Thresholded, Filtered, Added };
-enum class BvhBuilder { Median, Sah, SahBinned, High };
+enum class BvhBuilder { Median, Sah, SahBinned, SahReinsertion };
 enum class BvhLayout { Binary, Wide };
 enum class Isa { Auto, Scalar, Sse2, Avx2, Avx512 };
 
@@ -75,14 +75,14 @@ struct Settings {
     bool bloomDebug = false;
     BloomStage bloomStage = BloomStage::Filtered;
     float exposure = 0.0f;
-    ToneCurve tone = ToneCurve::Srgb;
+    Encoding tone = Encoding::Srgb;
 
     bool operator==(const Settings&) const = default;
 };
 
 /// Whether Settings::bvhBins says something to a builder.
 constexpr bool usesBins(BvhBuilder builder) {
-    return builder == BvhBuilder::SahBinned || builder == BvhBuilder::High;
+    return builder == BvhBuilder::SahBinned || builder == BvhBuilder::SahReinsertion;
 }
 
 /// How much of the work a change of settings throws away, from nothing to everything.
@@ -112,7 +112,7 @@ struct Preset {
     std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key, text
     /// These in their place where a lens or motion blurs the pixels: then what lies behind a pixel differs
     /// more than what a light looks like from there.
-    std::vector<std::pair<std::string_view, std::string_view>> whereBlurred;
+    std::vector<std::pair<std::string_view, std::string_view>> valuesIfBlurred;
 };
 /// preview, balanced, final, reference.
 const std::vector<Preset>& presets();

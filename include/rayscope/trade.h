@@ -1,5 +1,6 @@
 #pragma once
 // The trade of speed for accuracy, measured on a scene of the user's own.
+#include <rayscope/interval.h>
 #include <rayscope/render_session.h>
 #include <cstdint>
 #include <functional>
@@ -11,22 +12,16 @@
 
 namespace rayscope {
 
-/// A measured value and where the true one lies with 95 % confidence.
-struct Interval {
-    double value = 0.0, lower = 0.0, upper = 0.0;
-    bool contains(double x) const { return lower <= x && x <= upper; }
-};
-
 /// Why settings were measured.
 enum class TradeRole {
-    Base,     ///< the settings that the others are compared with
-    Control,  ///< the base once more: what differs between the two is the noise of the machine
-    Yours,    ///< exactly what was asked for
-    Knob,     ///< the base with one knob turned
-    Joint,    ///< several knobs turned
-    Feature,  ///< the base with an effect switched on or off
-    Preset,   ///< a position of the dial
-    Extra     ///< what the caller added
+    Base,          ///< the settings that the others are compared with
+    Control,       ///< the base once more: what differs between the two is the noise of the machine
+    UserSettings,  ///< exactly what was userSettings for
+    Parameter,     ///< the base with one knob turned
+    Combination,   ///< several knobs turned
+    Feature,       ///< the base with an effect switched on or off
+    Preset,        ///< a position of the presetPoints
+    Extra          ///< what the caller added
 };
 
 /// The work of one run: counted, so the same whatever the machine does, and in other runs up to the noise of
@@ -43,7 +38,7 @@ struct TradeWork {
 struct TradePoint {
     TradeRole role = TradeRole::Base;
     std::string name;         ///< what differs from the base, in words
-    std::string knob, level;  ///< of Knob and Feature
+    std::string knob, level;  ///< of Parameter and Feature
     Settings settings;
     int runs = 0;  ///< interleaved with those of all others, each with another seed
     TradeWork work;
@@ -57,11 +52,11 @@ struct TradePoint {
     Interval efficiency;    ///< 1 / (error² · seconds) relative to the base
     Interval nextSeconds, nextError;  ///< where one more run will lie
 
-    bool judged = false;       ///< the reference's own error is at most a tenth of this error
-    bool biased = false;       ///< the bias is real: its interval lies above what the reference can hide
-    bool samePicture = false;  ///< every run gave the base's picture, bit for bit
-    bool onFront = false;      ///< nothing measured is both faster and more accurate
-    std::string dominatedBy;   ///< the name of a point that is better in both beyond doubt, or empty
+    bool reliable = false;       ///< the reference's own error is at most a tenth of this error
+    bool biased = false;         ///< the bias is real: its interval lies above what the reference can hide
+    bool samePicture = false;    ///< every run gave the base's picture, bit for bit
+    bool onParetoFront = false;  ///< nothing measured is both faster and more accurate
+    std::string dominatedBy;     ///< the name of a point that is better in both beyond doubt, or empty
 };
 
 /// Where the truth comes from: two independent halves, whose difference tells their own error.
@@ -74,8 +69,8 @@ struct TradeReference {
     long long nonFinitePixels = 0;
 };
 
-/// How far a position of the dial is from the front of this scene.
-struct TradeDial {
+/// How far a position of the presetPoints is from the front of this scene.
+struct TradePreset {
     std::string preset;
     std::size_t point;
     double excess =
@@ -83,11 +78,11 @@ struct TradeDial {
 };
 
 /// What the scene needs of an effect.
-struct TradeNeed {
+struct TradeEffect {
     std::string key, label;
     bool on = false;
-    std::string proof;  ///< why it cannot matter, or empty if it was measured
-    std::size_t point;  ///< the measurement with the effect switched over
+    std::string reason;  ///< why it cannot matter, or empty if it was measured
+    std::size_t point;   ///< the measurement with the effect switched over
 };
 
 /// Rays from which on the slower build is paid back by faster rays, against the base.
@@ -105,7 +100,7 @@ struct TradeAdvice {
 
 struct TradeResult {
     std::string scene;
-    Settings asked;  ///< the user's
+    Settings userSettings;  ///< the user's
     int width = 0, height = 0, threads = 0, blocks = 0;
     double budgetSeconds = 0.0, spentSeconds = 0.0;
     std::vector<TradePoint> points;  ///< the base first
@@ -114,8 +109,8 @@ struct TradeResult {
     Interval slope;              ///< of log error over log samples per pixel; all 0 if not measured
     std::vector<std::size_t> front;  ///< from fast to accurate
     std::vector<TradeAdvice> advice;
-    std::vector<TradeNeed> needs;
-    std::vector<TradeDial> dial;
+    std::vector<TradeEffect> needs;
+    std::vector<TradePreset> presetPoints;
     std::vector<TradeBreakEven> breakEvens;
     std::vector<std::string> withoutEffect;  ///< keys of settings that cannot matter in this scene
     std::vector<std::string> notMeasured;    ///< names of settings that did not fit into the budget
@@ -152,9 +147,9 @@ std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settin
 /// How much longer a point takes than the front needs for its error: 0.1 is 10 % more; 0 on the front.
 double excessTime(const TradeResult& result, std::size_t point);
 
-/// By how much a position of the dial is behind the front, and whether that may be the noise of the machine:
-/// unless something measured is better in both time and error beyond doubt.
-std::string excessInWords(const TradeResult& result, const TradeDial& dial);
+/// By how much a position of the presetPoints is behind the front, and whether that may be the noise of the
+/// machine: unless something measured is better in both time and error beyond doubt.
+std::string excessText(const TradeResult& result, const TradePreset& presetPoints);
 
 /// The folder for references in the user's cache ($XDG_CACHE_HOME or ~/.cache), or "" if there is none.
 std::string referenceCacheFolder();

@@ -23,13 +23,13 @@ struct Accel::State {
     const bvh::kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
     AccelSummary summary;
     BuildSettings settings;
-    double costWhenBuilt = 0.0;  ///< 0: refitted never
+    double costAtBuild = 0.0;  ///< 0: refitted never
 
     void setWide(bvh::WideTree&& layout) {
         wide = std::move(layout);
         view = wide.view();
     }
-    double cost() const { return kernels ? bvh::searchCost(wide) : bvh::statisticsOf(tree).sahCost; }
+    double cost() const { return kernels ? bvh::sahCostOf(wide) : bvh::statisticsOf(tree).sahCost; }
 };
 
 Accel::Accel() = default;
@@ -75,14 +75,14 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     };
     bvh::checkIndices(moved, stop);
     const std::uint32_t dropped = state_->summary.droppedPrimitives;
-    if (dropped > 0 && bvh::countUnhittable(moved, stop) != dropped) return buildAnew();
+    if (dropped > 0 && bvh::countNonFinitePrimitives(moved, stop) != dropped) return buildAnew();
     accel.state_ = std::make_unique<State>();
     State& state = *accel.state_;
     state.input = moved;
     state.settings = state_->settings;
     state.kernels = state_->kernels;
     state.summary = state_->summary;
-    state.costWhenBuilt = state_->costWhenBuilt > 0.0 ? state_->costWhenBuilt : state_->cost();
+    state.costAtBuild = state_->costAtBuild > 0.0 ? state_->costAtBuild : state_->cost();
     if (!state_->tree.nodes.empty()) {
         std::optional<bvh::BinaryTree> tree = bvh::refitted(state_->tree, moved, stop);
         if (!tree) return buildAnew();
@@ -95,7 +95,7 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     } else {
         state.primitives = bvh::PackedPrimitives(moved, state.tree, stop);
     }
-    if (state.costWhenBuilt > 0.0) state.summary.costGrowth = state.cost() / state.costWhenBuilt;
+    if (state.costAtBuild > 0.0) state.summary.costGrowth = state.cost() / state.costAtBuild;
     return accel;
 }
 
@@ -105,24 +105,24 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         return false;
     }
     if (state_->kernels) {
-        const bool isHit = state_->kernels->closestHit(state_->view, bvh::words(ray), *bvh::hitWords(&hit));
+        const bool isHit = state_->kernels->closestHit(state_->view, bvh::rayData(ray), *bvh::hitData(&hit));
         if (!isHit) hit = Hit{};
         return isHit;
     }
     bvh::NullTraversalObserver nobody;
-    return bvh::walkToClosestHit(state_->tree, state_->primitives, ray, hit, nobody);
+    return bvh::traverseClosest(state_->tree, state_->primitives, ray, hit, nobody);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
-    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, bvh::words(ray));
-    return state_ && bvh::walkToAnyHit(state_->tree, state_->primitives, ray);
+    if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, bvh::rayData(ray));
+    return state_ && bvh::traverseAny(state_->tree, state_->primitives, ray);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
     if (state_ && state_->kernels) {
         state_->kernels->closestHits(state_->view, reinterpret_cast<const float*>(rays.data()),
-                                     bvh::hitWords(hits.data()), rays.size());
+                                     bvh::hitData(hits.data()), rays.size());
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) closestHit(rays[i], hits[i]);

@@ -8,9 +8,9 @@
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "measure/bench/bench.h"
-#include "measure/bench/embree_race.h"
-#include "trace/body.h"
+#include "measure/bench/embree_baseline.h"
 #include "trace/compile.h"
+#include "trace/motion_group.h"
 
 namespace rayscope::cli {
 
@@ -85,7 +85,7 @@ nlohmann::json json(const measure::BenchRow& row) {
                              {"bytes_per_triangle", row.bytesPerPrimitive},
                              {"rays", rays},
                              {"mismatches", different}};
-    if (measure::EmbreeRace::isAvailable())
+    if (measure::EmbreeBaseline::isAvailable())
         result.update({{"embree_build_ms", row.embreeBuildSeconds.value * 1e3},
                        {"embree_bytes_per_triangle", row.embreeBytesPerPrimitive},
                        {"build_ratio", json(row.buildRatio)}});
@@ -107,11 +107,11 @@ void print(const measure::BenchRow& row) {
     fmt::print("\n");
     fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
                row.bytesPerPrimitive);
-    if (measure::EmbreeRace::isAvailable())
+    if (measure::EmbreeBaseline::isAvailable())
         fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.value * 1e3,
                    row.embreeBytesPerPrimitive, ratio(row.buildRatio));
     fmt::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
-    if (measure::EmbreeRace::isAvailable())
+    if (measure::EmbreeBaseline::isAvailable())
         fmt::print(" | Embree {:>6} {:>6} {:>6} {:>6} | {:17} {:17} {:17} {:17} {}", "single", "robust",
                    "16-wide", "stream", "single/single", "single/robust", "batched/single", "batched/best",
                    "mismatches");
@@ -119,7 +119,7 @@ void print(const measure::BenchRow& row) {
     for (const measure::RayTiming& timing : row.rays) {
         fmt::print("  {:8} {:8.2f} {:8.2f}", measure::benchNameOf(timing.kind), timing.single,
                    timing.batched);
-        if (measure::EmbreeRace::isAvailable())
+        if (measure::EmbreeBaseline::isAvailable())
             fmt::print(" |        {:6.2f} {:6.2f} {:6.2f} {:6.2f} | {} {} {} {} {}", timing.embreeSingle,
                        timing.embreeRobust, timing.embreePacket16, timing.embreeStream,
                        ratio(timing.singleToSingle), ratio(timing.singleToRobust),
@@ -175,7 +175,7 @@ int runBenchCommand(const BenchCommandOptions& options) {
         rows.push_back(json(row));
     }
     if (!options.jsonFile.empty()) base::writeFileAtomically(options.jsonFile, rows.dump(2) + "\n");
-    return kDone;
+    return kSuccess;
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ int runCast(const CastOptions& options) {
         fmt::print(stderr, "{} rays, {} {}, {:.2f} Mray/s\n", counts.rays, counts.hits,
                    options.any ? "blocked" : "hits",
                    counts.seconds > 0.0 ? static_cast<double>(counts.rays) * 1e-6 / counts.seconds : 0.0);
-    return kDone;
+    return kSuccess;
 }
 
 }  // namespace

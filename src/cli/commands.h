@@ -5,11 +5,11 @@ namespace rayscope::cli {
 
 /// Exit codes that scripts rely on.
 enum ExitCode : int {
-    kDone = 0,
-    kWrongUse = 1,
-    kWrongInput = 2,
+    kSuccess = 0,
+    kUsageError = 1,
+    kInputError = 2,
     kStoppedByLimit = 3,
-    kAboveLimit = 4,
+    kThresholdExceeded = 4,
     kNonFiniteImage = 5,
     kInterrupted = 130
 };

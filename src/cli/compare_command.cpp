@@ -7,7 +7,7 @@
 #include "base/atomic_file.h"
 #include "base/json_number.h"
 #include "cli/commands.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 
 namespace rayscope::cli {
 
@@ -58,7 +58,7 @@ std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
 
 /// Colours in formats for looking, the values themselves in the others.
 void writeMap(const std::string& path, const Image<double>& map, double range) {
-    RgbImage picture = colorMapped(map, range);
+    RgbImage picture = applyColorMap(map, range);
     if (!post::isDisplayFormat(path))
         for (std::size_t i = 0; i < map.pixels.size(); ++i)
             picture.pixels[i] = Rgb(static_cast<float>(map.pixels[i]));
@@ -122,9 +122,9 @@ int runCompare(const CompareCommandOptions& options) {
     const double score = errors.of(metric);
     if (options.limited && !(score <= options.failAbove)) {
         fmt::print(stderr, "error: {} is {:.6g}, above {:.6g}\n", options.metric, score, options.failAbove);
-        return kAboveLimit;
+        return kThresholdExceeded;
     }
-    return nonFinite ? kNonFiniteImage : kDone;
+    return nonFinite ? kNonFiniteImage : kSuccess;
 }
 
 }  // namespace

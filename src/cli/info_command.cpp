@@ -30,7 +30,7 @@ int listScenes(bool json) {
         list.push_back({{"name", "builtin:" + scene.name}, {"title", scene.title}});
     }
     if (json) fmt::print("{}\n", list.dump(2));
-    return kDone;
+    return kSuccess;
 }
 
 void printText(const SceneDescription& scene, const SceneRequirements& needs, const Diagnostics& findings) {
@@ -94,7 +94,7 @@ int runInfo(const InfoOptions& options) {
         fmt::print("{}\n", infoJson(scene, needs, findings).dump(2));
     else
         printText(scene, needs, findings);
-    return kDone;
+    return kSuccess;
 }
 
 }  // namespace

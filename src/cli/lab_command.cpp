@@ -6,7 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/commands.h"
-#include "cli/interrupt_to_stop.h"
+#include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
@@ -32,7 +32,7 @@ LabRequest requestOf(const LabOptions& options) {
         request.scene = opened.scene;
         request.settings = opened.settings;
     }
-    request.raysPerCell = options.rays;
+    request.raysPerTestPoint = options.rays;
     request.quick = options.quick;
     request.seed = options.scene.seed;
     request.threads = options.scene.threads;
@@ -42,7 +42,7 @@ LabRequest requestOf(const LabOptions& options) {
 void showProgress(ProgressStyle style, double fraction, double remaining) {
     if (style == ProgressStyle::Json)
         fmt::print(stderr, "{{\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n", fraction, remaining);
-    if (style == ProgressStyle::Bar) showBar(fraction, "", remaining);
+    if (style == ProgressStyle::Bar) showProgressBar(fraction, "", remaining);
 }
 
 int runLabCommand(const LabOptions& options) {
@@ -51,7 +51,7 @@ int runLabCommand(const LabOptions& options) {
         std::filesystem::create_directories(options.folder, error);
         base::checkFileDestination((std::filesystem::path(options.folder) / "lab.json").string());
     }
-    const InterruptToStop interrupt;
+    const InterruptStopSource interrupt;
     LabRequest request = requestOf(options);
     request.stop = interrupt.token();
     const ProgressStyle style = progressStyle(options.progress, options.quiet);
@@ -73,7 +73,7 @@ int runLabCommand(const LabOptions& options) {
             if (!options.quiet) fmt::print(stderr, "  {}\n", command);
     }
     if (result.interrupted) return kInterrupted;
-    return result.range(LabMethod::Rayscope).failingCells > 0 ? kAboveLimit : kDone;
+    return result.range(LabMethod::Rayscope).failingTestPoints > 0 ? kThresholdExceeded : kSuccess;
 }
 
 }  // namespace

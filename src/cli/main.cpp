@@ -38,7 +38,7 @@ int runProgram(std::vector<std::string> arguments) {
     program.set_version_flag("--version", "rayscope " RAYSCOPE_VERSION);
     program.require_subcommand(1);
     program.failure_message(CLI::FailureMessage::simple);
-    int exitCode = kDone;
+    int exitCode = kSuccess;
 #ifdef RAYSCOPE_VIEWER
     addViewCommand(program, exitCode);
 #endif
@@ -64,7 +64,7 @@ int runProgram(std::vector<std::string> arguments) {
                    "error: {}\nRun 'rayscope --help' for the commands and 'rayscope COMMAND --help' for "
                    "their options.\n",
                    usageError(program, error, arguments));
-        return kWrongUse;
+        return kUsageError;
     }
 }
 
@@ -85,5 +85,5 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         fmt::print(stderr, "error: {}\n", error.what());
     }
-    return rayscope::cli::kWrongInput;
+    return rayscope::cli::kInputError;
 }

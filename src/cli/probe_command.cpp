@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
-#include "probe/explain.h"
+#include "probe/diagnosis.h"
 #include "probe/traversal_log.h"
 #include "trace/compile.h"
 
@@ -49,11 +49,11 @@ std::vector<probe::TraversalLog> searchesOf(const trace::World& world, const Ray
 /// What the options ask for, as one JSON object.
 std::string asJson(const RayTree& tree, const trace::World& world,
                    const std::vector<probe::TraversalLog>& searches,
-                   const std::vector<probe::Explanation>& explanations) {
+                   const std::vector<probe::Diagnosis>& explanations) {
     nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
     for (const probe::TraversalLog& log : searches)
         j["traversal"].push_back(nlohmann::ordered_json::parse(probe::toJson(log)));
-    for (const probe::Explanation& why : explanations) {
+    for (const probe::Diagnosis& why : explanations) {
         nlohmann::ordered_json entry = {{"symptom", probe::nameOf(why.symptom)},
                                         {"cause", probe::nameOf(why.cause)},
                                         {"sentence", why.sentence}};
@@ -82,15 +82,15 @@ int runProbe(const ProbeOptions& options) {
     fmt::print("{}", toText(tree, *world));
     for (const probe::TraversalLog& log : searches) fmt::print("{}", probe::toText(log));
     if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
-    std::vector<probe::Explanation> explanations;
+    std::vector<probe::Diagnosis> explanations;
     if (options.explain)
-        explanations = probe::explainPixel(*world, request.seed, pixel.x, pixel.y,
-                                           probe::samplesToExplain(request.settings));
-    for (const probe::Explanation& why : explanations) fmt::print("{}", probe::toText(why));
+        explanations = probe::diagnosePixel(*world, request.seed, pixel.x, pixel.y,
+                                            probe::samplesToDiagnose(request.settings));
+    for (const probe::Diagnosis& why : explanations) fmt::print("{}", probe::toText(why));
     if (options.explain && explanations.empty()) fmt::print("nothing stands out about this pixel\n");
     if (!options.jsonFile.empty())
         base::writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
-    return kDone;
+    return kSuccess;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string durationText(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-void showBar(double fraction, const std::string& phase, double remainingSeconds) {
+void showProgressBar(double fraction, const std::string& phase, double remainingSeconds) {
     constexpr int kWidth = 32;
     const int full = static_cast<int>(fraction * kWidth);
     fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {}{}ETA {}", "", full, "", kWidth - full,

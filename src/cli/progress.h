@@ -22,7 +22,7 @@ class Progress {
 };
 
 /// Draws a bar on stderr over the present line, with a word on what is going on.
-void showBar(double fraction, const std::string& phase, double remainingSeconds);
+void showProgressBar(double fraction, const std::string& phase, double remainingSeconds);
 
 /// "1:02:03", "2:03" or "0.42 s".
 std::string durationText(double seconds);

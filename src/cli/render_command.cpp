@@ -16,7 +16,7 @@
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "probe/aov.h"
 #include "probe/non_finite.h"
 #include "render/film.h"
@@ -61,7 +61,7 @@ int waitFor(RenderSession& session, const RenderOptions& options, const Interrup
         if (state == RenderState::Failed) throw InputError(status.message);
         if (state == RenderState::Done) {
             progress.finish(status);
-            return kDone;
+            return kSuccess;
         }
         const double elapsed =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -82,7 +82,7 @@ struct Rendered {
     RenderStatus status;
     std::shared_ptr<const trace::World> world;
     std::shared_ptr<const render::Film> film;  ///< null if rendered to a target
-    int exitCode = kDone;
+    int exitCode = kSuccess;
     std::string words;  ///< why it stopped, if that is worth a line
 };
 
@@ -171,7 +171,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& 
         renderToTarget(request, options.target, options.timeLimit, options.scene.spp.value_or(0),
                        options.scene.threads, interrupt, progressStyle(options.progress, options.quiet));
     Rendered rendered;
-    rendered.exitCode = result.reason == StopReason::Reached       ? kDone
+    rendered.exitCode = result.reason == StopReason::Reached       ? kSuccess
                         : result.reason == StopReason::Interrupted ? kInterrupted
                                                                    : kStoppedByLimit;
     rendered.status.samples = static_cast<int>(std::lround(result.samples));
@@ -192,7 +192,7 @@ int runRender(const RenderOptions& options) {
     RenderRequest request = openScene(options.scene, options.quiet);
     if (options.dumpSettings) {
         fmt::print("{}", dumpSettings(request.settings));
-        return kDone;
+        return kSuccess;
     }
     if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
     request.region = regionFor(options, request);

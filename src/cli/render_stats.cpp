@@ -14,7 +14,7 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
     for (const std::string_view key : settingKeys())
         settings[std::string(key)] = textOf(request.settings, key);
     nlohmann::json bodies = nlohmann::json::array();
-    for (const trace::Body& body : world.bodies) {
+    for (const trace::MotionGroup& body : world.motionGroups) {
         nlohmann::json row = {{"triangles", body.geometry->input.triangles.size()},
                               {"spheres", body.geometry->input.spheres.size()}};
         if (body.accel) {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/nearest_name.h"
-#include "base/shell_word.h"
+#include "base/shell_quote.h"
 #include "cli/number_list.h"
 
 namespace rayscope::cli {
@@ -130,7 +130,7 @@ std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int samp
     const auto add = [&](std::string_view option, const std::string& value) {
         if (value.empty()) return;
         if (!option.empty()) words += fmt::format(" {}", option);
-        words += " " + base::shellWord(value);
+        words += " " + base::shellQuote(value);
     };
     add("", options.scene);
     add("--size", options.size);

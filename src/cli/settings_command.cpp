@@ -72,7 +72,7 @@ void addSettingsCommand(CLI::App& program, int& exitCode) {
             printMarkdown();
         else
             printText();
-        exitCode = kDone;
+        exitCode = kSuccess;
     });
 }
 

@@ -50,7 +50,7 @@ void show(ProgressStyle style, const ErrorForecast& f, double target) {
 }  // namespace
 
 ErrorTargetResult renderToTarget(const RenderRequest& render, const TargetOptions& options, double timeLimit,
-                                 int mostSamples, int threads, const InterruptGuard& interrupt,
+                                 int maxSamples, int threads, const InterruptGuard& interrupt,
                                  ProgressStyle style) {
     std::stop_source stop;
     const std::jthread watcher([&](const std::stop_token& ended) {
@@ -64,7 +64,7 @@ ErrorTargetResult renderToTarget(const RenderRequest& render, const TargetOption
     request.target = {options.error, options.confidence, errorMetricNamed(options.metric), options.worstTile};
     request.adaptive = options.adaptive;
     request.timeLimit = timeLimit;
-    if (mostSamples > 0) request.mostSamples = mostSamples;
+    if (maxSamples > 0) request.maxSamples = maxSamples;
     request.threads = threads;
     request.stop = stop.get_token();
     request.progress = [&](const ErrorForecast& forecast) { show(style, forecast, options.error); };

@@ -17,9 +17,9 @@ struct TargetOptions {
     bool wanted() const { return error > 0.0; }
 };
 
-/// Renders until the target or a limit is reached, telling how far it is. `mostSamples` is 0 for no limit.
+/// Renders until the target or a limit is reached, telling how far it is. `maxSamples` is 0 for no limit.
 ErrorTargetResult renderToTarget(const RenderRequest& request, const TargetOptions& options, double timeLimit,
-                                 int mostSamples, int threads, const InterruptGuard& interrupt,
+                                 int maxSamples, int threads, const InterruptGuard& interrupt,
                                  ProgressStyle style);
 
 }  // namespace rayscope::cli

@@ -6,7 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "cli/commands.h"
-#include "cli/interrupt_to_stop.h"
+#include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
@@ -25,7 +25,8 @@ void showProgress(ProgressStyle style, const TradeProgress& progress) {
     if (style == ProgressStyle::Json)
         fmt::print(stderr, "{{\"phase\":\"{}\",\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n",
                    progress.phase, progress.fraction, progress.remainingSeconds);
-    if (style == ProgressStyle::Bar) showBar(progress.fraction, progress.phase, progress.remainingSeconds);
+    if (style == ProgressStyle::Bar)
+        showProgressBar(progress.fraction, progress.phase, progress.remainingSeconds);
 }
 
 void printSummary(const TradeResult& r, const std::string& scene) {
@@ -47,10 +48,10 @@ void printSummary(const TradeResult& r, const std::string& scene) {
             p.nextSeconds.value, p.nextSeconds.lower, p.nextSeconds.upper, p.nextError.value,
             p.nextError.lower, p.nextError.upper, scene, renderArguments(r, p));
     }
-    for (const TradeDial& dial : r.dial)
-        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, behind the front by {}\n", dial.preset,
-                   r.points[dial.point].seconds.value, r.points[dial.point].error.value,
-                   excessInWords(r, dial));
+    for (const TradePreset& presetPoints : r.presetPoints)
+        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, behind the front by {}\n", presetPoints.preset,
+                   r.points[presetPoints.point].seconds.value, r.points[presetPoints.point].error.value,
+                   excessText(r, presetPoints));
     for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
 }
 
@@ -67,7 +68,7 @@ int runTrade(const TradeOptions& options) {
         std::filesystem::create_directories(options.folder, error);
         base::checkFileDestination((std::filesystem::path(options.folder) / "trade.json").string());
     }
-    const InterruptToStop interrupt;
+    const InterruptStopSource interrupt;
     TradeRequest request;
     request.render = openScene(options.scene, options.quiet);
     request.budgetSeconds = options.budget;
@@ -92,7 +93,7 @@ int runTrade(const TradeOptions& options) {
     if (!options.folder.empty() && !options.quiet)
         fmt::print(stderr, "wrote trade.html, trade.json and trade.csv into {}\n", options.folder);
     if (result.interrupted) return kInterrupted;
-    return result.complete ? kDone : kStoppedByLimit;
+    return result.complete ? kSuccess : kStoppedByLimit;
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ constexpr AovInfo kTable[] = {
     {Aov::Triangles, "triangles", "triangles and spheres tested, per sample", false},
     {Aov::Rays, "rays", "rays traced, per sample", false},
     {Aov::Time, "time", "microseconds per sample, as measured", false},
-    {Aov::NotFinite, "nan", "samples that are NaN or infinite", false},
+    {Aov::NonFinite, "nan", "samples that are NaN or infinite", false},
     {Aov::Samples, "samples", "samples taken", false},
     {Aov::Variance, "variance", "variance of the luminance of a sample", false},
     {Aov::Error, "error", "standard error of the luminance of the pixel", false},
@@ -43,7 +43,7 @@ Rgb grey(double value) { return Rgb(static_cast<float>(value)); }
 /// What the pixel's samples cost, as means over them.
 struct Costs {
     double nodes = 0.0, tests = 0.0, rays = 0.0, microseconds = 0.0;
-    int notFinite = 0;
+    int nonFinite = 0;
 };
 
 Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
@@ -55,7 +55,7 @@ Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
     for (int index = 0; index < request.samples; ++index) {
         const trace::SampleResult result = trace::radiance(world, request.seed, {x, y, index}, silent);
         costs.rays += static_cast<double>(result.rays);
-        costs.notFinite += isFinite(result.radiance) ? 0 : 1;
+        costs.nonFinite += isFinite(result.radiance) ? 0 : 1;
     }
     costs.microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
     for (int index = 0; counted && index < request.samples; ++index) {
@@ -67,7 +67,7 @@ Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
         costs.tests += static_cast<double>(observer.counted().tests);
     }
     const double n = std::max(request.samples, 1);
-    return {costs.nodes / n, costs.tests / n, costs.rays / n, costs.microseconds / n, costs.notFinite};
+    return {costs.nodes / n, costs.tests / n, costs.rays / n, costs.microseconds / n, costs.nonFinite};
 }
 
 /// The surface behind the centre of a pixel, through the centre of the lens, at the start of the shutter.
@@ -117,7 +117,7 @@ Rgb costValue(const Costs& costs, Aov aov) {
         case Aov::Time:
             return grey(costs.microseconds);
         default:
-            return grey(costs.notFinite);
+            return grey(costs.nonFinite);
     }
 }
 
@@ -127,25 +127,26 @@ bool isOfFilm(Aov aov) { return aov >= Aov::Samples; }
 }  // namespace
 
 template <class Count>
-void CountingObserver::inEachBody(const Ray& ray, Count&& count) {
-    for (const trace::Body& body : world_.bodies) {
-        const bvh::BinaryTree* tree = world_.settings.bvh && body.accel ? body.accel->binaryTree() : nullptr;
+void CountingObserver::forEachGroup(const Ray& ray, Count&& count) {
+    for (const trace::MotionGroup& motionGroup : world_.motionGroups) {
+        const bvh::BinaryTree* tree =
+            world_.settings.bvh && motionGroup.accel ? motionGroup.accel->binaryTree() : nullptr;
         if (tree == nullptr) {
             counter_.tests += world_.settings.bvh ? 0
-                                                  : body.geometry->input.triangles.size() +
-                                                        body.geometry->input.spheres.size();
+                                                  : motionGroup.geometry->input.triangles.size() +
+                                                        motionGroup.geometry->input.spheres.size();
             continue;
         }
         Ray atRest = ray;
         if (world_.moves)
             atRest.origin = glm::vec3(glm::dvec3(ray.origin) -
-                                      static_cast<double>(time_) * glm::dvec3(body.geometry->motion));
-        if (count(*tree, body.geometry->input, atRest)) return;
+                                      static_cast<double>(time_) * glm::dvec3(motionGroup.geometry->motion));
+        if (count(*tree, motionGroup.geometry->input, atRest)) return;
     }
 }
 
 void CountingObserver::countClosest(const Ray& ray) {
-    inEachBody(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+    forEachGroup(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
         Hit hit;
         bvh::closestHit(tree, input, atRest, hit, counter_);
         return false;
@@ -158,9 +159,9 @@ void CountingObserver::lightSampled(const trace::LightConnection& light, const g
     if (!traced) return;
     const Ray ray = trace::shadowRay(light.from, light.at.position);
     if (world_.attenuatesShadows) return countClosest(ray);
-    inEachBody(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
+    forEachGroup(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
         Hit hit;
-        return anyHitWatched(tree, input, atRest, counter_, hit);
+        return anyHitObserved(tree, input, atRest, counter_, hit);
     });
 }
 

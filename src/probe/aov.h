@@ -20,7 +20,7 @@ enum class Aov {
     Triangles,
     Rays,
     Time,
-    NotFinite,  // of the samples, replayed
+    NonFinite,  // of the samples, replayed
     Samples,
     Variance,
     Error  // of the film

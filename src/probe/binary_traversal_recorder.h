@@ -15,23 +15,23 @@ class BinaryTraversalRecorder {
 
     // What an observer of closestHit() is told. A far child that has to wait is not reported by the walk: it
     // is the one that was neither rejected nor entered at once.
-    void entered(std::uint32_t node, float bound) {
-        if (const std::uint32_t sibling = waitingSiblingOf(node); sibling != kNone) waits(sibling);
+    void visit(std::uint32_t node, float bound) {
+        if (const std::uint32_t sibling = pushedSiblingOf(node); sibling != kNone) push(sibling);
         bound_ = bound;
-        add(TraversalEvent::Entered, boxOf(node), entryOf(node), bound);
-        lastEntered_ = static_cast<int>(boxOf(node));
+        add(TraversalEvent::Visited, boxOf(node), entryOf(node), bound);
+        lastVisited_ = static_cast<int>(boxOf(node));
         children_ = tree_.nodes[node].isLeaf() || log_.anyHit ? kNone : tree_.nodes[node].first;
-        rejected_ = 0;
+        culledChildren_ = 0;
     }
-    void skipped(std::uint32_t node, float bound) {
-        add(TraversalEvent::Behind, boxOf(node), entryOf(node), bound);
-        ++rejected_;
+    void cull(std::uint32_t node, float bound) {
+        add(TraversalEvent::Culled, boxOf(node), entryOf(node), bound);
+        ++culledChildren_;
     }
-    void missed(std::uint32_t node) {
+    void miss(std::uint32_t node) {
         add(TraversalEvent::Missed, boxOf(node), kNoDistance, bound_);
-        ++rejected_;
+        ++culledChildren_;
     }
-    void tested(std::uint32_t primitive, bool hit) {
+    void test(std::uint32_t primitive, bool hit) {
         Hit found;
         if (hit) bvh::IndexedPrimitives::hitsPrimitive(query_, input_, primitive, bound_, found);
         found.primitive = primitive;
@@ -45,7 +45,7 @@ class BinaryTraversalRecorder {
     }
 
     /// The search for any hit says itself what waits.
-    void waits(std::uint32_t node) { add(TraversalEvent::Waits, boxOf(node), entryOf(node), bound_); }
+    void push(std::uint32_t node) { add(TraversalEvent::Pushed, boxOf(node), entryOf(node), bound_); }
 
   private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -53,8 +53,8 @@ class BinaryTraversalRecorder {
 
     /// The other child of the node that was entered last, if `node` is one of its children and none was
     /// rejected.
-    std::uint32_t waitingSiblingOf(std::uint32_t node) const {
-        if (children_ == kNone || rejected_ > 0) return kNone;
+    std::uint32_t pushedSiblingOf(std::uint32_t node) const {
+        if (children_ == kNone || culledChildren_ > 0) return kNone;
         return node == children_ ? children_ + 1 : node == children_ + 1 ? children_ : kNone;
     }
     float entryOf(std::uint32_t node) const {
@@ -68,7 +68,7 @@ class BinaryTraversalRecorder {
         const auto [known, isNew] = known_.try_emplace(node, static_cast<std::uint32_t>(log_.boxes.size()));
         if (isNew) {
             const bvh::BinaryNode& n = tree_.nodes[node];
-            log_.boxes.push_back({node, lastEntered_, n.isLeaf(), n.lower, n.upper});
+            log_.boxes.push_back({node, lastVisited_, n.isLeaf(), n.lower, n.upper});
         }
         return known->second;
     }
@@ -83,9 +83,9 @@ class BinaryTraversalRecorder {
     std::unordered_map<std::uint32_t, std::uint32_t> known_;  ///< node → box
     float bound_;
     std::uint32_t closest_ = kNoPrimitive;
-    int lastEntered_ = -1;            ///< box
+    int lastVisited_ = -1;            ///< box
     std::uint32_t children_ = kNone;  ///< first child of the node that was entered last, if it has any
-    int rejected_ = 0;                ///< of these children
+    int culledChildren_ = 0;          ///< of these children
 };
 static_assert(bvh::TraversalObserver<BinaryTraversalRecorder>);
 

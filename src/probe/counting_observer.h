@@ -8,19 +8,19 @@ namespace rayscope::probe {
 /// Counts what a walk through the binary tree does.
 struct TraversalCounter {
     std::uint64_t nodes = 0, tests = 0;
-    void entered(std::uint32_t, float) { ++nodes; }
-    static void skipped(std::uint32_t, float) {}
-    static void missed(std::uint32_t) {}
-    void tested(std::uint32_t, bool) { ++tests; }
-    static void waits(std::uint32_t) {}
+    void visit(std::uint32_t, float) { ++nodes; }
+    static void cull(std::uint32_t, float) {}
+    static void miss(std::uint32_t) {}
+    void test(std::uint32_t, bool) { ++tests; }
+    static void push(std::uint32_t) {}
 };
 static_assert(bvh::TraversalObserver<TraversalCounter>);
 
-/// The walk of walkToAnyHit(), watched: it enters a box that is hit, says which children wait, and ends at
+/// The walk of traverseAny(), watched: it enters a box that is hit, says which children wait, and ends at
 /// the first hit.
 template <bvh::TraversalObserver O>
-bool anyHitWatched(const bvh::BinaryTree& tree, const AccelInput& input, const Ray& ray, O& observer,
-                   Hit& hit) {
+bool anyHitObserved(const bvh::BinaryTree& tree, const AccelInput& input, const Ray& ray, O& observer,
+                    Hit& hit) {
     if (tree.nodes.empty() || !bvh::RayQuery::isTraceable(ray)) return false;
     const bvh::RayQuery query(ray);
     const bvh::IndexedPrimitives primitives{input, tree.primitives};
@@ -31,20 +31,20 @@ bool anyHitWatched(const bvh::BinaryTree& tree, const AccelInput& input, const R
         const std::uint32_t number = stack[--waiting];
         const bvh::BinaryNode& node = tree.nodes[number];
         if (!bvh::intersectBox(bvh::planes(node), query.box, query.box.tMax, entry)) {
-            observer.missed(number);
+            observer.miss(number);
             continue;
         }
-        observer.entered(number, ray.tMax);
+        observer.visit(number, ray.tMax);
         if (!node.isLeaf()) {
             for (const std::uint32_t child : {node.first + 1, node.first}) {
                 stack[waiting++] = child;
-                observer.waits(child);
+                observer.push(child);
             }
             continue;
         }
         for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
             const bool found = primitives.hits(query, slot, ray.tMax, hit);
-            observer.tested(primitives.number(slot), found);
+            observer.test(primitives.number(slot), found);
             hit.primitive = primitives.number(slot);
             if (found) return true;
         }
@@ -71,7 +71,7 @@ class CountingObserver {
 
   private:
     template <class Count>
-    void inEachBody(const Ray& ray, Count&& count);
+    void forEachGroup(const Ray& ray, Count&& count);
     void countClosest(const Ray& ray);
 
     const trace::World& world_;

@@ -19,7 +19,7 @@ bool fitsFloat(const RgbSum& v) { return isFinite(Rgb(v)); }
 
 std::string text(const RgbSum& v) { return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z); }
 
-std::string placeOf(const RayNode& node, std::size_t index, const trace::World& world) {
+std::string locationText(const RayNode& node, std::size_t index, const trace::World& world) {
     const std::string ray = fmt::format("{} ray {}", nameOf(node.kind), index);
     return node.object >= 0 ? fmt::format("where {} meets {}", ray, objectName(world, node.object))
                             : "on " + ray;
@@ -53,7 +53,7 @@ std::string causeOfNonFinite(const RayTree& tree, const trace::World& world) {
         if (wrong.empty() && !isFinite(node.contribution))
             wrong = fmt::format("{} adds {}", node.hit ? "the surface" : "the environment",
                                 text(node.contribution));
-        if (!wrong.empty()) return fmt::format("{}: {}", placeOf(node, i, world), wrong);
+        if (!wrong.empty()) return fmt::format("{}: {}", locationText(node, i, world), wrong);
     }
     if (!isFinite(tree.radiance)) return "the sum of its terms overflows: " + text(tree.radiance);
     if (!fitsFloat(tree.radiance))

@@ -22,7 +22,7 @@ PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, i
     PixelSamples samples;
     trace::NullObserver silent;
     for (int index = 0; index < count; ++index) {
-        const SampleName name{x, y, index};
+        const SampleId name{x, y, index};
         const trace::SampleResult result = trace::radiance(world, seed, name, silent);
         samples.values.push_back(result.radiance);
         samples.rays.push_back(static_cast<std::uint32_t>(result.rays));

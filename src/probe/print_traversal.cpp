@@ -37,16 +37,16 @@ std::string describe(const TraversalLog& log, const TraversalStep& step) {
 std::string summary(const TraversalLog& log) {
     const std::string words =
         fmt::format("{} nodes entered, {} hit but skipped, {} missed, {} primitives tested",
-                    log.count(TraversalEvent::Entered), log.count(TraversalEvent::Behind),
+                    log.count(TraversalEvent::Visited), log.count(TraversalEvent::Culled),
                     log.count(TraversalEvent::Missed), log.tests());
     if (log.layout == BvhLayout::Binary) return words;
     return words + fmt::format(", {} ruled out by the quick test", log.count(TraversalEvent::Filtered));
 }
 
 std::string toText(const TraversalLog& log) {
-    std::string out =
-        fmt::format("search for {} hit in the {} of body {}: {}\n", log.anyHit ? "any" : "the closest",
-                    log.layout == BvhLayout::Wide ? "wide tree" : "binary tree", log.body, summary(log));
+    std::string out = fmt::format(
+        "search for {} hit in the {} of body {}: {}\n", log.anyHit ? "any" : "the closest",
+        log.layout == BvhLayout::Wide ? "wide tree" : "binary tree", log.motionGroup, summary(log));
     out += fmt::format("  {:>5}  {:<26} {:>12}  {:>12}  stack, next first (node@entry)\n", "step", "what",
                        "t", "closest so far");
     // The state is folded along, not computed anew for each line.
@@ -63,7 +63,7 @@ std::string toText(const TraversalLog& log) {
 }
 
 std::string toJson(const TraversalLog& log) {
-    nlohmann::json j = {{"body", log.body},
+    nlohmann::json j = {{"body", log.motionGroup},
                         {"search", log.anyHit ? "any" : "closest"},
                         {"layout", log.layout == BvhLayout::Wide ? "wide" : "binary"},
                         {"boxes", nlohmann::json::array()},

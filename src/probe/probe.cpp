@@ -7,7 +7,7 @@ namespace rayscope {
 
 namespace {
 
-sampling::SampleStream streamOf(const trace::World& world, std::uint64_t seed, SampleName name) {
+sampling::SampleStream streamOf(const trace::World& world, std::uint64_t seed, SampleId name) {
     return {world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp};
 }
 
@@ -21,7 +21,7 @@ RgbSum dividedBy(const RgbSum& value, const RgbSum& factor) {
 
 }  // namespace
 
-RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleName name) {
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name) {
     RayTree tree;
     tree.name = name;
     if (world.moves) tree.time = streamOf(world, seed, name).get1D(sampling::Dim::Time);
@@ -46,7 +46,7 @@ RgbSum surfaceColor(const RayNode& node) {
     return dividedBy(node.contribution, node.throughput * (node.hit ? node.opacity : 1.0));
 }
 
-glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleName name) {
+glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleId name) {
     return glm::dvec2(name.x, name.y) + glm::dvec2(streamOf(world, seed, name).get2D(sampling::Dim::Pixel));
 }
 

@@ -13,31 +13,31 @@ namespace {
 
 TraversalLog startLog(const trace::World& world, std::size_t number, const Ray& ray, float time) {
     TraversalLog log;
-    log.body = number;
+    log.motionGroup = number;
     log.ray = ray;
     if (world.moves) {
         const glm::dvec3 shift =
-            static_cast<double>(time) * glm::dvec3(world.bodies[number].geometry->motion);
+            static_cast<double>(time) * glm::dvec3(world.motionGroups[number].geometry->motion);
         log.ray.origin = glm::vec3(glm::dvec3(ray.origin) - shift);
         log.shift = glm::vec3(shift);
     }
     return log;
 }
 
-/// Records the search through one body; false if it has no tree of this layout.
-bool searchBody(const trace::Body& body, const trace::World& world, TraversalLog& log) {
-    if (!world.settings.bvh || !body.accel || !bvh::RayQuery::isTraceable(log.ray)) return false;
+/// Records the search through one motionGroup; false if it has no tree of this layout.
+bool recordGroup(const trace::MotionGroup& motionGroup, const trace::World& world, TraversalLog& log) {
+    if (!world.settings.bvh || !motionGroup.accel || !bvh::RayQuery::isTraceable(log.ray)) return false;
     if (log.layout == BvhLayout::Wide) {
-        const bvh::WideTree* wide = body.accel->wideTree();
-        if (wide != nullptr) recordWideSearch(*wide, log);
+        const bvh::WideTree* wide = motionGroup.accel->wideTree();
+        if (wide != nullptr) recordWideTraversal(*wide, log);
         return wide != nullptr;
     }
-    const bvh::BinaryTree* tree = body.accel->binaryTree();
+    const bvh::BinaryTree* tree = motionGroup.accel->binaryTree();
     if (tree == nullptr) return false;
-    const AccelInput& input = body.geometry->input;
+    const AccelInput& input = motionGroup.geometry->input;
     BinaryTraversalRecorder recorder(log, *tree, input);
     Hit hit;
-    const bool found = log.anyHit ? anyHitWatched(*tree, input, log.ray, recorder, hit)
+    const bool found = log.anyHit ? anyHitObserved(*tree, input, log.ray, recorder, hit)
                                   : bvh::closestHit(*tree, input, log.ray, hit, recorder);
     if (found) log.hit = hit;
     return true;
@@ -46,11 +46,11 @@ bool searchBody(const trace::Body& body, const trace::World& world, TraversalLog
 std::vector<TraversalLog> record(const trace::World& world, const Ray& ray, float time, BvhLayout layout,
                                  bool anyHit) {
     std::vector<TraversalLog> logs;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    for (std::size_t i = 0; i < world.motionGroups.size(); ++i) {
         TraversalLog log = startLog(world, i, ray, time);
         log.layout = layout;
         log.anyHit = anyHit;
-        if (!searchBody(world.bodies[i], world, log)) continue;
+        if (!recordGroup(world.motionGroups[i], world, log)) continue;
         const bool found = log.hit.primitive != kNoPrimitive;
         logs.push_back(std::move(log));
         if (anyHit && found) break;
@@ -68,17 +68,17 @@ std::size_t TraversalLog::count(TraversalEvent event) const {
 void advance(TraversalState& state, const TraversalStep& step) {
     const auto takeFromStack = [&] {
         std::erase_if(state.stack,
-                      [&](const TraversalState::Waiting& waiting) { return waiting.box == step.number; });
+                      [&](const TraversalState::StackEntry& waiting) { return waiting.box == step.number; });
     };
     switch (step.event) {
-        case TraversalEvent::Entered:
+        case TraversalEvent::Visited:
             takeFromStack();
             state.current = static_cast<int>(step.number);
             break;
-        case TraversalEvent::Waits:
+        case TraversalEvent::Pushed:
             state.stack.push_back({step.number, step.t});
             break;
-        case TraversalEvent::Behind:
+        case TraversalEvent::Culled:
         case TraversalEvent::Missed:
             takeFromStack();
             break;

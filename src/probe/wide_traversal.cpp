@@ -8,13 +8,13 @@
 #include "bvh/kernel/compress_portable.inl"
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on
-#include "bvh/kernel/walk.inl"
+#include "bvh/kernel/traverse_wide.inl"
 
 namespace rayscope::probe {
 
 namespace {
 
-using bvh::kernel::ChildRef, bvh::kernel::HitWords, bvh::kernel::Search, bvh::kernel::TriangleBlock,
+using bvh::kernel::ChildRef, bvh::kernel::HitData, bvh::kernel::QueryState, bvh::kernel::TriangleBlock,
     bvh::kernel::WideNode;
 
 constexpr float kNoDistance = std::numeric_limits<float>::quiet_NaN();
@@ -72,13 +72,13 @@ class WideRecorder {
         entries_[0] = entryOf({{lower.x, lower.y, lower.z, 0.0f, upper.x, upper.y, upper.z, 0.0f}});
     }
 
-    void entered(ChildRef ref, const Search& search) {
+    void visit(ChildRef ref, const QueryState& search) {
         const std::uint32_t box = boxOf(ref);
-        add(TraversalEvent::Entered, box, entries_[box], search);
+        add(TraversalEvent::Visited, box, entries_[box], search);
         current_ = static_cast<int>(box);
     }
     void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
-                  const Search& search) {
+                  const QueryState& search) {
         bound_ = search.best.t;
         for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
             const bvh::PrimitiveBox planes = boxOfChild(node, lane);
@@ -90,24 +90,24 @@ class WideRecorder {
             entries_[box] = isMet ? static_cast<float>(entry.value[lane] / search.scale) : entryOf(planes);
             if (isMet) continue;
             // It is rejected: because of a closer hit, or because it is off the ray?
-            add(std::isnan(entries_[box]) ? TraversalEvent::Missed : TraversalEvent::Behind, box,
+            add(std::isnan(entries_[box]) ? TraversalEvent::Missed : TraversalEvent::Culled, box,
                 entries_[box], search);
         }
     }
-    void waits(ChildRef ref) {
+    void push(ChildRef ref) {
         const std::uint32_t box = boxOf(ref);
-        log_.steps.push_back({TraversalEvent::Waits, box, entries_[box], bound_});
+        log_.steps.push_back({TraversalEvent::Pushed, box, entries_[box], bound_});
     }
-    void skipped(ChildRef ref, const Search& search) {
+    void cull(ChildRef ref, const QueryState& search) {
         const std::uint32_t box = boxOf(ref);
-        add(TraversalEvent::Behind, box, entries_[box], search);
+        add(TraversalEvent::Culled, box, entries_[box], search);
     }
-    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const Search& search) {
+    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const QueryState& search) {
         for (int lane = 0; lane < trianglesOf(leaf); ++lane)
             if ((mask >> lane & 1u) == 0)
                 add(TraversalEvent::Filtered, block.primitive[lane], kNoDistance, search);
     }
-    void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) {
+    void test(std::uint32_t primitive, bool isHit, const HitData& hit, const QueryState& search) {
         const Hit found{hit.t, primitive, hit.u, hit.v};
         Hit best{search.best.t, search.best.primitive, 0.0f, 0.0f};
         const bool isCloser = isHit && bvh::keepCloser(found, best);
@@ -133,7 +133,7 @@ class WideRecorder {
         }
         return known->second;
     }
-    void add(TraversalEvent event, std::uint32_t number, float t, const Search& search) {
+    void add(TraversalEvent event, std::uint32_t number, float t, const QueryState& search) {
         log_.steps.push_back({event, number, t, search.best.t});
     }
 
@@ -147,31 +147,31 @@ class WideRecorder {
 };
 
 /// The recorder as the walk hands it on: by value.
-struct Watcher {
+struct WideObserver {
     WideRecorder* to;
-    void entered(ChildRef ref, const Search& search) const { to->entered(ref, search); }
+    void visit(ChildRef ref, const QueryState& search) const { to->visit(ref, search); }
     void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
-                  const Search& search) const {
+                  const QueryState& search) const {
         to->children(node, mask, entry, search);
     }
-    void waits(ChildRef ref) const { to->waits(ref); }
-    void skipped(ChildRef ref, const Search& search) const { to->skipped(ref, search); }
-    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const Search& search) const {
+    void push(ChildRef ref) const { to->push(ref); }
+    void cull(ChildRef ref, const QueryState& search) const { to->cull(ref, search); }
+    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const QueryState& search) const {
         to->filtered(block, leaf, mask, search);
     }
-    void surelyHit(std::uint32_t primitive, const HitWords& hit, const Search& search) const {
-        to->tested(primitive, true, hit, search);
+    void certainHit(std::uint32_t primitive, const HitData& hit, const QueryState& search) const {
+        to->test(primitive, true, hit, search);
     }
-    void tested(std::uint32_t primitive, bool isHit, const HitWords& hit, const Search& search) const {
-        to->tested(primitive, isHit, hit, search);
+    void test(std::uint32_t primitive, bool isHit, const HitData& hit, const QueryState& search) const {
+        to->test(primitive, isHit, hit, search);
     }
 };
 
 }  // namespace
 
-void recordWideSearch(const bvh::WideTree& tree, TraversalLog& log) {
+void recordWideTraversal(const bvh::WideTree& tree, TraversalLog& log) {
     WideRecorder recorder(log, tree);
-    bvh::kernel::searchWatched(tree.view(), bvh::words(log.ray), log.anyHit, Watcher{&recorder});
+    bvh::kernel::traverseObserved(tree.view(), bvh::rayData(log.ray), log.anyHit, WideObserver{&recorder});
 }
 
 }  // namespace rayscope::probe

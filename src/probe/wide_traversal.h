@@ -6,6 +6,6 @@ namespace rayscope::probe {
 
 /// Walks the wide tree with the ray of the log, for any hit if the log says so, and writes down what the walk
 /// does. The ray must be traceable.
-void recordWideSearch(const bvh::WideTree& tree, TraversalLog& log);
+void recordWideTraversal(const bvh::WideTree& tree, TraversalLog& log);
 
 }  // namespace rayscope::probe

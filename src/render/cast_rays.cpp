@@ -14,8 +14,8 @@ constexpr std::size_t kGrain = 2048;
 
 /// The hierarchy that answers for the whole world; null if there is none, or more than one.
 const Accel* onlyAccel(const trace::World& world) {
-    const bool one = world.settings.bvh && world.bodies.size() == 1 && !world.moves;
-    return one ? world.bodies[0].accel.get() : nullptr;
+    const bool one = world.settings.bvh && world.motionGroups.size() == 1 && !world.moves;
+    return one ? world.motionGroups[0].accel.get() : nullptr;
 }
 
 template <class Answer>

@@ -9,7 +9,7 @@
 #include <memory>
 #include <mutex>
 
-#include "base/shell_word.h"
+#include "base/shell_quote.h"
 
 namespace rayscope::render {
 
@@ -19,7 +19,7 @@ constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
 /// Threads beyond these share slots, so that of some only the latest sample is known.
 constexpr std::size_t kSlots = 256;
-std::array<BusySample, kSlots> slots;
+std::array<CurrentSample, kSlots> slots;
 std::atomic<std::size_t> nextSlot{0};
 
 /// Two texts, of which one is valid while the other is written: a handler of signals may not wait.
@@ -50,7 +50,7 @@ void say(int number) {
     say(at);
 }
 
-void sayCommand(const Description& work, const SampleName& name) {
+void sayCommand(const Description& work, const SampleId& name) {
     say("  ");
     say(work.command);
     say(" --pixel ");
@@ -77,7 +77,7 @@ const char* nameOf(int signal) {
     }
 }
 
-thread_local BusySample* own = nullptr;
+thread_local CurrentSample* own = nullptr;
 
 /// Where the handler runs in a thread whose own stack is used up.
 class AlternateStack {
@@ -126,7 +126,7 @@ void report(int signal) {
             sayCommand(*work, own->name());
         }
         bool isFirst = true;
-        for (const BusySample& slot : slots) {
+        for (const CurrentSample& slot : slots) {
             if (!slot.isBusy() || (isOwn && &slot == own)) continue;
             if (isFirst) say("other threads were tracing\n");
             isFirst = false;
@@ -158,16 +158,16 @@ std::vector<std::string> assignmentsOf(const RenderRequest& request) {
 
 std::string probeCommandOf(const RenderRequest& request) {
     const CameraDescription& camera = request.camera;
-    std::string words = fmt::format("rayscope probe {} --size {}x{}", base::shellWord(request.scene->path),
+    std::string words = fmt::format("rayscope probe {} --size {}x{}", base::shellQuote(request.scene->path),
                                     request.width, request.height);
     for (const CameraDescription& known : request.scene->cameras)
         if (known.name == camera.name && &known != request.scene->cameras.data())
-            words += " --camera " + base::shellWord(camera.name);
+            words += " --camera " + base::shellQuote(camera.name);
     words += fmt::format(" --look-from {} --look-at {} --up {} --fov {}", vectorText(camera.lookFrom),
                          vectorText(camera.lookAt), vectorText(camera.up), camera.fov);
     if (request.seed != 0) words += fmt::format(" --seed {}", request.seed);
     for (const std::string& assignment : assignmentsOf(request))
-        words += " --set " + base::shellWord(assignment);
+        words += " --set " + base::shellQuote(assignment);
     return words;
 }
 
@@ -184,7 +184,7 @@ void describeForCrashReport(const RenderRequest& request) {
     valid = &unused;
 }
 
-BusySample& BusySample::ofThisThread() {
+CurrentSample& CurrentSample::ofThisThread() {
     if (own == nullptr) {
         own = &slots[nextSlot++ % kSlots];
         AlternateStack::ofThisThread();

@@ -23,9 +23,9 @@ void describeForCrashReport(const RenderRequest& request);
 
 /// The sample that a thread is tracing; asking for it prepares the thread for a report. Written for every
 /// sample, read only by the report.
-class BusySample {
+class CurrentSample {
   public:
-    static BusySample& ofThisThread();
+    static CurrentSample& ofThisThread();
 
     void set(int x, int y, int index) {
         x_.store(x, std::memory_order_relaxed);
@@ -34,7 +34,7 @@ class BusySample {
     }
     void clear() { set(0, 0, kNone); }
     bool isBusy() const { return index_.load(std::memory_order_relaxed) != kNone; }
-    SampleName name() const {
+    SampleId name() const {
         return {x_.load(std::memory_order_relaxed), y_.load(std::memory_order_relaxed),
                 index_.load(std::memory_order_relaxed)};
     }

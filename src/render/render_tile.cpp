@@ -14,7 +14,7 @@ bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y)
 
 /// The thread works on samples as long as this lives.
 struct Busy {
-    BusySample& sample = BusySample::ofThisThread();
+    CurrentSample& sample = CurrentSample::ofThisThread();
     Busy() = default;
     ~Busy() { sample.clear(); }
     Busy(const Busy&) = delete;
@@ -28,7 +28,7 @@ class MissingSamples {
         : bounds_(bounds), have_(have), want_(want), next_{bounds.x0, bounds.y0, have} {}
 
     /// The next ones, as many as there is room for; none at the end.
-    std::span<const SampleName> take(std::span<SampleName> room) {
+    std::span<const SampleId> take(std::span<SampleId> room) {
         std::size_t taken = 0;
         for (; taken < room.size() && next_.y < bounds_.y1; ++taken) {
             room[taken] = next_;
@@ -44,7 +44,7 @@ class MissingSamples {
   private:
     PixelBounds bounds_;
     int have_, want_;
-    SampleName next_;
+    SampleId next_;
 };
 }  // namespace
 
@@ -57,7 +57,7 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
     std::uint64_t rays = 0, nonFinite = 0;
     Busy busy;
     MissingSamples missing(bounds, copy.samples, targetSamples);
-    std::array<SampleName, trace::RadianceBatch::kSize> room;
+    std::array<SampleId, trace::RadianceBatch::kSize> room;
     trace::RadianceBatch batch(world, seed);
     for (auto names = missing.take(room); !names.empty(); names = missing.take(room)) {
         batch.start(names);

@@ -74,7 +74,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
             world = compiled;
             status.compileSeconds = render::secondsSince(start);
             status.buildSeconds = compiled->buildSeconds;
-            status.treeGrowth = compiled->treeGrowth;
+            status.sahCostGrowth = compiled->sahCostGrowth;
         }
         prepareFilm(request);
         if (renderPasses(request, control)) outcome = RenderState::Done;

@@ -15,7 +15,7 @@ struct Corner {
 /// bytes per distinct corner.
 class CornerTable {
   public:
-    std::uint32_t numberOf(const Corner& corner) {
+    std::uint32_t indexOf(const Corner& corner) {
         if (corners_.size() * 2 >= slots_.size()) grow();
         std::uint32_t& slot = slotOf(corner);
         if (slot == kEmpty) {

@@ -19,8 +19,8 @@ struct GeneratedTexture {
 
 std::pair<int, int> readPair(const TomlValue& value) {
     const toml::array& array = readArray(value, 2, "whole numbers");
-    return {readWhole({value.file, array[0], value.key}, 1, 4096),
-            readWhole({value.file, array[1], value.key}, 1, 4096)};
+    return {readInteger({value.file, array[0], value.key}, 1, 4096),
+            readInteger({value.file, array[1], value.key}, 1, 4096)};
 }
 
 std::vector<Rgb> readColors(const TomlValue& value, std::size_t count) {

@@ -94,16 +94,16 @@ class RangeLinter {
         const SceneBounds bounds = boundsOf(scene_);
         const glm::dvec3 lower(bounds.lower), upper(bounds.upper);
         const double size = glm::length(upper - lower), away = glm::length(0.5 * (lower + upper));
-        if (!(size >= kLeastSize) || !(size <= kLargestSize))
+        if (!(size >= kMinSceneSize) || !(size <= kMaxSceneSize))
             warn(fmt::format(
                 "the scene is {:.3g} units large; hits are proven right from {:.2g} to {:.2g}, so scale "
                 "it by {:.0e}",
-                size, kLeastSize, kLargestSize, size > 0.0 ? 1.0 / size : 1.0 / kLeastSize));
-        else if (away > kFarthestInSizes * size)
+                size, kMinSceneSize, kMaxSceneSize, size > 0.0 ? 1.0 / size : 1.0 / kMinSceneSize));
+        else if (away > kMaxRelativeDistance * size)
             warn(fmt::format(
                 "the scene is {:.3g} units large and {:.3g} from the origin, {:.2g} times its size; hits "
                 "are proven right up to {:.0e} times, so move it nearer",
-                size, away, away / size, kFarthestInSizes));
+                size, away, away / size, kMaxRelativeDistance));
     }
 
     const SceneDescription& scene_;

@@ -78,8 +78,8 @@ class ObjParser {
     }
     void addPosition(glm::vec3 position) {
         correct(position, 3);
-        if (!std::isfinite(position.x + position.y + position.z) && ++obj_.strayPositions == 1)
-            obj_.firstStrayPosition = lines_.line();
+        if (!std::isfinite(position.x + position.y + position.z) && ++obj_.nonFiniteVertices == 1)
+            obj_.firstNonFiniteVertex = lines_.line();
         obj_.positions.push_back(position);
     }
     void addTexCoord(glm::vec2 texCoord) {
@@ -118,7 +118,7 @@ class ObjParser {
 
     void addFace(std::span<const tinyobj::index_t> face) {
         if (face.size() < 3) {
-            if (++obj_.thinFaces == 1) obj_.firstThinFace = lines_.line();
+            if (++obj_.degenerateFaces == 1) obj_.firstDegenerateFace = lines_.line();
             return;
         }
         checkDigits(argumentOf(lines_.current()));
@@ -147,7 +147,7 @@ class ObjParser {
             zeroBased(index.texcoord_index, obj_.texCoords.size(), "texture coordinate", false),
             zeroBased(index.normal_index, obj_.normals.size(), "normal", false),
         };
-        const std::uint32_t number = obj_.corners.numberOf(corner);
+        const std::uint32_t number = obj_.corners.indexOf(corner);
         if (number == obj_.firstLines.size()) obj_.firstLines.push_back(lines_.line());
         return number;
     }

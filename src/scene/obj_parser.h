@@ -27,10 +27,10 @@ struct ParsedObj {
     std::vector<Named> slotNames;       ///< materials in the order of their first use; "" where none is named
     std::vector<Named> libraries;       ///< arguments of mtllib
     std::set<std::string> ignored;      ///< keywords without meaning here
-    std::size_t thinFaces = 0;          ///< faces with fewer than three corners, left out
-    int firstThinFace = 0;              ///< line of the first of them
-    std::size_t strayPositions = 0;     ///< positions with a NaN or an infinity
-    int firstStrayPosition = 0;
+    std::size_t degenerateFaces = 0;    ///< faces with fewer than three corners, left out
+    int firstDegenerateFace = 0;        ///< line of the first of them
+    std::size_t nonFiniteVertices = 0;  ///< positions with a NaN or an infinity
+    int firstNonFiniteVertex = 0;
 };
 
 /// Throws InputError with the line at numbers that are none and at indices that point before the beginning.

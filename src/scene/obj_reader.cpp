@@ -32,15 +32,16 @@ void report(const std::string& path, const ParsedObj& obj, Diagnostics& notes) {
     const auto note = [&](std::string message, int line) {
         notes.push_back({Severity::Note, std::move(message), {path, line, 0}});
     };
-    if (obj.strayPositions > 0)
+    if (obj.nonFiniteVertices > 0)
         note(
             fmt::format(
                 "{} vertices with NaN or infinite coordinates, the first here; their triangles are never hit",
-                obj.strayPositions),
-            obj.firstStrayPosition);
-    if (obj.thinFaces > 0)
-        note(fmt::format("{} faces with fewer than three corners, the first here; left out", obj.thinFaces),
-             obj.firstThinFace);
+                obj.nonFiniteVertices),
+            obj.firstNonFiniteVertex);
+    if (obj.degenerateFaces > 0)
+        note(fmt::format("{} faces with fewer than three corners, the first here; left out",
+                         obj.degenerateFaces),
+             obj.firstDegenerateFace);
     if (!obj.ignored.empty()) note(fmt::format("ignored: {}", fmt::join(obj.ignored, ", ")), 0);
 }
 

@@ -7,14 +7,14 @@ namespace rayscope::scene {
 
 namespace {
 
-TextAt readTextAt(const TomlValue& value) {
-    TextAt text{readText(value), value.position()};
+LocatedText readTextAt(const TomlValue& value) {
+    LocatedText text{readText(value), value.position()};
     if (text.text.empty()) value.fail("expected a name, got an empty string");
     return text;
 }
 
 template <class T>
-Field<T> textAt(std::string_view key, std::optional<TextAt> T::*member) {
+Field<T> locatedText(std::string_view key, std::optional<LocatedText> T::*member) {
     return {key, [=](const TomlValue& value, T& target) { target.*member = readTextAt(value); }};
 }
 
@@ -60,13 +60,13 @@ constexpr std::array<std::string_view, 2> kLightKeys{"type", "falloff"};
 
 const Record<PointLight>& pointLightRecord() {
     static const Record<PointLight> record{vector("position", &PointLight::position).required(),
-                                           color("color", &PointLight::color, kNotNegative)};
+                                           color("color", &PointLight::color, kNonNegative)};
     return record;
 }
 
 const Record<SegmentLight>& segmentLightRecord() {
     static const Record<SegmentLight> record{vectors("endpoints", &SegmentLight::endpoints).required(),
-                                             colors("colors", &SegmentLight::colors, kNotNegative)};
+                                             colors("colors", &SegmentLight::colors, kNonNegative)};
     return record;
 }
 
@@ -74,7 +74,7 @@ const Record<ParallelogramLight>& parallelogramLightRecord() {
     using L = ParallelogramLight;
     static const Record<L> record{vector("corner", &L::corner).required(),
                                   vectors("edges", &L::edges).required(),
-                                  colors("colors", &L::colors, kNotNegative)};
+                                  colors("colors", &L::colors, kNonNegative)};
     return record;
 }
 
@@ -88,7 +88,7 @@ TextureEntry readTexture(const TomlValue& value) {
         entry.file = readTextAt(value);
         return entry;
     }
-    if (!value.node.is_table()) value.failKind("a file name or a table with file or generate");
+    if (!value.node.is_table()) value.failType("a file name or a table with file or generate");
     const toml::table& body = readTable(value);
     const Record<TextureEntry> common{choice("wrap", &TextureEntry::wrap, kWraps)};
     if (body.contains("generate")) {
@@ -114,7 +114,7 @@ const Record<MaterialEntry>& materialRecord() {
     static const Record<MaterialEntry> record{
         ofMaterial(color("kd", &M::kd)),
         ofMaterial(color("ks", &M::ks)),
-        ofMaterial(number("shininess", &M::shininess, kNotNegative)),
+        ofMaterial(number("shininess", &M::shininess, kNonNegative)),
         ofMaterial(number("opacity", &M::opacity, kFraction)),
         ofMaterial(whole("illum", &M::illum, 0, 10)),
         {"kd_texture", [](const TomlValue& value, MaterialEntry& t) { t.texture = readTexture(value); }},
@@ -157,12 +157,12 @@ Transform readTransform(const TomlValue& value) {
 const Record<MeshEntry>& meshRecord() {
     static const Record<MeshEntry> record{
         {"name", [](const TomlValue& value, MeshEntry& t) { t.instance.name = readText(value); }},
-        textAt("file", &MeshEntry::file),
+        locatedText("file", &MeshEntry::file),
         {"generate", [](const TomlValue& value,
                         MeshEntry& t) { t.instance.data = std::make_shared<MeshData>(readShape(value)); }},
         {"transform",
          [](const TomlValue& value, MeshEntry& t) { t.instance.transform = readTransform(value); }},
-        textAt("material", &MeshEntry::material),
+        locatedText("material", &MeshEntry::material),
         {"motion", [](const TomlValue& value, MeshEntry& t) { t.instance.motion = readVector<3>(value); }},
         text("if_missing", &MeshEntry::ifMissing),
     };
@@ -180,7 +180,7 @@ const Record<SphereEntry>& sphereRecord() {
              t.instance.sphere.radius = readNumber(value, kPositive);
          },
          true},
-        textAt("material", &SphereEntry::material),
+        locatedText("material", &SphereEntry::material),
         {"motion", [](const TomlValue& value, SphereEntry& t) { t.instance.motion = readVector<3>(value); }},
     };
     return record;

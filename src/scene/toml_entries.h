@@ -8,14 +8,14 @@
 namespace rayscope::scene {
 
 /// A word of the file that must be looked up elsewhere, and where it stands.
-struct TextAt {
+struct LocatedText {
     std::string text;
     SourcePosition position;
 };
 
 struct TextureEntry {
-    TextAt file;     ///< empty: `image` holds a generated texture
-    RgbImage image;  ///< linear
+    LocatedText file;  ///< empty: `image` holds a generated texture
+    RgbImage image;    ///< linear
     TextureWrap wrap = TextureWrap::Repeat;
 };
 
@@ -26,19 +26,19 @@ struct MaterialEntry {
 
 struct MeshEntry {
     MeshInstance instance;
-    std::optional<TextAt> file;
-    std::optional<TextAt> material;
+    std::optional<LocatedText> file;
+    std::optional<LocatedText> material;
     std::string ifMissing;  ///< what to do when the file is not there
 };
 
 struct SphereEntry {
     SphereInstance instance;
-    std::optional<TextAt> material;
+    std::optional<LocatedText> material;
 };
 
 struct EnvironmentEntry {
-    std::array<TextAt, 6> cube;
-    TextAt equirect;
+    std::array<LocatedText, 6> cube;
+    LocatedText equirect;
     bool sky = false;
 };
 

@@ -56,13 +56,13 @@ void readRecord(const std::string& file, const toml::table& table, std::string_v
 }
 
 template <class T>
-Field<T> number(std::string_view key, float T::*member, Interval range = kAnyNumber) {
+Field<T> number(std::string_view key, float T::*member, NumberRange range = kAnyNumber) {
     return {key, [=](const TomlValue& value, T& target) { target.*member = readNumber(value, range); }};
 }
 
 template <class T>
 Field<T> whole(std::string_view key, int T::*member, int lowest, int highest) {
-    return {key, [=](const TomlValue& value, T& t) { t.*member = readWhole(value, lowest, highest); }};
+    return {key, [=](const TomlValue& value, T& t) { t.*member = readInteger(value, lowest, highest); }};
 }
 
 template <class T>
@@ -76,12 +76,12 @@ Field<T> text(std::string_view key, std::string T::*member) {
 }
 
 template <class T, int N>
-Field<T> vector(std::string_view key, glm::vec<N, float> T::*member, Interval range = kAnyNumber) {
+Field<T> vector(std::string_view key, glm::vec<N, float> T::*member, NumberRange range = kAnyNumber) {
     return {key, [=](const TomlValue& value, T& target) { target.*member = readVector<N>(value, range); }};
 }
 
 template <class T>
-Field<T> color(std::string_view key, Rgb T::*member, Interval range = kFraction) {
+Field<T> color(std::string_view key, Rgb T::*member, NumberRange range = kFraction) {
     return {key, [=](const TomlValue& value, T& target) { target.*member = readColor(value, range); }};
 }
 
@@ -95,7 +95,7 @@ Field<T> vectors(std::string_view key, std::array<glm::vec3, N> T::*member) {
 }
 
 template <class T, std::size_t N>
-Field<T> colors(std::string_view key, std::array<Rgb, N> T::*member, Interval range = kFraction) {
+Field<T> colors(std::string_view key, std::array<Rgb, N> T::*member, NumberRange range = kFraction) {
     return {key, [=](const TomlValue& value, T& target) {
                 const toml::array& array = readArray(value, N, "colours");
                 for (std::size_t i = 0; i < N; ++i)

@@ -65,7 +65,7 @@ class SceneBuilder {
     void readHead() {
         const toml::node* version = root_.get("version");
         if (!version) throw InputError("a scene needs the key 'version': write version = 1", {path_, 1, 1});
-        readWhole({path_, *version, "version"}, 1, 1);
+        readInteger({path_, *version, "version"}, 1, 1);
         if (const toml::node* title = root_.get("title")) scene_.title = readText({path_, *title, "title"});
     }
 
@@ -89,14 +89,14 @@ class SceneBuilder {
         return openTexture(entry.file, entry.wrap);
     }
 
-    std::shared_ptr<const Texture> openTexture(const TextAt& file, TextureWrap wrap) {
+    std::shared_ptr<const Texture> openTexture(const LocatedText& file, TextureWrap wrap) {
         const std::string resolved = resolvePath(path_, file.text);
         if (!fileExists(resolved))
             throw InputError(fmt::format("the image '{}' is not there", resolved), file.position);
         return textures_.open(resolved, wrap);
     }
 
-    std::uint32_t materialOf(const std::optional<TextAt>& name) {
+    std::uint32_t materialOf(const std::optional<LocatedText>& name) {
         if (!name) return defaultMaterial();
         if (const auto found = materialIndices_.find(name->text); found != materialIndices_.end())
             return found->second;
@@ -212,7 +212,7 @@ class SceneBuilder {
         if (value.node.is_integer()) return fmt::format("{}", value.node.as_integer()->get());
         if (value.node.is_floating_point()) return fmt::format("{}", value.node.as_floating_point()->get());
         if (value.node.is_string()) return readText(value);
-        value.failKind("true, false, a number or a name");
+        value.failType("true, false, a number or a name");
     }
 
     void addWhatIsMissing() {

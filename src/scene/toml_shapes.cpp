@@ -11,8 +11,8 @@ template <class Shape>
 Field<Shape> cells(std::string_view key, int Shape::*first, int Shape::*second) {
     return {key, [=](const TomlValue& value, Shape& target) {
                 const toml::array& array = readArray(value, 2, "whole numbers");
-                target.*first = readWhole({value.file, array[0], key}, 1, 10000);
-                target.*second = readWhole({value.file, array[1], key}, 1, 10000);
+                target.*first = readInteger({value.file, array[0], key}, 1, 10000);
+                target.*second = readInteger({value.file, array[1], key}, 1, 10000);
             }};
 }
 
@@ -28,7 +28,7 @@ const Record<TorusShape> kTorus{number("radius", &TorusShape::radius, kPositive)
                                 whole("segments", &TorusShape::segments, 3, 4096),
                                 whole("tube_segments", &TorusShape::tubeSegments, 3, 4096)};
 const Record<TerrainShape> kTerrain{vector("size", &TerrainShape::size, kPositive),
-                                    number("height", &TerrainShape::height, kNotNegative),
+                                    number("height", &TerrainShape::height, kNonNegative),
                                     cells("cells", &TerrainShape::cellsX, &TerrainShape::cellsZ),
                                     whole("seed", &TerrainShape::seed, 0, 1 << 30)};
 const Record<TeapotShape> kTeapot{whole("resolution", &TeapotShape::resolution, 1, 512)};

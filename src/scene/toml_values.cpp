@@ -32,8 +32,8 @@ std::string_view kindOf(const toml::node& node) {
 
 }  // namespace
 
-std::string Interval::text() const {
-    const Interval all;
+std::string NumberRange::text() const {
+    const NumberRange all;
     const bool below = highest<all.highest, above = lowest> all.lowest;
     if (above && below && !openLow && !openHigh) return fmt::format(" from {} to {}", lowest, highest);
     std::string words;
@@ -53,21 +53,21 @@ void TomlValue::fail(std::string_view message) const {
     throw InputError(fmt::format("{}: {}", key, message), position());
 }
 
-void TomlValue::failKind(std::string_view expected) const {
+void TomlValue::failType(std::string_view expected) const {
     fail(fmt::format("expected {}, got {}", expected, kindOf(node)));
 }
 
 std::string readText(const TomlValue& value) {
-    if (!value.node.is_string()) value.failKind("a string");
+    if (!value.node.is_string()) value.failType("a string");
     return value.node.as_string()->get();
 }
 
 bool readBoolean(const TomlValue& value) {
-    if (!value.node.is_boolean()) value.failKind("true or false");
+    if (!value.node.is_boolean()) value.failType("true or false");
     return value.node.as_boolean()->get();
 }
 
-float readNumber(const TomlValue& value, const Interval& range) {
+float readNumber(const TomlValue& value, const NumberRange& range) {
     const std::string expected = "a number" + range.text();
     double number = 0.0;
     if (value.node.is_integer())
@@ -75,7 +75,7 @@ float readNumber(const TomlValue& value, const Interval& range) {
     else if (value.node.is_floating_point())
         number = value.node.as_floating_point()->get();
     else
-        value.failKind(expected);
+        value.failType(expected);
     if (!std::isfinite(number)) value.fail(fmt::format("expected a finite number, got {}", number));
     // Checked as the float that will be used: a double just above the end of an open range may round onto it.
     const float rounded = static_cast<float>(number);
@@ -84,9 +84,9 @@ float readNumber(const TomlValue& value, const Interval& range) {
     return rounded;
 }
 
-int readWhole(const TomlValue& value, int lowest, int highest) {
+int readInteger(const TomlValue& value, int lowest, int highest) {
     const std::string expected = fmt::format("a whole number from {} to {}", lowest, highest);
-    if (!value.node.is_integer()) value.failKind(expected);
+    if (!value.node.is_integer()) value.failType(expected);
     const std::int64_t number = value.node.as_integer()->get();
     if (number < lowest || number > highest) value.fail(fmt::format("expected {}, got {}", expected, number));
     return static_cast<int>(number);
@@ -94,7 +94,7 @@ int readWhole(const TomlValue& value, int lowest, int highest) {
 
 std::size_t readChoice(const TomlValue& value, std::span<const std::string_view> names) {
     const std::string expected = base::joinChoices(names);
-    if (!value.node.is_string()) value.failKind(expected);
+    if (!value.node.is_string()) value.failType(expected);
     const std::string& text = value.node.as_string()->get();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return i;
@@ -104,7 +104,7 @@ std::size_t readChoice(const TomlValue& value, std::span<const std::string_view>
 const toml::array& readArray(const TomlValue& value, std::size_t size, std::string_view what) {
     const std::string expected = fmt::format("an array of {} {}", size, what);
     const toml::array* array = value.node.as_array();
-    if (!array) value.failKind(expected);
+    if (!array) value.failType(expected);
     if (array->size() != size)
         value.fail(fmt::format("expected {}, got {} elements", expected, array->size()));
     return *array;
@@ -112,11 +112,11 @@ const toml::array& readArray(const TomlValue& value, std::size_t size, std::stri
 
 const toml::table& readTable(const TomlValue& value) {
     const toml::table* table = value.node.as_table();
-    if (!table) value.failKind("a table");
+    if (!table) value.failType("a table");
     return *table;
 }
 
-Rgb readColor(const TomlValue& value, const Interval& range) {
+Rgb readColor(const TomlValue& value, const NumberRange& range) {
     const toml::table* table = value.node.as_table();
     if (!table) return readVector<3>(value, range);
     const toml::node* srgb = table->get("srgb");

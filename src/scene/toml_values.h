@@ -12,7 +12,7 @@
 namespace rayscope::scene {
 
 /// The numbers a key accepts. Both ends belong to it unless they are open.
-struct Interval {
+struct NumberRange {
     double lowest = -std::numeric_limits<float>::max();
     double highest = std::numeric_limits<float>::max();
     bool openLow = false;
@@ -24,10 +24,10 @@ struct Interval {
     /// " from 0 to 1", " above 0", … or "" if every float is welcome.
     std::string text() const;
 };
-inline constexpr Interval kAnyNumber{};
-inline constexpr Interval kFraction{.lowest = 0.0, .highest = 1.0};
-inline constexpr Interval kNotNegative{.lowest = 0.0};
-inline constexpr Interval kPositive{.lowest = 0.0, .openLow = true};
+inline constexpr NumberRange kAnyNumber{};
+inline constexpr NumberRange kFraction{.lowest = 0.0, .highest = 1.0};
+inline constexpr NumberRange kNonNegative{.lowest = 0.0};
+inline constexpr NumberRange kPositive{.lowest = 0.0, .openLow = true};
 
 /// One value of the file and how to speak of it.
 struct TomlValue {
@@ -39,7 +39,7 @@ struct TomlValue {
     /// Throws "key: message" at the position of the value.
     [[noreturn]] void fail(std::string_view message) const;
     /// Throws "key: expected …, got a string".
-    [[noreturn]] void failKind(std::string_view expected) const;
+    [[noreturn]] void failType(std::string_view expected) const;
 };
 
 SourcePosition positionIn(const std::string& file, const toml::source_region& region);
@@ -47,17 +47,17 @@ SourcePosition positionIn(const std::string& file, const toml::source_region& re
 std::string readText(const TomlValue& value);
 bool readBoolean(const TomlValue& value);
 /// Integers count as numbers; NaN, infinities and what float cannot hold do not.
-float readNumber(const TomlValue& value, const Interval& range);
-int readWhole(const TomlValue& value, int lowest, int highest);
+float readNumber(const TomlValue& value, const NumberRange& range);
+int readInteger(const TomlValue& value, int lowest, int highest);
 std::size_t readChoice(const TomlValue& value, std::span<const std::string_view> names);
 /// The array behind `value`, which must have `size` elements; `what` is the plural of an element.
 const toml::array& readArray(const TomlValue& value, std::size_t size, std::string_view what);
 const toml::table& readTable(const TomlValue& value);
 /// [r, g, b], linear, or { srgb = [r, g, b] }.
-Rgb readColor(const TomlValue& value, const Interval& range);
+Rgb readColor(const TomlValue& value, const NumberRange& range);
 
 template <int N>
-glm::vec<N, float> readVector(const TomlValue& value, const Interval& range = kAnyNumber) {
+glm::vec<N, float> readVector(const TomlValue& value, const NumberRange& range = kAnyNumber) {
     const toml::array& array = readArray(value, static_cast<std::size_t>(N), "numbers");
     glm::vec<N, float> vector;
     for (int i = 0; i < N; ++i)

@@ -18,14 +18,14 @@ struct SettingText {
 };
 
 /// Why a setting has no effect at present, or an empty text if it has one.
-using IdleReason = std::string_view (*)(const Settings&);
+using InactiveReason = std::string_view (*)(const Settings&);
 constexpr std::string_view alwaysActive(const Settings&) { return {}; }
 
 struct Toggle {
     SettingText text;
     bool Settings::*member;
     Invalidates invalidates;
-    IdleReason idle = alwaysActive;
+    InactiveReason inactive = alwaysActive;
 };
 
 template <class T>
@@ -34,7 +34,7 @@ struct Range {
     T Settings::*member;
     T lowest, highest;
     Invalidates invalidates;
-    IdleReason idle = alwaysActive;
+    InactiveReason inactive = alwaysActive;
     bool logarithmic = false;  ///< a slider should move by factors
 };
 
@@ -44,7 +44,7 @@ struct Choice {
     E Settings::*member;
     std::array<std::string_view, N> names;  ///< in the order of the enumerators
     Invalidates invalidates;
-    IdleReason idle = alwaysActive;
+    InactiveReason inactive = alwaysActive;
 };
 
 }  // namespace rayscope::settings

@@ -55,7 +55,7 @@ const Preset& presetNamed(std::string_view name) {
 void applyPreset(Settings& settings, const Preset& preset, bool blurred) {
     for (const auto& [key, value] : preset.values) assign(settings, key, value);
     if (!blurred) return;
-    for (const auto& [key, value] : preset.whereBlurred) assign(settings, key, value);
+    for (const auto& [key, value] : preset.valuesIfBlurred) assign(settings, key, value);
 }
 
 }  // namespace rayscope

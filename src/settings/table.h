@@ -7,7 +7,7 @@
 
 namespace rayscope::settings {
 
-namespace idle {
+namespace inactive {
 constexpr std::string_view unless(bool active, std::string_view reason) {
     return active ? std::string_view{} : reason;
 }
@@ -42,7 +42,7 @@ constexpr std::string_view bloomSigma(const Settings& s) {
 constexpr std::string_view bloomStage(const Settings& s) {
     return unless(s.bloom && s.bloomDebug, "the bloom debug view is off");
 }
-}  // namespace idle
+}  // namespace inactive
 
 // clang-format off
 inline constexpr std::tuple kSettingsTable{
@@ -62,23 +62,23 @@ inline constexpr std::tuple kSettingsTable{
            &Settings::lightSampleCount, {"fixed", "per_length"}, Invalidates::Film},
     Toggle{{"transparent_shadows", "Light", "Transparent shadows",
            "Transparent surfaces let through their share of the light instead of blocking it.", "", Trade::Bias},
-           &Settings::transparentShadows, Invalidates::Film, idle::anyShadows},
+           &Settings::transparentShadows, Invalidates::Film, inactive::anyShadows},
 
     Toggle{{"recursion", "Reflection", "Recursion", "Specular surfaces mirror the scene."},
            &Settings::recursion, Invalidates::Film},
     Range<int>{{"max_depth", "Reflection", "Max depth", "Most reflections along a path.", "reflections", Trade::Bias},
-           &Settings::maxDepth, 0, 16, Invalidates::Film, idle::recursion},
+           &Settings::maxDepth, 0, 16, Invalidates::Film, inactive::recursion},
     Choice<ReflectWhen, 2>{{"reflect_when", "Reflection", "Reflect when",
            "Which materials mirror: those with ks above zero, or those whose MTL illum is 3 or more."},
-           &Settings::reflectWhen, {"ks", "illum"}, Invalidates::Film, idle::recursion},
+           &Settings::reflectWhen, {"ks", "illum"}, Invalidates::Film, inactive::recursion},
     Toggle{{"glossy", "Reflection", "Glossy", "Reflections are blurred by a Gaussian lobe."},
-           &Settings::glossy, Invalidates::Film, idle::recursion},
+           &Settings::glossy, Invalidates::Film, inactive::recursion},
     Range<float>{{"glossy_sigma", "Reflection", "Glossy sigma",
            "Width of the lobe: the standard deviation is sigma / (3 shininess); 0 is a mirror."},
-           &Settings::glossySigma, 0.0f, 100.0f, Invalidates::Film, idle::glossy},
+           &Settings::glossySigma, 0.0f, 100.0f, Invalidates::Film, inactive::glossy},
     Range<int>{{"glossy_samples", "Reflection", "Glossy samples",
            "Rays per first glossy reflection; deeper ones take one each.", "rays", Trade::Noise},
-           &Settings::glossySamples, 1, 4096, Invalidates::Film, idle::glossy, true},
+           &Settings::glossySamples, 1, 4096, Invalidates::Film, inactive::glossy, true},
 
     Toggle{{"normal_interpolation", "Surface", "Normal interpolation",
            "Shading normals are interpolated between vertex normals."},
@@ -88,22 +88,22 @@ inline constexpr std::tuple kSettingsTable{
     Toggle{{"texture_mapping", "Surface", "Texture mapping", "Textures replace the diffuse colour."},
            &Settings::textureMapping, Invalidates::Film},
     Choice<TextureFilter, 3>{{"texture_filter", "Surface", "Texture filter", "How texels become a colour.", "", Trade::Bias},
-           &Settings::textureFilter, {"nearest", "bilinear", "mipmap"}, Invalidates::Film, idle::texture},
+           &Settings::textureFilter, {"nearest", "bilinear", "mipmap"}, Invalidates::Film, inactive::texture},
     Toggle{{"environment", "Surface", "Environment", "Rays that leave the scene see the environment map."},
            &Settings::environment, Invalidates::Film},
     Toggle{{"reflection_map", "Surface", "Reflection map",
            "Surfaces show the environment along the reflected direction."},
-           &Settings::reflectionMap, Invalidates::Film, idle::environment},
+           &Settings::reflectionMap, Invalidates::Film, inactive::environment},
 
     Toggle{{"depth_of_field", "Camera", "Depth of field", "The lens of the camera blurs what is out of focus."},
            &Settings::depthOfField, Invalidates::Film},
     Range<int>{{"lens_samples", "Camera", "Lens samples", "Rays through the lens per pixel sample.", "rays", Trade::Noise},
-           &Settings::lensSamples, 1, 512, Invalidates::Film, idle::lens, true},
+           &Settings::lensSamples, 1, 512, Invalidates::Film, inactive::lens, true},
     Choice<LensShape, 3>{{"lens_shape", "Camera", "Lens shape", "Outline of the aperture."},
-           &Settings::lensShape, {"disk", "square", "hexagon"}, Invalidates::Film, idle::lens},
+           &Settings::lensShape, {"disk", "square", "hexagon"}, Invalidates::Film, inactive::lens},
     Range<float>{{"sharp_zone", "Camera", "Sharp zone",
            "What lies within this distance before or behind the focus plane stays sharp.", "scene units"},
-           &Settings::sharpZone, 0.0f, 1e9f, Invalidates::Film, idle::lens},
+           &Settings::sharpZone, 0.0f, 1e9f, Invalidates::Film, inactive::lens},
     Toggle{{"motion_blur", "Camera", "Motion blur", "Moving objects are sampled over the time of the shutter."},
            &Settings::motionBlur, Invalidates::Film},
 
@@ -118,43 +118,43 @@ inline constexpr std::tuple kSettingsTable{
     Choice<BvhBuilder, 4>{{"bvh_builder", "Acceleration", "BVH builder",
            "Median split with revolving axes, surface area heuristic over all centroids, or over bins; high moves subtrees of the "
            "latter to better places, for long renders.", "", Trade::Speed},
-           &Settings::bvhBuilder, {"median", "sah", "sah_binned", "high"}, Invalidates::Accel, idle::bvh},
+           &Settings::bvhBuilder, {"median", "sah", "sah_binned", "high"}, Invalidates::Accel, inactive::bvh},
     Range<int>{{"bvh_bins", "Acceleration", "BVH bins", "Bins per axis of sah_binned and high.", "bins", Trade::Speed},
-           &Settings::bvhBins, 2, 4096, Invalidates::Accel, idle::bins, true},
+           &Settings::bvhBins, 2, 4096, Invalidates::Accel, inactive::bins, true},
     Range<int>{{"bvh_max_level", "Acceleration", "BVH max level", "Deepest level of the tree; the root is level 0.", "", Trade::Speed},
-           &Settings::bvhMaxLevel, 0, 64, Invalidates::Accel, idle::bvh},
+           &Settings::bvhMaxLevel, 0, 64, Invalidates::Accel, inactive::bvh},
     Range<int>{{"bvh_leaf_size", "Acceleration", "BVH leaf size",
            "Most primitives in a leaf above the deepest level.", "primitives", Trade::Speed},
-           &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, idle::bvh},
+           &Settings::bvhLeafSize, 1, 64, Invalidates::Accel, inactive::bvh},
     Range<float>{{"bvh_refit", "Acceleration", "BVH refit",
            "Triangles that moved keep their tree until its SAH cost has grown to this many times that of when it was built; "
            "0 builds anew for each change.", "times"},
-           &Settings::bvhRefit, 0.0f, 1000.0f, Invalidates::Accel, idle::bvh},
+           &Settings::bvhRefit, 0.0f, 1000.0f, Invalidates::Accel, inactive::bvh},
     Choice<BvhLayout, 2>{{"bvh_layout", "Acceleration", "BVH layout",
            "Rays walk the binary tree itself, or nodes of eight children gathered from it; same image.", "", Trade::Speed},
-           &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, idle::bvh},
+           &Settings::bvhLayout, {"binary", "wide"}, Invalidates::Accel, inactive::bvh},
     Choice<Isa, 5>{{"isa", "Acceleration", "Instruction set",
            "Kernels for the wide layout; auto takes the best that the machine has; same image."},
-           &Settings::isa, {"auto", "scalar", "sse2", "avx2", "avx512"}, Invalidates::Accel, idle::wide},
+           &Settings::isa, {"auto", "scalar", "sse2", "avx2", "avx512"}, Invalidates::Accel, inactive::wide},
 
     Toggle{{"bloom", "Display", "Bloom", "Bright parts of the image glow."}, &Settings::bloom, Invalidates::Display},
     Choice<BloomFilter, 2>{{"bloom_filter", "Display", "Bloom filter", "Shape of the glow.", "", Trade::Bias},
-           &Settings::bloomFilter, {"box", "gaussian"}, Invalidates::Display, idle::bloom},
+           &Settings::bloomFilter, {"box", "gaussian"}, Invalidates::Display, inactive::bloom},
     Range<float>{{"bloom_sigma", "Display", "Bloom sigma", "Standard deviation of the Gaussian.", "pixels"},
-           &Settings::bloomSigma, 0.0f, 100.0f, Invalidates::Display, idle::bloomSigma},
+           &Settings::bloomSigma, 0.0f, 100.0f, Invalidates::Display, inactive::bloomSigma},
     Range<float>{{"bloom_threshold", "Display", "Bloom threshold", "Pixels with a channel above this glow."},
-           &Settings::bloomThreshold, 0.0f, 1000.0f, Invalidates::Display, idle::bloom},
+           &Settings::bloomThreshold, 0.0f, 1000.0f, Invalidates::Display, inactive::bloom},
     Range<int>{{"bloom_size", "Display", "Bloom size", "Radius of the filter; it is 2 size + 1 pixels wide.", "pixels", Trade::Bias},
-           &Settings::bloomSize, 0, 500, Invalidates::Display, idle::bloom},
+           &Settings::bloomSize, 0, 500, Invalidates::Display, inactive::bloom},
     Range<float>{{"bloom_scale", "Display", "Bloom scale", "Factor on the glow before it is added."},
-           &Settings::bloomScale, 0.0f, 100.0f, Invalidates::Display, idle::bloom},
+           &Settings::bloomScale, 0.0f, 100.0f, Invalidates::Display, inactive::bloom},
     Toggle{{"bloom_debug", "Display", "Bloom debug", "Shows one stage of the bloom instead of the image."},
-           &Settings::bloomDebug, Invalidates::Display, idle::bloom},
+           &Settings::bloomDebug, Invalidates::Display, inactive::bloom},
     Choice<BloomStage, 3>{{"bloom_stage", "Display", "Bloom stage", "Which stage the debug view shows."},
-           &Settings::bloomStage, {"thresholded", "filtered", "added"}, Invalidates::Display, idle::bloomStage},
+           &Settings::bloomStage, {"thresholded", "filtered", "added"}, Invalidates::Display, inactive::bloomStage},
     Range<float>{{"exposure", "Display", "Exposure", "Brightness of the picture: 1 more doubles it.", "stops"},
            &Settings::exposure, -20.0f, 20.0f, Invalidates::Display},
-    Choice<ToneCurve, 2>{{"tone", "Display", "Tone curve",
+    Choice<Encoding, 2>{{"tone", "Display", "Tone curve",
            "The sRGB curve, or none, as course programs have it, to compare with old pictures."},
            &Settings::tone, {"srgb", "course"}, Invalidates::Display},
 };

@@ -12,7 +12,7 @@ struct CameraSample {
     glm::dvec2 pixel;
     float time;  ///< of the shutter, 0 if nothing moves
 
-    CameraSample(const World& world, const sampling::SampleStream& stream, const SampleName& name)
+    CameraSample(const World& world, const sampling::SampleStream& stream, const SampleId& name)
         : pixel(glm::dvec2(name.x, name.y) + glm::dvec2(stream.get2D(sampling::Dim::Pixel))),
           time(world.moves ? stream.get1D(sampling::Dim::Time) : 0.0f) {}
 };

@@ -18,51 +18,54 @@ BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop) {
 
 namespace {
 
-/// Refits the hierarchy of the previous body where the same triangles have moved; builds one where there is
-/// none, or where that would cost rays too much.
-std::shared_ptr<const Accel> makeAccel(const Geometry& geometry, const Body* previous,
-                                       const BuildSettings& build, float mostGrowth) {
+/// Refits the hierarchy of the previous motionGroup where the same triangles have moved; builds one where
+/// there is none, or where that would cost rays too much.
+std::shared_ptr<const Accel> makeAccel(const Geometry& geometry, const MotionGroup* previous,
+                                       const BuildSettings& build, float maxCostGrowth) {
     const AccelInput& input = geometry.input;
-    if (mostGrowth > 0.0f && previous && previous->accel &&
+    if (maxCostGrowth > 0.0f && previous && previous->accel &&
         previous->geometry->input.spheres.size() == input.spheres.size() &&
         std::ranges::equal(previous->geometry->input.triangles, input.triangles)) {
         Accel accel = previous->accel->refit(input, build.stop);
-        if (accel.summary().costGrowth <= static_cast<double>(mostGrowth))
+        if (accel.summary().costGrowth <= static_cast<double>(maxCostGrowth))
             return std::make_shared<const Accel>(std::move(accel));
     }
     return std::make_shared<const Accel>(Accel::build(input, build));
 }
 
 /// Shares geometry and hierarchies with the previous world as far as they are the same.
-void compileBodies(World& world, const World* previous, bool keepBinaryTrees, std::stop_token stop) {
+void compileMotionGroups(World& world, const World* previous, bool keepBinaryTrees, std::stop_token stop) {
     const Settings& settings = world.settings;
     const bool sameShapes = previous && sameGeometry(*previous->description, *world.description) &&
                             previous->settings.motionBlur == settings.motionBlur;
     std::vector<std::shared_ptr<const Geometry>> geometries;
     if (sameShapes)
-        for (const Body& body : previous->bodies) geometries.push_back(body.geometry);
+        for (const MotionGroup& motionGroup : previous->motionGroups)
+            geometries.push_back(motionGroup.geometry);
     else
         geometries = makeGeometry(*world.description, settings.motionBlur);
 
     const bool sameBuild = previous && changed(previous->settings, settings) < Invalidates::Accel;
     const bool sameTrees = sameShapes && sameBuild;
-    const bool sameBodies = sameBuild && previous->bodies.size() == geometries.size();
+    const bool sameGroups = sameBuild && previous->motionGroups.size() == geometries.size();
     BuildSettings build = buildSettingsOf(settings, std::move(stop));
     build.keepBinaryTree = keepBinaryTrees;
     const auto start = std::chrono::steady_clock::now();
     std::uint32_t first = 0;
     for (std::size_t i = 0; i < geometries.size(); ++i) {
-        Body body{geometries[i], nullptr, first};
-        if (sameTrees && previous->bodies[i].accel)
-            body.accel = previous->bodies[i].accel;
+        MotionGroup motionGroup{geometries[i], nullptr, first};
+        if (sameTrees && previous->motionGroups[i].accel)
+            motionGroup.accel = previous->motionGroups[i].accel;
         else if (settings.bvh)
-            body.accel = makeAccel(*body.geometry, sameBodies ? &previous->bodies[i] : nullptr, build,
-                                   settings.bvhRefit);
-        first += static_cast<std::uint32_t>(body.geometry->input.triangles.size() +
-                                            body.geometry->input.spheres.size());
-        world.moves |= body.geometry->motion != glm::vec3(0.0f);
-        if (body.accel) world.treeGrowth = std::max(world.treeGrowth, body.accel->summary().costGrowth);
-        world.bodies.push_back(std::move(body));
+            motionGroup.accel =
+                makeAccel(*motionGroup.geometry, sameGroups ? &previous->motionGroups[i] : nullptr, build,
+                          settings.bvhRefit);
+        first += static_cast<std::uint32_t>(motionGroup.geometry->input.triangles.size() +
+                                            motionGroup.geometry->input.spheres.size());
+        world.moves |= motionGroup.geometry->motion != glm::vec3(0.0f);
+        if (motionGroup.accel)
+            world.sahCostGrowth = std::max(world.sahCostGrowth, motionGroup.accel->summary().costGrowth);
+        world.motionGroups.push_back(std::move(motionGroup));
     }
     world.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -122,7 +125,7 @@ std::shared_ptr<const World> compile(const CompileRequest& request, const World*
     if (request.settings.environment) world->environment = request.scene->environment;
     compileMaterials(*world, previous);
     compileLights(*world);
-    compileBodies(*world, previous, request.keepBinaryTrees, std::move(stop));
+    compileMotionGroups(*world, previous, request.keepBinaryTrees, std::move(stop));
     return world;
 }
 

@@ -20,23 +20,23 @@ inline Ray shadowRay(const glm::vec3& from, const LightTerm& term) {
 /// The mean over the light of visible · phong. With shading off the surface shows its diffuse colour wherever
 /// light gets: the mean over the lights of visible · kd.
 template <PathObserver O, class Terms>
-void Tracer<O, Terms>::shadeByLight(std::size_t index, const Interaction& at, const Branch& branch,
-                                    const glm::dvec3& throughput) {
+void Tracer<O, Terms>::addDirectLight(std::size_t index, const Interaction& at, const Branch& branch,
+                                      const glm::dvec3& throughput) {
     const int n = branch.split ? 1 : world_.lights[index].grid.count();
-    if constexpr (Terms::kAsksLater)
-        if (world_.shadowsCanWait()) return queueLight(index, n, at, branch, throughput);
+    if constexpr (Terms::kDefersShadowRays)
+        if (world_.canDeferShadowRays()) return deferDirectLight(index, n, at, branch, throughput);
     if (n == 1)
-        shadeByLight<1>(index, n, at, branch, throughput);
+        addDirectLight<1>(index, n, at, branch, throughput);
     else
-        shadeByLight<kRayGroup>(index, n, at, branch, throughput);
+        addDirectLight<kRayGroup>(index, n, at, branch, throughput);
 }
 
 /// Asks for shadow rays in groups; terms are added in the order of the samples.
 template <PathObserver O, class Terms>
 template <int kGroup>
-void Tracer<O, Terms>::shadeByLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
-                                    const glm::dvec3& throughput) {
-    const sampling::SamplePoints points = pointsOn(index, branch, n);
+void Tracer<O, Terms>::addDirectLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
+                                      const glm::dvec3& throughput) {
+    const sampling::SamplePoints points = lightSamplePoints(index, branch, n);
     const glm::dvec3 share = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
     std::array<LightTerm, kGroup> terms;
@@ -57,7 +57,7 @@ void Tracer<O, Terms>::shadeByLight(std::size_t index, int n, const Interaction&
             if (term.needsShadow)
                 term.connection.visibility = seen == 1.0  ? Visibility::Visible
                                              : seen > 0.0 ? Visibility::Attenuated
-                                                          : Visibility::Blocked;
+                                                          : Visibility::Occluded;
             const glm::dvec3 value = seen > 0.0 ? share * term.reflected * seen : glm::dvec3(0.0);
             observer_.lightSampled(term.connection, value);
             if (value != glm::dvec3(0.0)) add(value);
@@ -67,9 +67,9 @@ void Tracer<O, Terms>::shadeByLight(std::size_t index, int n, const Interaction&
 
 /// Leaves it to a TermQueue to ask for the shadow rays. The terms are the same.
 template <PathObserver O, class Terms>
-void Tracer<O, Terms>::queueLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
-                                  const glm::dvec3& throughput) {
-    const sampling::SamplePoints points = pointsOn(index, branch, n);
+void Tracer<O, Terms>::deferDirectLight(std::size_t index, int n, const Interaction& at, const Branch& branch,
+                                        const glm::dvec3& throughput) {
+    const sampling::SamplePoints points = lightSamplePoints(index, branch, n);
     const glm::dvec3 share = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
     for (int k = 0; k < n; ++k) {
@@ -86,7 +86,8 @@ void Tracer<O, Terms>::queueLight(std::size_t index, int n, const Interaction& a
 
 /// Where on the light the n samples lie; nowhere in particular for a light without extent.
 template <PathObserver O, class Terms>
-sampling::SamplePoints Tracer<O, Terms>::pointsOn(std::size_t index, const Branch& branch, int n) const {
+sampling::SamplePoints Tracer<O, Terms>::lightSamplePoints(std::size_t index, const Branch& branch,
+                                                           int n) const {
     if (world_.lights[index].dimensions == 0) return {};
     return stream_.points(sampling::Dim::Light, branch.key, static_cast<std::uint32_t>(index), n);
 }

@@ -34,16 +34,16 @@ struct Triangle {
     glm::dvec3 p[3];   ///< in world space at rest
 };
 
-Triangle triangleOf(const PrimitiveName& name) {
-    const AccelInput& input = name.body->geometry->input;
-    const glm::uvec3 inBody = input.triangles[name.inBody];
+Triangle triangleOf(const PrimitiveLocation& name) {
+    const AccelInput& input = name.motionGroup->geometry->input;
+    const glm::uvec3 inGroup = input.triangles[name.inGroup];
     return {name.range->mesh->triangles[name.inObject],
-            {glm::dvec3(input.vertices[inBody.x]), glm::dvec3(input.vertices[inBody.y]),
-             glm::dvec3(input.vertices[inBody.z])}};
+            {glm::dvec3(input.vertices[inGroup.x]), glm::dvec3(input.vertices[inGroup.y]),
+             glm::dvec3(input.vertices[inGroup.z])}};
 }
 
 /// Interpolates vertex normals; falls back to the geometric normal where they vanish or are not numbers.
-void interpolateNormal(Interaction& at, const PrimitiveName& name, const Triangle& triangle,
+void interpolateNormal(Interaction& at, const PrimitiveLocation& name, const Triangle& triangle,
                        const glm::dvec3& weights) {
     const std::vector<glm::vec3>& normals = name.range->mesh->normals;
     if (normals.empty()) return;
@@ -71,8 +71,8 @@ double textureDensity(const Triangle& triangle, const std::vector<glm::vec2>& uv
     return onSurface > 0.0 ? inTexture / onSurface : 0.0;
 }
 
-void lookUpTexture(Interaction& at, const World& world, const PrimitiveName& name, const Triangle& triangle,
-                   const glm::dvec3& weights) {
+void lookUpTexture(Interaction& at, const World& world, const PrimitiveLocation& name,
+                   const Triangle& triangle, const glm::dvec3& weights) {
     const SurfaceMaterial& material = world.materials[at.material];
     const std::vector<glm::vec2>& uv = name.range->mesh->texCoords;
     if (!material.texture || uv.empty()) return;
@@ -89,13 +89,13 @@ void lookUpTexture(Interaction& at, const World& world, const PrimitiveName& nam
     at.kd = material.texture->lookup(at.uv, footprint, world.settings.textureFilter);
 }
 
-void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveName& name) {
-    const AccelInput& input = name.body->geometry->input;
+void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveLocation& name) {
+    const AccelInput& input = name.motionGroup->geometry->input;
     const Triangle triangle = triangleOf(name);
-    const glm::uvec3 index = input.triangles[name.inBody];
+    const glm::uvec3 index = input.triangles[name.inGroup];
     bvh::TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
                            static_cast<double>(at.hit.v)};
-    bvh::intersectTriangle(bvh::ShearedRay(bvh::words(ray)), input.vertices[index.x], input.vertices[index.y],
+    bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), input.vertices[index.x], input.vertices[index.y],
                            input.vertices[index.z], exact);
     const glm::dvec3 weights(1.0 - exact.u - exact.v, exact.u, exact.v);
     at.t = exact.t;
@@ -141,7 +141,7 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
                           const Hit& hit) {
     Interaction at;
     at.hit = hit;
-    const PrimitiveName name = world.nameOf(hit.primitive);
+    const PrimitiveLocation name = world.nameOf(hit.primitive);
     at.object = name.range->object;
     at.material = world.materialOf(name);
     at.kd = world.materials[at.material].kd;
@@ -150,19 +150,20 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
     at.toViewer = -direction / length;
     at.coneWidth = cone.width + cone.spread * static_cast<double>(hit.t) * length;
 
-    const glm::dvec3 moved = static_cast<double>(time) * glm::dvec3(name.body->geometry->motion);
+    const glm::dvec3 moved = static_cast<double>(time) * glm::dvec3(name.motionGroup->geometry->motion);
     Ray atRest = ray;
     if (world.moves) atRest.origin = glm::vec3(glm::dvec3(ray.origin) - moved);
     if (name.range->mesh)
         fillTriangle(at, world, atRest, name);
     else
-        fillSphere(
-            at, atRest,
-            name.body->geometry->input.spheres[name.inBody - name.body->geometry->input.triangles.size()]);
+        fillSphere(at, atRest,
+                   name.motionGroup->geometry->input
+                       .spheres[name.inGroup - name.motionGroup->geometry->input.triangles.size()]);
     if (world.moves) {
         at.position += moved;
         at.magnitude += glm::abs(moved);
-        // The ray was moved into the body's frame in float: that rounding is part of where the surface is.
+        // The ray was moved into the motionGroup's frame in float: that rounding is part of where the surface
+        // is.
         at.magnitude += 0x1p20 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
     }
     faceViewer(at);

@@ -2,6 +2,6 @@
 
 namespace rayscope::trace {
 
-template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
+template SampleResult radiance(const World&, std::uint64_t, const SampleId&, NullObserver&);
 
 }  // namespace rayscope::trace

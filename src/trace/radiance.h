@@ -16,8 +16,8 @@ struct SampleResult {
 /// The radiance of a sample: a pure function of world, seed and name, whoever watches. Instantiated for the
 /// silent observer in radiance.cpp; other observers include radiance.inl.
 template <PathObserver O>
-SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer);
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& name, O& observer);
 
-extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&, NullObserver&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, NullObserver&);
 
 }  // namespace rayscope::trace

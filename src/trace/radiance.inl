@@ -65,14 +65,14 @@ class Tracer {
     bool inSharpZone();
     glm::dvec3 mirrorDirection(const Interaction& at) const;
 
-    void shadeByLight(std::size_t light, const Interaction& at, const Branch& branch,
-                      const glm::dvec3& throughput);
+    void addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
+                        const glm::dvec3& throughput);
     template <int kGroup>
-    void shadeByLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
-                      const glm::dvec3& throughput);
-    void queueLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
-                    const glm::dvec3& throughput);
-    sampling::SamplePoints pointsOn(std::size_t light, const Branch& branch, int n) const;
+    void addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
+                        const glm::dvec3& throughput);
+    void deferDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
+                          const glm::dvec3& throughput);
+    sampling::SamplePoints lightSamplePoints(std::size_t light, const Branch& branch, int n) const;
     LightTerm connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
                       const sampling::SamplePoints& points) const;
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
@@ -212,13 +212,13 @@ void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, cons
         return observer_.ended(segment, RayEnd::Absorbed);
     }
     for (std::size_t light = 0; light < world_.lights.size(); ++light)
-        shadeByLight(light, at, branch, throughput);
+        addDirectLight(light, at, branch, throughput);
     if (!settings_.shading && world_.lights.empty()) add(throughput * at.kd);
     reflect(segment, at, branch, throughput);
 }
 
 template <PathObserver O>
-SampleResult radiance(const World& world, std::uint64_t seed, const SampleName& name, O& observer) {
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& name, O& observer) {
     const sampling::SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index,
                                         world.settings.spp);
     const CameraSample sample(world, stream, name);

@@ -11,12 +11,12 @@ RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed)
     rays_.reserve(kSize);
 }
 
-void RadianceBatch::start(std::span<const SampleName> names) {
+void RadianceBatch::start(std::span<const SampleId> names) {
     streams_.clear();
     samples_.clear();
     // One step at a time for all samples: steps of different samples do not wait for one another.
     const Settings& settings = world_.settings;
-    for (const SampleName& name : names)
+    for (const SampleId& name : names)
         streams_.emplace_back(settings.sampler, seed_, name.x, name.y, name.index, settings.spp);
     for (std::size_t i = 0; i < names.size(); ++i) samples_.emplace_back(world_, streams_[i], names[i]);
     rays_.resize(hasSingleRays_ ? names.size() : 0);

@@ -18,7 +18,7 @@ class RadianceBatch {
 
     RadianceBatch(const World& world, std::uint64_t seed);
 
-    void start(std::span<const SampleName> names);
+    void start(std::span<const SampleId> names);
     void trace(std::size_t sample);
     /// Valid until the next start().
     std::span<const SampleResult> finish();

@@ -13,7 +13,7 @@ namespace rayscope::trace {
 /// be asked at once. What a sample sums up to is the left fold of its terms all the same. For worlds at rest.
 class TermQueue {
   public:
-    static constexpr bool kAsksLater = true;
+    static constexpr bool kDefersShadowRays = true;
 
     explicit TermQueue(const World& world);
 
@@ -21,7 +21,7 @@ class TermQueue {
     void start(std::span<SampleResult> results) { results_ = results; }
     /// Terms now belong to this sample.
     void beginSample(std::size_t sample) { sample_ = static_cast<std::uint32_t>(sample); }
-    void add(const glm::dvec3& term) { push(term, kNoShadow); }
+    void add(const glm::dvec3& term) { push(term, kNoShadowRay); }
     void addIfVisible(const glm::dvec3& term, const Ray& shadow) {
         shadows_.push_back(shadow);
         push(term, static_cast<std::uint32_t>(shadows_.size() - 1));
@@ -30,15 +30,15 @@ class TermQueue {
     void fold();
 
   private:
-    static constexpr std::uint32_t kNoShadow = 0xffffffffu;
-    static constexpr std::size_t kMostTerms = 1024;
+    static constexpr std::uint32_t kNoShadowRay = 0xffffffffu;
+    static constexpr std::size_t kMaxTerms = 1024;
     struct Term {
         glm::dvec3 value;
         std::uint32_t sample, shadow;
     };
     void push(const glm::dvec3& value, std::uint32_t shadow) {
         terms_.push_back({value, sample_, shadow});
-        if (terms_.size() == kMostTerms) fold();
+        if (terms_.size() == kMaxTerms) fold();
     }
 
     const World& world_;

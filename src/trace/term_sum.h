@@ -5,7 +5,7 @@ namespace rayscope::trace {
 
 /// The radiance of one sample, each term added as it is found.
 struct TermSum {
-    static constexpr bool kAsksLater = false;
+    static constexpr bool kDefersShadowRays = false;
 
     RgbSum sum{0.0};
     void add(const glm::dvec3& term) { sum += term; }

@@ -12,8 +12,8 @@
 #include "shading/light_sample.h"
 #include "shading/phong.h"
 #include "shading/texture_lookup.h"
-#include "trace/body.h"
 #include "trace/camera.h"
+#include "trace/motion_group.h"
 
 namespace rayscope::trace {
 
@@ -26,10 +26,11 @@ struct SurfaceMaterial {
 };
 
 /// Geometry with its search structure.
-struct Body {
+struct MotionGroup {
     std::shared_ptr<const Geometry> geometry;
     std::shared_ptr<const Accel> accel;
-    std::uint32_t firstPrimitive = 0;  ///< number of the body's first primitive among those of the world
+    std::uint32_t firstPrimitive =
+        0;  ///< number of the motionGroup's first primitive among those of the world
 };
 
 /// A light and the number of samples that it takes where it is sampled in full.
@@ -41,10 +42,10 @@ struct CompiledLight {
 };
 
 /// Where a primitive of the world comes from.
-struct PrimitiveName {
-    const Body* body = nullptr;
+struct PrimitiveLocation {
+    const MotionGroup* motionGroup = nullptr;
     const ObjectRange* range = nullptr;
-    std::uint32_t inBody = 0;    ///< number within the body
+    std::uint32_t inGroup = 0;   ///< number within the motionGroup
     std::uint32_t inObject = 0;  ///< number of the triangle within its mesh
 };
 
@@ -53,20 +54,20 @@ class World {
   public:
     std::shared_ptr<const SceneDescription> description;
     Settings settings;
-    std::vector<Body> bodies;
+    std::vector<MotionGroup> motionGroups;
     std::vector<SurfaceMaterial> materials;
     std::vector<std::shared_ptr<const shading::MipTexture>> textures;
     std::vector<CompiledLight> lights;
     std::shared_ptr<const Environment> environment;  ///< null if the scene has none or it is switched off
     Camera camera;
     int width = 1, height = 1;
-    bool moves = false;              ///< some body has a motion
+    bool moves = false;              ///< some motionGroup has a motion
     bool attenuatesShadows = false;  ///< shadow rays must look at what they cross
     double buildSeconds = 0.0;       ///< time spent in building or refitting hierarchies for this world
-    double treeGrowth = 1.0;         ///< what refits cost rays: most AccelSummary::costGrowth of the bodies
+    double sahCostGrowth = 1.0;  ///< what refits cost rays: most AccelSummary::costGrowth of the motionGroups
 
-    /// The nearest hit among all bodies at the given time in [0, 1); of equal distances the smaller primitive
-    /// number.
+    /// The nearest hit among all motionGroups at the given time in [0, 1); of equal distances the smaller
+    /// primitive number.
     bool closestHit(const Ray& ray, float time, Hit& hit) const;
     bool anyHit(const Ray& ray, float time) const;
     /// The same answers for many rays at once; a ray that hits nothing gets a Hit without a primitive.
@@ -74,10 +75,10 @@ class World {
     void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
 
     /// Whether a shadow ray is one question of yes or no, the same at all times.
-    bool shadowsCanWait() const { return !attenuatesShadows && !moves; }
+    bool canDeferShadowRays() const { return !attenuatesShadows && !moves; }
 
-    PrimitiveName nameOf(std::uint32_t primitive) const;
-    std::uint32_t materialOf(const PrimitiveName& name) const;
+    PrimitiveLocation nameOf(std::uint32_t primitive) const;
+    std::uint32_t materialOf(const PrimitiveLocation& name) const;
     std::uint32_t primitiveCount() const;
 };
 

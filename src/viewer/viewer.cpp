@@ -7,23 +7,23 @@
 namespace rayscope::viewer {
 
 int runViewer(const ViewerOptions& options) {
-    constexpr int kWrongInput = 2;
+    constexpr int kInputError = 2;
     viewer::LoadedScene first = viewer::loadWithNotes(options.scene, false);
     if (!first.scene) {
         fmt::print(stderr, "{}\n", first.error);
-        return kWrongInput;
+        return kInputError;
     }
     try {
         viewer::Application(options, std::move(first)).run();
-    } catch (const viewer::NoDisplay& problem) {
-        fmt::print(stderr, "error: {}\n", problem.what());
-        return kWrongInput;
+    } catch (const viewer::NoDisplay& errorMessage) {
+        fmt::print(stderr, "error: {}\n", errorMessage.what());
+        return kInputError;
     } catch (const InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
-        return kWrongInput;
+        return kInputError;
     } catch (const std::runtime_error& error) {
         fmt::print(stderr, "error: {}\n", error.what());
-        return kWrongInput;
+        return kInputError;
     }
     return 0;
 }

@@ -42,7 +42,7 @@ void sizes(benchmark::internal::Benchmark* bench) {
 BENCHMARK_CAPTURE(build, median, BvhBuilder::Median)->Apply(sizes);
 BENCHMARK_CAPTURE(build, sah, BvhBuilder::Sah)->Apply(sizes);
 BENCHMARK_CAPTURE(build, sah_binned, BvhBuilder::SahBinned)->Apply(sizes);
-BENCHMARK_CAPTURE(build, high, BvhBuilder::High)->Apply(sizes);
+BENCHMARK_CAPTURE(build, high, BvhBuilder::SahReinsertion)->Apply(sizes);
 
 }  // namespace
 }  // namespace rayscope::bench

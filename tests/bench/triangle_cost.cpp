@@ -45,7 +45,7 @@ struct Race {
     double run(const kernel::Kernels& kernels, const std::vector<Ray>& rays, std::vector<Hit>& hits) const {
         const auto start = std::chrono::steady_clock::now();
         kernels.closestHits(tree.view(), reinterpret_cast<const float*>(rays.data()),
-                            reinterpret_cast<kernel::HitWords*>(hits.data()), rays.size());
+                            reinterpret_cast<kernel::HitData*>(hits.data()), rays.size());
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 };

@@ -10,8 +10,8 @@ namespace {
 
 const Ray kRay{{0.25f, 0.25f, -1}, {0, 0, 1}};
 
-Geometry oneTriangle() {
-    Geometry geometry;
+TestGeometry oneTriangle() {
+    TestGeometry geometry;
     geometry.addTriangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     return geometry;
 }
@@ -40,7 +40,7 @@ TEST(Accel, DefaultIsMissedByEveryRay) {
 TEST(Accel, BuiltOverNothingIsEmpty) { expectEmpty(Accel::build({})); }
 
 TEST(Accel, MovedFromIsEmptyAndMovedToIsWhole) {
-    const Geometry geometry = oneTriangle();
+    const TestGeometry geometry = oneTriangle();
     Accel first = Accel::build(geometry.input());
     Accel second = std::move(first);
     expectEmpty(first);
@@ -55,7 +55,7 @@ TEST(Accel, MovedFromIsEmptyAndMovedToIsWhole) {
 }
 
 TEST(Accel, SpheresCountAfterTriangles) {
-    Geometry geometry = oneTriangle();
+    TestGeometry geometry = oneTriangle();
     geometry.spheres = {{{0.25f, 0.25f, 5}, 1.0f}, {{0.25f, 0.25f, -0.5f}, 0.25f}};
     const Accel accel = Accel::build(geometry.input());
     Hit hit;

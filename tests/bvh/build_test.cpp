@@ -14,7 +14,7 @@ namespace rayscope::test {
 namespace {
 
 constexpr BvhBuilder kBuilders[] = {BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned,
-                                    BvhBuilder::High};
+                                    BvhBuilder::SahReinsertion};
 
 BuildSettings settingsOf(BvhBuilder builder, int leafSize = 4, int maxLevel = 64, int bins = 32) {
     BuildSettings settings;
@@ -80,7 +80,7 @@ void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const Build
 }
 
 TEST(Build, EveryTreeIsSound) {
-    for (const Geometry& scene : awkwardScenes())
+    for (const TestGeometry& scene : edgeCaseScenes())
         for (const BvhBuilder builder : kBuilders)
             for (const int leafSize : {1, 4, 16})
                 for (const int maxLevel : {0, 1, 5, 64})
@@ -94,7 +94,7 @@ TEST(Build, EveryTreeIsSound) {
 }
 
 TEST(Build, BigTreesAreSound) {
-    const Geometry scene = soup(60000, 0.05, 5);
+    const TestGeometry scene = soup(60000, 0.05, 5);
     for (const BvhBuilder builder : kBuilders) {
         const BuildSettings settings = settingsOf(builder);
         checkTree(bvh::buildBinaryTree(scene.input(), settings), scene.input(), settings);
@@ -112,7 +112,7 @@ TEST(Build, MedianSplitHasTheLevelsOfABalancedTree) {
 }
 
 TEST(Build, EqualCentroidsAreHalved) {
-    Geometry scene;
+    TestGeometry scene;
     for (int i = 0; i < 100000; ++i) scene.spheres.push_back({{0.5f, 0.25f, 1.0f}, 1.0f});
     for (const BvhBuilder builder : kBuilders)
         EXPECT_EQ(bvh::buildBinaryTree(scene.input(), settingsOf(builder, 1)).levels, 18)
@@ -120,14 +120,14 @@ TEST(Build, EqualCentroidsAreHalved) {
 }
 
 TEST(Build, SurfaceAreaHeuristicSeparatesWhatIsFarApart) {
-    Geometry scene;  // one triangle far from seven: the median would cut through the seven
+    TestGeometry scene;  // one triangle far from seven: the median would cut through the seven
     for (int i = 0; i < 7; ++i) {
         const float x = 0.01f * static_cast<float>(i);
         scene.addTriangle({x, 0, 0}, {x, 1, 0}, {x, 0, 1});
     }
     scene.addTriangle({100, 0, 0}, {100, 1, 0}, {100, 0, 1});
     for (const auto& [builder, bins] :
-         {std::pair{BvhBuilder::Sah, 32}, {BvhBuilder::SahBinned, 4}, {BvhBuilder::High, 4}}) {
+         {std::pair{BvhBuilder::Sah, 32}, {BvhBuilder::SahBinned, 4}, {BvhBuilder::SahReinsertion, 4}}) {
         const bvh::BinaryTree tree = bvh::buildBinaryTree(scene.input(), settingsOf(builder, 1, 64, bins));
         const bvh::BinaryNode& right = tree.nodes[tree.nodes[0].first + 1];
         ASSERT_TRUE(right.isLeaf());
@@ -136,7 +136,7 @@ TEST(Build, SurfaceAreaHeuristicSeparatesWhatIsFarApart) {
 }
 
 TEST(Build, SameTreeForAnyNumberOfThreads) {
-    Geometry scene = soup(150000, 0.03, 9);
+    TestGeometry scene = soup(150000, 0.03, 9);
     for (int i = 0; i < 20000; ++i)
         scene.triangles.push_back(scene.triangles[static_cast<std::size_t>(i / 100)]);
     for (const BvhBuilder builder : kBuilders) {
@@ -156,9 +156,9 @@ TEST(Build, SameTreeForAnyNumberOfThreads) {
 }
 
 TEST(Build, DropsAndCountsWhatIsNotFinite) {
-    const std::vector<Geometry> scenes = awkwardScenes();
-    const auto scene =
-        std::find_if(scenes.begin(), scenes.end(), [](const Geometry& g) { return g.name == "not finite"; });
+    const std::vector<TestGeometry> scenes = edgeCaseScenes();
+    const auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                    [](const TestGeometry& g) { return g.name == "not finite"; });
     ASSERT_NE(scene, scenes.end());
     EXPECT_EQ(bvh::buildBinaryTree(scene->input(), {}).droppedPrimitives, 7u);
 }
@@ -166,7 +166,7 @@ TEST(Build, DropsAndCountsWhatIsNotFinite) {
 TEST(Build, NothingToBuild) {
     const bvh::BinaryTree tree = bvh::buildBinaryTree({}, {});
     EXPECT_TRUE(tree.nodes.empty());
-    Geometry scene;
+    TestGeometry scene;
     scene.vertices.assign(3, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
     scene.triangles = {{0, 1, 2}};
     EXPECT_EQ(bvh::buildBinaryTree(scene.input(), {}).droppedPrimitives, 1u);
@@ -174,7 +174,7 @@ TEST(Build, NothingToBuild) {
 }
 
 TEST(Build, NamesTheFirstTriangleWithAMissingVertex) {
-    Geometry scene = soup(50000, 0.1, 2);
+    TestGeometry scene = soup(50000, 0.1, 2);
     scene.triangles[41234].y = 150000;
     scene.triangles[49999].x = 4000000000u;
     try {
@@ -201,7 +201,7 @@ TEST(Build, RefusesSettingsOutOfRange) {
 }
 
 TEST(Build, StopsWhenAsked) {
-    const Geometry scene = soup(300000, 0.02, 13);
+    const TestGeometry scene = soup(300000, 0.02, 13);
     for (const BvhBuilder builder : kBuilders) {
         std::stop_source before;
         before.request_stop();

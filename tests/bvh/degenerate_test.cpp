@@ -17,8 +17,8 @@ constexpr int kMany = 100'000;
 #endif
 
 /// Every primitive's box lies within the next one's, and all have the same centre.
-Geometry nested(int count) {
-    Geometry geometry;
+TestGeometry nested(int count) {
+    TestGeometry geometry;
     for (int i = 1; i <= count; ++i) {
         const float r = static_cast<float>(i) / static_cast<float>(count);
         geometry.addTriangle({-r, -r, -r}, {r, r, r}, {r, -r, r});
@@ -27,23 +27,23 @@ Geometry nested(int count) {
 }
 
 /// The same triangle again and again.
-Geometry copies(int count) {
-    Geometry geometry;
+TestGeometry copies(int count) {
+    TestGeometry geometry;
     geometry.vertices = {{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
     geometry.triangles.assign(static_cast<std::size_t>(count), {0, 1, 2});
     return geometry;
 }
 
 /// Triangles without area in one point, and a real one behind it.
-Geometry onePoint(int count) {
-    Geometry geometry;
+TestGeometry onePoint(int count) {
+    TestGeometry geometry;
     geometry.vertices = {{0.25f, 0.25f, 0.25f}};
     geometry.triangles.assign(static_cast<std::size_t>(count), {0, 0, 0});
     geometry.addTriangle({-1, -1, 0}, {2, -1, 0}, {-1, 2, 0});
     return geometry;
 }
 
-Accel built(const Geometry& geometry, BvhBuilder builder) {
+Accel built(const TestGeometry& geometry, BvhBuilder builder) {
     BuildSettings settings;
     settings.builder = builder;
     settings.keepBinaryTree = true;
@@ -59,7 +59,7 @@ class Degenerate : public testing::TestWithParam<BvhBuilder> {
 };
 
 TEST_P(Degenerate, NestedBoxes) {
-    const Geometry geometry = nested(count());
+    const TestGeometry geometry = nested(count());
     const Accel accel = built(geometry, GetParam());
     // From within all of them, or from outside: all triangles lie in the plane x = z.
     for (const float y : {-0.5f, -0.25f, 0.1f}) {
@@ -68,15 +68,15 @@ TEST_P(Degenerate, NestedBoxes) {
         EXPECT_EQ(hit.t, 0.5f);
         // The least of those that reach there: their corner (r, −r, r) and their side from (−r, −r) to (r,
         // r).
-        const Geometry one{"",
-                           {geometry.corner(hit.primitive, 0), geometry.corner(hit.primitive, 1),
-                            geometry.corner(hit.primitive, 2)},
-                           {{0, 1, 2}},
-                           {}};
+        const TestGeometry one{"",
+                               {geometry.corner(hit.primitive, 0), geometry.corner(hit.primitive, 1),
+                                geometry.corner(hit.primitive, 2)},
+                               {{0, 1, 2}},
+                               {}};
         EXPECT_TRUE(Accel::build(one.input()).anyHit({{1, y, 0}, {-1, 0, 1}}));
         if (hit.primitive > 0) {
             const std::size_t before = hit.primitive - 1;
-            const Geometry smaller{
+            const TestGeometry smaller{
                 "",
                 {geometry.corner(before, 0), geometry.corner(before, 1), geometry.corner(before, 2)},
                 {{0, 1, 2}},
@@ -88,7 +88,7 @@ TEST_P(Degenerate, NestedBoxes) {
 }
 
 TEST_P(Degenerate, CopiesOfOneTriangle) {
-    const Geometry geometry = copies(count());
+    const TestGeometry geometry = copies(count());
     const Accel accel = built(geometry, GetParam());
     Hit hit;
     ASSERT_TRUE(accel.closestHit({{0, 0, 3}, {0, 0, -1}}, hit));
@@ -98,7 +98,7 @@ TEST_P(Degenerate, CopiesOfOneTriangle) {
 }
 
 TEST_P(Degenerate, TrianglesInOnePoint) {
-    const Geometry geometry = onePoint(count());
+    const TestGeometry geometry = onePoint(count());
     const Accel accel = built(geometry, GetParam());
     Hit hit;
     ASSERT_TRUE(accel.closestHit({{0.25f, 0.25f, 3}, {0, 0, -1}}, hit));
@@ -111,7 +111,7 @@ TEST_P(Degenerate, TrianglesInOnePoint) {
 TEST(Huge, TrianglesThatReachBehindTheOriginAreHit) {
     for (int exponent = -60; exponent <= 60; ++exponent) {
         const float s = std::ldexp(1.0f, exponent);
-        Geometry floor;
+        TestGeometry floor;
         floor.addTriangle(s * glm::vec3(-20.0f, -0x1.99999ap-2f, 20.0f),
                           s * glm::vec3(20.0f, -0x1.99999ap-2f, -20.0f),
                           s * glm::vec3(-20.0f, -0x1.99999ap-2f, -20.0f));
@@ -130,12 +130,12 @@ TEST(Huge, TrianglesThatReachBehindTheOriginAreHit) {
 
 INSTANTIATE_TEST_SUITE_P(Builders, Degenerate,
                          testing::Values(BvhBuilder::Median, BvhBuilder::Sah, BvhBuilder::SahBinned,
-                                         BvhBuilder::High),
+                                         BvhBuilder::SahReinsertion),
                          [](const auto& builder) {
-                             return std::string(builder.param == BvhBuilder::Median ? "Median"
-                                                : builder.param == BvhBuilder::Sah  ? "Sweep"
-                                                : builder.param == BvhBuilder::High ? "High"
-                                                                                    : "Binned");
+                             return std::string(builder.param == BvhBuilder::Median           ? "Median"
+                                                : builder.param == BvhBuilder::Sah            ? "Sweep"
+                                                : builder.param == BvhBuilder::SahReinsertion ? "High"
+                                                                                              : "Binned");
                          });
 
 }  // namespace

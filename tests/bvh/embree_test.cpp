@@ -12,7 +12,7 @@ namespace {
 
 class EmbreeScene {
   public:
-    explicit EmbreeScene(const Geometry& mesh)
+    explicit EmbreeScene(const TestGeometry& mesh)
         : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
         rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -63,7 +63,7 @@ class EmbreeScene {
 };
 
 TEST(Embree, FindsTheSameSurface) {
-    for (const Geometry& mesh :
+    for (const TestGeometry& mesh :
          {icosphere(4, 0.1, 2), icosphere(2, 0.3, 4), needleSphere(16, 64), gridBox(8)}) {
         const EmbreeScene embree(mesh);
         const Accel accel = Accel::build(mesh.input());

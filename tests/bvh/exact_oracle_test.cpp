@@ -56,7 +56,7 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
         const ExactTriangle exact(ray, a, b, c);
         if (exact.onEdge) continue;
         bvh::TriangleHit hit;
-        ASSERT_EQ(bvh::intersectTriangle(bvh::ShearedRay(bvh::words(ray)), a, b, c, hit), exact.inside)
+        ASSERT_EQ(bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), a, b, c, hit), exact.inside)
             << text(ray);
         ++(exact.inside ? inside : outside);
         if (!exact.inside) continue;
@@ -138,7 +138,7 @@ TEST(ExactOracle, BoxThatIsMetIsNeverMissed) {
         const bvh::BinaryNode box = someBox(random, size);
         const Ray ray = rayAtBox(random, box, size);
         if (ray.direction == glm::vec3(0.0f)) continue;
-        const bvh::BoxRay boxRay(bvh::words(ray));
+        const bvh::BoxRay boxRay(bvh::rayData(ray));
         float entry;
         const bool found = bvh::intersectBox(bvh::planes(box), boxRay, boxRay.tMax, entry);
         const bool exact = exactlyMeets(box, ray);
@@ -170,7 +170,7 @@ TEST(ExactOracle, BoxTestIsMonotone) {
             if (random.integer(2))
                 outer.upper[axis] += static_cast<float>(size * std::exp2(-random.real(0, 30)));
         }
-        const bvh::BoxRay boxRay(bvh::words(ray));
+        const bvh::BoxRay boxRay(bvh::rayData(ray));
         float entry, outerEntry;
         if (!bvh::intersectBox(bvh::planes(inner), boxRay, boxRay.tMax, entry)) continue;
         ++met;

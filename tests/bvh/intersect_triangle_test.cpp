@@ -45,7 +45,7 @@ TEST(IntersectTriangle, EarlyRejectionChangesNothing) {
     int rejected = 0, hits = 0;
     for (int i = 0; i < 300000; ++i) {
         const Case test = someCase(random);
-        const bvh::ShearedRay ray(bvh::words(test.ray));
+        const bvh::ShearedRay ray(bvh::rayData(test.ray));
         const ShearedVertex a = shear(ray, &test.a.x), b = shear(ray, &test.b.x), c = shear(ray, &test.c.x);
         bvh::TriangleHit fast{}, exact{};
         const bool fastHits = bvh::intersectTriangle(ray, test.a, test.b, test.c, fast);
@@ -54,7 +54,7 @@ TEST(IntersectTriangle, EarlyRejectionChangesNothing) {
         if (exactHits) {
             ASSERT_TRUE(sameBits(fast, exact));
         }
-        rejected += surelyMisses(a, b, c);
+        rejected += certainlyMisses(a, b, c);
         hits += exactHits;
     }
     EXPECT_GT(rejected, 30000);
@@ -66,7 +66,7 @@ TEST(IntersectTriangle, WeightsDescribeTheHitPoint) {
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
         bvh::TriangleHit hit;
-        if (!bvh::intersectTriangle(bvh::ShearedRay(bvh::words(test.ray)), test.a, test.b, test.c, hit))
+        if (!bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(test.ray)), test.a, test.b, test.c, hit))
             continue;
         ASSERT_GE(hit.u, 0.0);
         ASSERT_GE(hit.v, 0.0);
@@ -90,7 +90,7 @@ TEST(IntersectTriangle, OrderOfVerticesDoesNotMatter) {
     Random random(3);
     for (int i = 0; i < 50000; ++i) {
         const Case test = someCase(random);
-        const bvh::ShearedRay ray(bvh::words(test.ray));
+        const bvh::ShearedRay ray(bvh::rayData(test.ray));
         const glm::vec3 v[3] = {test.a, test.b, test.c};
         bvh::TriangleHit first{};
         const bool hits = bvh::intersectTriangle(ray, v[0], v[1], v[2], first);
@@ -108,13 +108,13 @@ TEST(IntersectTriangle, WithoutAreaOrFiniteCornersThereIsNoHit) {
     Random random(4);
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
-        const bvh::ShearedRay ray(bvh::words(test.ray));
+        const bvh::ShearedRay ray(bvh::rayData(test.ray));
         bvh::TriangleHit hit;
         ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.b, test.b, hit));
         ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.b, test.a, hit));
         ASSERT_FALSE(bvh::intersectTriangle(ray, test.a, test.a, test.a, hit));
         const glm::vec3 step(1, random.integer(5) - 2, random.integer(5) - 2);
-        ASSERT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({{1, 2, 3}, step * 2.0f})),
+        ASSERT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData({{1, 2, 3}, step * 2.0f})),
                                             glm::vec3(1, 2, 3) + step, glm::vec3(1, 2, 3) + 2.0f * step,
                                             glm::vec3(1, 2, 3) + 3.0f * step, hit));
         test.b[random.integer(3)] = random.integer(3) ? (random.integer(2) ? kInfinity : -kInfinity) : kNaN;
@@ -127,7 +127,7 @@ TEST(IntersectTriangle, SeenEdgeOnThereIsNoHit) {
     bvh::TriangleHit hit;
     for (const glm::vec3& direction : {glm::vec3(1, 0, 0), {0, -1, 0}, {1, 1, 0}, {-3, 2, -0.0f}})
         for (const glm::vec3& origin : {glm::vec3(0), {-5, -3, 0}, {0.25f, 0.25f, 0}})
-            EXPECT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({origin, direction})), {0, 0, 0},
+            EXPECT_FALSE(bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData({origin, direction})), {0, 0, 0},
                                                 {1, 0, 0}, {0, 1, 0}, hit));
 }
 
@@ -135,7 +135,7 @@ TEST(IntersectTriangle, ExtremeSizes) {
     for (int exponent = -120; exponent <= 120; exponent += 5) {
         const float s = std::ldexp(1.0f, exponent);
         bvh::TriangleHit hit;
-        ASSERT_TRUE(bvh::intersectTriangle(bvh::ShearedRay(bvh::words({{s, s, -s}, {0, 0, s}})), {0, 0, 0},
+        ASSERT_TRUE(bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData({{s, s, -s}, {0, 0, s}})), {0, 0, 0},
                                            {3 * s, 0, 0}, {0, 3 * s, 0}, hit));
         EXPECT_EQ(hit.t, 1.0);
         EXPECT_DOUBLE_EQ(hit.u, 1.0 / 3.0);

@@ -13,15 +13,15 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-Geometry octahedron() {
+TestGeometry octahedron() {
     return {"octahedron",
             {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
             {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
             {}};
 }
 
-Geometry subdivided(const Geometry& coarse) {
-    Geometry fine{coarse.name, coarse.vertices, {}, {}};
+TestGeometry subdivided(const TestGeometry& coarse) {
+    TestGeometry fine{coarse.name, coarse.vertices, {}, {}};
     std::map<std::pair<unsigned, unsigned>, unsigned> middles;
     const auto middle = [&](unsigned a, unsigned b) {
         const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
@@ -36,20 +36,20 @@ Geometry subdivided(const Geometry& coarse) {
     return fine;
 }
 
-Geometry named(std::string name, Geometry geometry) {
+TestGeometry named(std::string name, TestGeometry geometry) {
     geometry.name = std::move(name);
     return geometry;
 }
 
-Geometry withSpheres(Geometry geometry, int count, std::uint64_t seed) {
+TestGeometry withSpheres(TestGeometry geometry, int count, std::uint64_t seed) {
     Random random(seed);
     for (int i = 0; i < count; ++i)
         geometry.spheres.push_back({random.inCube(), static_cast<float>(random.real(0.01, 0.3))});
     return geometry;
 }
 
-Geometry notFinite() {
-    Geometry geometry = soup(40, 0.4, 11);
+TestGeometry notFinite() {
+    TestGeometry geometry = soup(40, 0.4, 11);
     geometry.vertices[3].y = kNaN;
     geometry.vertices[31].x = kInfinity;
     geometry.vertices[62].z = -kInfinity;
@@ -59,9 +59,9 @@ Geometry notFinite() {
     return named("not finite", geometry);
 }
 
-Geometry degenerate() {
+TestGeometry degenerate() {
     Random random(5);
-    Geometry geometry;
+    TestGeometry geometry;
     for (int i = 0; i < 60; ++i) {
         const glm::vec3 a = random.inCube(), b = random.inCube();
         geometry.addTriangle(a, b, b);
@@ -72,16 +72,16 @@ Geometry degenerate() {
     return named("zero area", geometry);
 }
 
-Geometry repeated(int copies) {
-    Geometry geometry = octahedron();
+TestGeometry repeated(int copies) {
+    TestGeometry geometry = octahedron();
     const std::vector<glm::uvec3> once = geometry.triangles;
     for (int i = 1; i < copies; ++i)
         geometry.triangles.insert(geometry.triangles.end(), once.begin(), once.end());
     return named("duplicates", geometry);
 }
 
-Geometry equalCentroids() {
-    Geometry geometry;
+TestGeometry equalCentroids() {
+    TestGeometry geometry;
     for (int i = 1; i <= 300; ++i) {
         const float r = static_cast<float>(i) / 300.0f;
         geometry.addTriangle({-r, -r, -r}, {r, r, r}, {r, -r, r});
@@ -90,8 +90,8 @@ Geometry equalCentroids() {
 }
 
 /// Every next triangle is a thousandth in size and distance, so that a greedy builder makes a list.
-Geometry geometricSeries() {
-    Geometry geometry;
+TestGeometry geometricSeries() {
+    TestGeometry geometry;
     for (int i = -12; i <= 12; ++i) {
         const float s = std::pow(1000.0f, static_cast<float>(i));
         geometry.addTriangle({s, 0, 0}, {s, s, 0}, {s, 0, s});
@@ -99,8 +99,8 @@ Geometry geometricSeries() {
     return named("geometric series", geometry);
 }
 
-Geometry flatGrid() {
-    Geometry geometry;
+TestGeometry flatGrid() {
+    TestGeometry geometry;
     for (int x = -4; x < 4; ++x)
         for (int y = -4; y < 4; ++y) {
             const glm::vec3 a(x, y, 0), b(x + 1, y, 0), c(x + 1, y + 1, 0), d(x, y + 1, 0);
@@ -117,30 +117,30 @@ glm::dvec3 Random::onSphere() {
     return {r * std::cos(phi), r * std::sin(phi), z};
 }
 
-void Geometry::addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+void TestGeometry::addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const auto first = static_cast<unsigned>(vertices.size());
     vertices.insert(vertices.end(), {a, b, c});
     triangles.emplace_back(first, first + 1, first + 2);
 }
 
-Geometry Geometry::transformed(double scale, const glm::dvec3& offset) const {
-    Geometry result = *this;
+TestGeometry TestGeometry::transformed(double scale, const glm::dvec3& offset) const {
+    TestGeometry result = *this;
     for (glm::vec3& v : result.vertices) v = glm::vec3(glm::dvec3(v) * scale + offset);
     for (Sphere& s : result.spheres)
         s = {glm::vec3(glm::dvec3(s.center) * scale + offset), static_cast<float>(s.radius * scale)};
     return result;
 }
 
-Geometry icosphere(int subdivisions, double jitter, std::uint64_t seed) {
-    Geometry geometry = octahedron();
+TestGeometry icosphere(int subdivisions, double jitter, std::uint64_t seed) {
+    TestGeometry geometry = octahedron();
     for (int i = 0; i < subdivisions; ++i) geometry = subdivided(geometry);
     Random random(seed);
     for (glm::vec3& v : geometry.vertices) v *= static_cast<float>(1.0 + random.real(-jitter, jitter));
     return named("icosphere", geometry);
 }
 
-Geometry needleSphere(int rings, int segments) {
-    Geometry geometry{"needles", {{0, 0, 1}}, {}, {}};
+TestGeometry needleSphere(int rings, int segments) {
+    TestGeometry geometry{"needles", {{0, 0, 1}}, {}, {}};
     const auto at = [&](int ring, int segment) {
         return static_cast<unsigned>(1 + (ring - 1) * segments + segment % segments);
     };
@@ -166,8 +166,8 @@ Geometry needleSphere(int rings, int segments) {
     return geometry;
 }
 
-Geometry gridBox(int cells) {
-    Geometry geometry{"grid box", {}, {}, {}};
+TestGeometry gridBox(int cells) {
+    TestGeometry geometry{"grid box", {}, {}, {}};
     std::map<std::tuple<float, float, float>, unsigned> known;
     const auto vertex = [&](glm::vec3 p) {
         const auto [place, isNew] = known.try_emplace({p.x, p.y, p.z}, geometry.vertices.size());
@@ -193,9 +193,9 @@ Geometry gridBox(int cells) {
     return geometry;
 }
 
-Geometry soup(int triangles, double size, std::uint64_t seed) {
+TestGeometry soup(int triangles, double size, std::uint64_t seed) {
     Random random(seed);
-    Geometry geometry{"soup", {}, {}, {}};
+    TestGeometry geometry{"soup", {}, {}, {}};
     for (int i = 0; i < triangles; ++i) {
         const glm::vec3 at = random.inCube();
         geometry.addTriangle(at, at + random.inCube(size), at + random.inCube(size));
@@ -203,8 +203,8 @@ Geometry soup(int triangles, double size, std::uint64_t seed) {
     return geometry;
 }
 
-std::vector<Geometry> awkwardScenes() {
-    std::vector<Geometry> scenes;
+std::vector<TestGeometry> edgeCaseScenes() {
+    std::vector<TestGeometry> scenes;
     scenes.push_back(named("one triangle", soup(1, 1.0, 3)));
     scenes.push_back(named("two triangles", soup(2, 1.0, 4)));
     scenes.push_back(named("one sphere", withSpheres({}, 1, 4)));
@@ -219,7 +219,7 @@ std::vector<Geometry> awkwardScenes() {
     scenes.push_back(icosphere(3, 0.05, 6));
     scenes.push_back(needleSphere(4, 64));
     scenes.push_back(gridBox(4));
-    const Geometry mixed = withSpheres(soup(150, 0.4, 21), 20, 22);
+    const TestGeometry mixed = withSpheres(soup(150, 0.4, 21), 20, 22);
     for (const double scale : {0x1p-60, 0x1p-30, 0x1p30, 0x1p60})
         scenes.push_back(named(fmt::format("scale {:g}", scale), mixed.transformed(scale, {})));
     scenes.push_back(named("far away", mixed.transformed(1.0, {1e6, -1e6, 1e6})));
@@ -227,7 +227,7 @@ std::vector<Geometry> awkwardScenes() {
     return scenes;
 }
 
-std::vector<Ray> awkwardRays(const Geometry& geometry, int count, std::uint64_t seed) {
+std::vector<Ray> edgeCaseRays(const TestGeometry& geometry, int count, std::uint64_t seed) {
     Random random(seed);
     glm::dvec3 lower(1e300), upper(-1e300);
     const auto cover = [&](const glm::dvec3& p) {

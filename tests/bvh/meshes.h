@@ -1,5 +1,5 @@
 #pragma once
-// Geometry and rays for the tests of the BVH room. Everything is a function of its seed.
+// TestGeometry and rays for the tests of the BVH room. Everything is a function of its seed.
 #include <rayscope/accel.h>
 #include <functional>
 #include <string>
@@ -31,7 +31,7 @@ class Random {
 };
 
 /// Owns what AccelInput points to.
-struct Geometry {
+struct TestGeometry {
     std::string name;
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> triangles;
@@ -40,23 +40,23 @@ struct Geometry {
     AccelInput input() const { return {vertices, triangles, spheres}; }
     void addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
     glm::vec3 corner(std::size_t triangle, int k) const { return vertices[triangles[triangle][k]]; }
-    Geometry transformed(double scale, const glm::dvec3& offset) const;
+    TestGeometry transformed(double scale, const glm::dvec3& offset) const;
 };
 
 /// Closed meshes around the origin, star-shaped as seen from there.
-Geometry icosphere(int subdivisions, double jitter, std::uint64_t seed);
-Geometry needleSphere(int rings, int segments);
-Geometry gridBox(int cells);  ///< vertices on a dyadic grid, so that rays meet edges exactly
+TestGeometry icosphere(int subdivisions, double jitter, std::uint64_t seed);
+TestGeometry needleSphere(int rings, int segments);
+TestGeometry gridBox(int cells);  ///< vertices on a dyadic grid, so that rays meet edges exactly
 
 /// Small triangles scattered in the unit cube.
-Geometry soup(int triangles, double size, std::uint64_t seed);
+TestGeometry soup(int triangles, double size, std::uint64_t seed);
 
 /// Scenes on which builders and traversals break: degenerate, coincident, extreme, with spheres.
-std::vector<Geometry> awkwardScenes();
+std::vector<TestGeometry> edgeCaseScenes();
 
 /// Rays around a scene of about `radius` at `center`: random, axis-parallel with ±0, aimed at vertices and
 /// edges, inside box planes, with small and large directions and bounded intervals.
-std::vector<Ray> awkwardRays(const Geometry& geometry, int count, std::uint64_t seed);
+std::vector<Ray> edgeCaseRays(const TestGeometry& geometry, int count, std::uint64_t seed);
 
 bool sameHit(const Hit& a, const Hit& b);  ///< bit for bit
 std::string text(const Ray& ray);

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"
-#include "bvh/walk_cases.h"
+#include "bvh/traversal_cases.h"
 
 namespace rayscope::test {
 namespace {
 
 TEST(RayInterval, RaysThatAreNotRaysMiss) {
-    const Geometry scene = soup(100, 2.0, 2);
+    const TestGeometry scene = soup(100, 2.0, 2);
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
                     kInf = std::numeric_limits<float>::infinity();
     const std::vector<Ray> rays = {
@@ -17,8 +17,8 @@ TEST(RayInterval, RaysThatAreNotRaysMiss) {
         {{0, 0, -9}, {0, 0, 1}, kNaN, 9},   {{0, 0, -9}, {0, 0, 1}, 0, kNaN},  {{0, 0, -9}, {0, 0, 1}, 5, 5},
         {{0, 0, -9}, {0, 0, 1}, 20.0f, 10}, {{0, 0, -9}, {0, 0, 1}, 0, -1.0f},
     };
-    for (const WalkCase& walk : walkCases()) {
-        const Accel accel = build(scene, {}, walk);
+    for (const TraversalCase& traversalCase : traversalCases()) {
+        const Accel accel = build(scene, {}, traversalCase);
         std::vector<Hit> hits(rays.size(), Hit{1, 2, 3, 4});
         std::vector<std::uint8_t> occluded(rays.size(), 7);
         accel.closestHits(rays, hits);
@@ -37,12 +37,12 @@ TEST(RayInterval, RaysThatAreNotRaysMiss) {
 }
 
 TEST(RayInterval, IntervalIsOpenBelowAndClosedAbove) {
-    Geometry scene = soup(300, 0.4, 31);
+    TestGeometry scene = soup(300, 0.4, 31);
     Random random(4);
     for (int i = 0; i < 20; ++i) scene.spheres.push_back({random.inCube(), 0.1f});
     int tried = 0;
-    for (const WalkCase& walk : walkCases())
-        for (const Accel accel = build(scene, {}, walk); Ray ray : awkwardRays(scene, 3000, 8)) {
+    for (const TraversalCase& traversalCase : traversalCases())
+        for (const Accel accel = build(scene, {}, traversalCase); Ray ray : edgeCaseRays(scene, 3000, 8)) {
             ray.tMin = 0.0f;
             ray.tMax = std::numeric_limits<float>::infinity();
             Hit hit, again;
@@ -66,10 +66,10 @@ TEST(RayInterval, IntervalIsOpenBelowAndClosedAbove) {
 }
 
 TEST(RayInterval, DirectionScaledByAPowerOfTwoScalesOnlyT) {
-    const Geometry scene = soup(300, 0.4, 77);
+    const TestGeometry scene = soup(300, 0.4, 77);
     int tried = 0;
-    for (const WalkCase& walk : walkCases())
-        for (const Accel accel = build(scene, {}, walk); Ray ray : awkwardRays(scene, 400, 12)) {
+    for (const TraversalCase& traversalCase : traversalCases())
+        for (const Accel accel = build(scene, {}, traversalCase); Ray ray : edgeCaseRays(scene, 400, 12)) {
             ray.tMin = 0.0f;
             ray.tMax = std::numeric_limits<float>::infinity();
             Hit hit;

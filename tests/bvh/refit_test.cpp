@@ -16,7 +16,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<BuildSettings> variants() {
     std::vector<BuildSettings> all;
-    for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::SahBinned, BvhBuilder::High})
+    for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::SahBinned, BvhBuilder::SahReinsertion})
         for (const BvhLayout layout : {BvhLayout::Binary, BvhLayout::Wide})
             for (const int maxLevel : {2, 64}) {
                 BuildSettings settings;
@@ -30,8 +30,8 @@ std::vector<BuildSettings> variants() {
 }
 
 /// Turned, sheared and shaken; what was not finite stays so.
-Geometry moved(const Geometry& scene, std::uint64_t seed) {
-    Geometry result = scene;
+TestGeometry moved(const TestGeometry& scene, std::uint64_t seed) {
+    TestGeometry result = scene;
     Random random(seed);
     const auto shaken = [&](const glm::vec3& v) {
         return glm::vec3(v.y + 0.25f * v.x, -v.x, v.z) * (1.0f + 0.1f * random.inCube());
@@ -41,8 +41,8 @@ Geometry moved(const Geometry& scene, std::uint64_t seed) {
     return result;
 }
 
-void expectSameAnswers(const Accel& accel, const Geometry& scene, std::uint64_t seed) {
-    const std::vector<Ray> rays = awkwardRays(scene, 300, seed);
+void expectSameAnswers(const Accel& accel, const TestGeometry& scene, std::uint64_t seed) {
+    const std::vector<Ray> rays = edgeCaseRays(scene, 300, seed);
     std::vector<Hit> batch(rays.size());
     accel.closestHits(rays, batch);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -56,9 +56,9 @@ void expectSameAnswers(const Accel& accel, const Geometry& scene, std::uint64_t 
 }
 
 TEST(Refit, AnswersLikeBruteForce) {
-    for (const Geometry& scene : awkwardScenes())
+    for (const TestGeometry& scene : edgeCaseScenes())
         for (const BuildSettings& settings : variants()) {
-            const Geometry first = moved(scene, 1), second = moved(first, 2);
+            const TestGeometry first = moved(scene, 1), second = moved(first, 2);
             const Accel once = Accel::build(scene.input(), settings).refit(first.input());
             const Accel twice = once.refit(second.input());
             expectSameAnswers(once, first, 3);
@@ -69,10 +69,10 @@ TEST(Refit, AnswersLikeBruteForce) {
 
 /// Builders do not depend on the scale, so a refit must give every byte of what they give.
 TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
-    Geometry scene = soup(20000, 0.05, 3);
+    TestGeometry scene = soup(20000, 0.05, 3);
     for (int i = 0; i < 50; ++i)
         scene.spheres.push_back({Random(static_cast<std::uint64_t>(i)).inCube(), 0.1f});
-    Geometry larger = scene;
+    TestGeometry larger = scene;
     for (glm::vec3& vertex : larger.vertices) vertex *= 2.0f;
     for (Sphere& sphere : larger.spheres) sphere = {sphere.center * 2.0f, sphere.radius * 2.0f};
     BuildSettings settings;
@@ -97,11 +97,11 @@ TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
 }
 
 TEST(Refit, SaysHowMuchWorseTheTreeBecame) {
-    const Geometry scene = soup(5000, 0.05, 3);
+    const TestGeometry scene = soup(5000, 0.05, 3);
     for (const BuildSettings& settings : variants()) {
         if (settings.maxLevel < 64) continue;
         const Accel built = Accel::build(scene.input(), settings);
-        Geometry shaken = scene, scattered = scene;
+        TestGeometry shaken = scene, scattered = scene;
         Random random(5);
         for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
             const glm::vec3 little = 0.1f * random.inCube(), far = random.inCube();
@@ -119,8 +119,8 @@ TEST(Refit, SaysHowMuchWorseTheTreeBecame) {
 }
 
 TEST(Refit, BuildsAnewWhenOtherTrianglesAreNotFinite) {
-    const Geometry scene = soup(500, 0.3, 8);
-    Geometry broken = scene, otherwise = scene;
+    const TestGeometry scene = soup(500, 0.3, 8);
+    TestGeometry broken = scene, otherwise = scene;
     broken.vertices[scene.triangles[100].x].x = kNaN;
     broken.vertices[scene.triangles[300].y].z = std::numeric_limits<float>::infinity();
     otherwise.vertices[scene.triangles[20].z].y = kNaN;
@@ -139,7 +139,7 @@ TEST(Refit, BuildsAnewWhenOtherTrianglesAreNotFinite) {
 }
 
 TEST(Refit, OfVerticesThatMovedWhereTheyStand) {
-    Geometry scene = soup(1000, 0.2, 12);
+    TestGeometry scene = soup(1000, 0.2, 12);
     const Accel before = Accel::build(scene.input());
     for (glm::vec3& vertex : scene.vertices) vertex = {vertex.z, vertex.x, -vertex.y};
     expectSameAnswers(before.refit(scene.input()), scene, 2);
@@ -148,7 +148,7 @@ TEST(Refit, OfVerticesThatMovedWhereTheyStand) {
 TEST(Refit, OfNothingAndOfOne) {
     EXPECT_FALSE(Accel().refit({}).anyHit({{0, 0, 0}, {0, 0, 1}}));
     EXPECT_FALSE(Accel::build({}).refit({}).anyHit({{0, 0, 0}, {0, 0, 1}}));
-    Geometry one;
+    TestGeometry one;
     one.addTriangle({-1, -1, 0}, {2, -1, 0}, {-1, 2, 0});
     const Accel accel = Accel::build(one.input());
     for (glm::vec3& vertex : one.vertices) vertex += glm::vec3(0, 0, -5);
@@ -162,11 +162,11 @@ TEST(Refit, OfNothingAndOfOne) {
 }
 
 TEST(Refit, RefusesWhatDoesNotFit) {
-    const Geometry scene = soup(50, 0.2, 1), other = soup(51, 0.2, 1);
+    const TestGeometry scene = soup(50, 0.2, 1), other = soup(51, 0.2, 1);
     const Accel accel = Accel::build(scene.input());
     EXPECT_THROW((void)accel.refit(other.input()), std::invalid_argument);
     EXPECT_THROW((void)accel.refit({}), std::invalid_argument);
-    Geometry bad = scene;
+    TestGeometry bad = scene;
     bad.triangles[7].y = 150;
     EXPECT_THROW((void)accel.refit(bad.input()), std::invalid_argument);
     std::stop_source stop;

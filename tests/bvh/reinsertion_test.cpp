@@ -9,7 +9,7 @@
 namespace rayscope::test {
 namespace {
 
-bvh::BinaryTree treeOf(const Geometry& scene, BvhBuilder builder) {
+bvh::BinaryTree treeOf(const TestGeometry& scene, BvhBuilder builder) {
     BuildSettings settings;
     settings.builder = builder;
     settings.leafSize = 1;
@@ -50,7 +50,7 @@ double checkedArea(const bvh::LinkedTree& tree, int mostLevels = bvh::kMaxTreeLe
 TEST(Reinsertion, FindsTheBestOfAllPlaces) {
     int found = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
-        const Geometry scene = soup(40, 0.7, seed);
+        const TestGeometry scene = soup(40, 0.7, seed);
         const bvh::LinkedTree tree(treeOf(scene, BvhBuilder::Median), 1.0f, {});
         for (std::uint32_t node = 0; node < tree.size(); ++node) {
             double best = 0.0;

@@ -1,10 +1,10 @@
-// A hit is a function of ray and geometry: every builder, every query and the watched walk agree with brute
-// force.
+// A hit is a function of ray and geometry: every builder, every query and the watched traversalCase agree
+// with brute force.
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"
 #include "bvh/traversal/traverse.h"
-#include "bvh/walk_cases.h"
+#include "bvh/traversal_cases.h"
 
 namespace rayscope::test {
 namespace {
@@ -33,24 +33,24 @@ std::vector<BuilderCase> builderCases() {
     add("32 bins", BvhBuilder::SahBinned, 4, 64, 32);
     add("4096 bins", BvhBuilder::SahBinned, 8, 64, 4096);
     add("level 3", BvhBuilder::SahBinned, 4, 3, 8);
-    add("high", BvhBuilder::High, 4, 64, 32);
-    add("high, leaves of 1", BvhBuilder::High, 1, 64, 32);
-    add("high, level 3", BvhBuilder::High, 8, 3, 8);
+    add("high", BvhBuilder::SahReinsertion, 4, 64, 32);
+    add("high, leaves of 1", BvhBuilder::SahReinsertion, 1, 64, 32);
+    add("high, level 3", BvhBuilder::SahReinsertion, 8, 3, 8);
     add("level 0", BvhBuilder::Sah, 4, 0, 8);
     return cases;
 }
 
 struct CountingObserver {
     int enteredNodes = 0, skippedNodes = 0, missedNodes = 0, testedPrimitives = 0;
-    void entered(std::uint32_t, float) { ++enteredNodes; }
-    void skipped(std::uint32_t, float) { ++skippedNodes; }
-    void missed(std::uint32_t) { ++missedNodes; }
-    void tested(std::uint32_t, bool) { ++testedPrimitives; }
+    void visit(std::uint32_t, float) { ++enteredNodes; }
+    void cull(std::uint32_t, float) { ++skippedNodes; }
+    void miss(std::uint32_t) { ++missedNodes; }
+    void test(std::uint32_t, bool) { ++testedPrimitives; }
 };
 
 TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
-    for (const Geometry& scene : awkwardScenes()) {
-        const std::vector<Ray> rays = awkwardRays(scene, 1500, 99);
+    for (const TestGeometry& scene : edgeCaseScenes()) {
+        const std::vector<Ray> rays = edgeCaseRays(scene, 1500, 99);
         std::vector<Hit> expected(rays.size());
         std::vector<std::uint8_t> occluded(rays.size());
         std::size_t hits = 0;
@@ -62,16 +62,17 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
         }
         EXPECT_GT(hits, rays.size() / 50) << scene.name << ": too few hits to say anything";
         for (const BuilderCase& builder : builderCases())
-            for (const WalkCase& walk :
-                 builder.withAllWalks ? walkCases() : std::vector{walkCases().back()}) {
-                const Accel accel = build(scene, builder.settings, walk);
+            for (const TraversalCase& traversalCase :
+                 builder.withAllWalks ? traversalCases() : std::vector{traversalCases().back()}) {
+                const Accel accel = build(scene, builder.settings, traversalCase);
                 std::vector<Hit> batch(rays.size());
                 std::vector<std::uint8_t> anyBatch(rays.size(), 7);
                 accel.closestHits(rays, batch);
                 accel.anyHits(rays, anyBatch);
                 for (std::size_t i = 0; i < rays.size(); ++i) {
                     const auto where = [&] {
-                        return scene.name + ", " + builder.name + ", " + walk.name + ": " + text(rays[i]);
+                        return scene.name + ", " + builder.name + ", " + traversalCase.name + ": " +
+                               text(rays[i]);
                     };
                     Hit hit;
                     const bool found = accel.closestHit(rays[i], hit);
@@ -95,10 +96,10 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
 }
 
 TEST(SameHit, ObserverSeesEveryNodeOnce) {
-    const Geometry scene = soup(2000, 0.2, 17);
-    const Accel accel = build(scene, {}, walkCases().back());
+    const TestGeometry scene = soup(2000, 0.2, 17);
+    const Accel accel = build(scene, {}, traversalCases().back());
     const bvh::BinaryTree& tree = *accel.binaryTree();
-    for (const Ray& ray : awkwardRays(scene, 500, 3)) {
+    for (const Ray& ray : edgeCaseRays(scene, 500, 3)) {
         struct Seen {
             const bvh::BinaryTree& tree;
             std::vector<char> fate;
@@ -109,13 +110,13 @@ TEST(SameHit, ObserverSeesEveryNodeOnce) {
                 fate[node] = what;
                 ++reportedChildren;
             }
-            void entered(std::uint32_t node, float) {
+            void visit(std::uint32_t node, float) {
                 note(node, 'e');
                 if (!tree.nodes[node].isLeaf()) expectedChildren += 2;
             }
-            void skipped(std::uint32_t node, float) { note(node, 's'); }
-            void missed(std::uint32_t node) { note(node, 'm'); }
-            void tested(std::uint32_t primitive, bool) { tests.push_back(primitive); }
+            void cull(std::uint32_t node, float) { note(node, 's'); }
+            void miss(std::uint32_t node) { note(node, 'm'); }
+            void test(std::uint32_t primitive, bool) { tests.push_back(primitive); }
         } seen{tree, std::vector<char>(tree.nodes.size()), 0, -1, {}};
         Hit hit;
         const bool found = bvh::closestHit(tree, scene.input(), ray, hit, seen);
@@ -128,27 +129,28 @@ TEST(SameHit, ObserverSeesEveryNodeOnce) {
 }
 
 TEST(SameHit, EqualDistanceGoesToTheSmallerNumber) {
-    Geometry scene = soup(1, 1.0, 2);
+    TestGeometry scene = soup(1, 1.0, 2);
     for (int i = 0; i < 50; ++i) scene.triangles.push_back(scene.triangles[0]);
     const glm::vec3 middle = (scene.corner(0, 0) + scene.corner(0, 1) + scene.corner(0, 2)) / 3.0f;
     const Ray ray{middle + glm::vec3(1, 2, 3), glm::vec3(-1, -2, -3)};
     for (const BuilderCase& builder : builderCases())
-        for (const WalkCase& walk : walkCases()) {
-            const Accel accel = build(scene, builder.settings, walk);
+        for (const TraversalCase& traversalCase : traversalCases()) {
+            const Accel accel = build(scene, builder.settings, traversalCase);
             std::vector<Hit> hits(20);
             accel.closestHits(std::vector<Ray>(20, ray), hits);
-            for (const Hit& hit : hits) EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << walk.name;
+            for (const Hit& hit : hits)
+                EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << traversalCase.name;
             Hit hit;
             ASSERT_TRUE(accel.closestHit(ray, hit));
-            EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << walk.name;
+            EXPECT_EQ(hit.primitive, 0u) << builder.name << ", " << traversalCase.name;
         }
 }
 
 TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
-    const Geometry scene = soup(3000, 0.1, 5);
-    const std::vector<Ray> rays = awkwardRays(scene, 1500, 6);
-    for (const WalkCase& walk : walkCases()) {
-        const Accel accel = build(scene, {}, walk);
+    const TestGeometry scene = soup(3000, 0.1, 5);
+    const std::vector<Ray> rays = edgeCaseRays(scene, 1500, 6);
+    for (const TraversalCase& traversalCase : traversalCases()) {
+        const Accel accel = build(scene, {}, traversalCase);
         for (const std::size_t size : {0, 1, 2, 3, 7, 8, 9, 15, 16, 17, 33, 100, 511, 512, 513, 1025})
             for (std::size_t begin = 0; begin < rays.size() - size; begin += 700) {
                 const std::span<const Ray> some(rays.data() + begin, size);
@@ -159,8 +161,9 @@ TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
                 for (std::size_t i = 0; i < size; ++i) {
                     Hit hit;
                     accel.closestHit(some[i], hit);
-                    ASSERT_TRUE(sameHit(hit, hits[i])) << walk.name << ", " << size << ": " << text(some[i]);
-                    ASSERT_EQ(occluded[i], accel.anyHit(some[i])) << walk.name << ", " << size;
+                    ASSERT_TRUE(sameHit(hit, hits[i]))
+                        << traversalCase.name << ", " << size << ": " << text(some[i]);
+                    ASSERT_EQ(occluded[i], accel.anyHit(some[i])) << traversalCase.name << ", " << size;
                 }
             }
     }
@@ -184,11 +187,12 @@ std::vector<Ray> raysLike(const Ray& ray, double reach, double spread, int count
 }
 
 TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
-    for (const Geometry& scene : awkwardScenes()) {
+    for (const TestGeometry& scene : edgeCaseScenes()) {
         Random random(21);
         std::vector<Accel> accels;
-        for (const WalkCase& walk : walkCases()) accels.push_back(build(scene, {}, walk));
-        for (const Ray& ray : awkwardRays(scene, 150, 44)) {
+        for (const TraversalCase& traversalCase : traversalCases())
+            accels.push_back(build(scene, {}, traversalCase));
+        for (const Ray& ray : edgeCaseRays(scene, 150, 44)) {
             Hit first;
             const double reach = accels[0].closestHit(ray, first) ? static_cast<double>(first.t) : 1.0;
             const double spreads[] = {0.0, 1e-7, 1e-4, 0.01, 0.1};
@@ -197,15 +201,16 @@ TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
             std::vector<std::uint8_t> occluded(rays.size(), 7);
             for (std::size_t i = 0; i < rays.size(); ++i)
                 bvh::closestHitBruteForce(scene.input(), rays[i], expected[i]);
-            for (std::size_t walk = 0; walk < accels.size(); ++walk) {
-                accels[walk].closestHits(rays, hits);
-                accels[walk].anyHits(rays, occluded);
+            for (std::size_t traversalCase = 0; traversalCase < accels.size(); ++traversalCase) {
+                accels[traversalCase].closestHits(rays, hits);
+                accels[traversalCase].anyHits(rays, occluded);
                 for (std::size_t i = 0; i < rays.size(); ++i) {
                     ASSERT_TRUE(sameHit(hits[i], expected[i]))
-                        << scene.name << ", " << walkCases()[walk].name << ": " << text(rays[i]) << "\nfound "
-                        << text(hits[i]) << "\nbrute " << text(expected[i]);
+                        << scene.name << ", " << traversalCases()[traversalCase].name << ": " << text(rays[i])
+                        << "\nfound " << text(hits[i]) << "\nbrute " << text(expected[i]);
                     ASSERT_EQ(occluded[i] != 0, expected[i].primitive != kNoPrimitive)
-                        << scene.name << ", " << walkCases()[walk].name << ": " << text(rays[i]);
+                        << scene.name << ", " << traversalCases()[traversalCase].name << ": "
+                        << text(rays[i]);
                 }
             }
         }

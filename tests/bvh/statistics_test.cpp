@@ -37,7 +37,7 @@ TEST(Statistics, OfNothing) {
 }
 
 TEST(Statistics, BetterBuildersCostLess) {
-    const Geometry scene = soup(20000, 0.1, 3);
+    const TestGeometry scene = soup(20000, 0.1, 3);
     const auto cost = [&](BvhBuilder builder) {
         BuildSettings settings;
         settings.builder = builder;
@@ -52,8 +52,8 @@ TEST(Statistics, BetterBuildersCostLess) {
 }
 
 /// Long, thin and diagonal: their boxes are large and overlap many others.
-Geometry needles(int count) {
-    Geometry scene;
+TestGeometry needles(int count) {
+    TestGeometry scene;
     Random random(5);
     for (int i = 0; i < count; ++i) {
         const glm::vec3 at = random.inCube();
@@ -63,13 +63,13 @@ Geometry needles(int count) {
 }
 
 /// Nodes that rays through the scene enter, counted.
-std::size_t visits(const bvh::BinaryTree& tree, const Geometry& scene) {
+std::size_t visits(const bvh::BinaryTree& tree, const TestGeometry& scene) {
     struct Counter {
         std::size_t nodes = 0;
-        void entered(std::uint32_t, float) { ++nodes; }
-        void skipped(std::uint32_t, float) {}
-        void missed(std::uint32_t) {}
-        void tested(std::uint32_t, bool) {}
+        void visit(std::uint32_t, float) { ++nodes; }
+        void cull(std::uint32_t, float) {}
+        void miss(std::uint32_t) {}
+        void test(std::uint32_t, bool) {}
     } counter;
     Random random(8);
     for (int i = 0; i < 2000; ++i) {
@@ -86,7 +86,7 @@ TEST(Statistics, ReinsertionSavesAreaAndVisits) {
         BuildSettings settings;
         settings.keepBinaryTree = true;
         const bvh::BinaryTree binned = bvh::buildBinaryTree(scene.input(), settings);
-        settings.builder = BvhBuilder::High;
+        settings.builder = BvhBuilder::SahReinsertion;
         const bvh::BinaryTree high = bvh::buildBinaryTree(scene.input(), settings);
         EXPECT_LT(bvh::statisticsOf(high).sahCost, most * bvh::statisticsOf(binned).sahCost) << scene.name;
         EXPECT_LT(visits(high, scene), visits(binned, scene)) << scene.name;
@@ -94,7 +94,7 @@ TEST(Statistics, ReinsertionSavesAreaAndVisits) {
 }
 
 TEST(Statistics, ReinsertionNeverCostsMore) {
-    for (const Geometry& scene : awkwardScenes())
+    for (const TestGeometry& scene : edgeCaseScenes())
         for (const int leafSize : {1, 4, 16})
             for (const int maxLevel : {2, 64}) {
                 BuildSettings settings;
@@ -103,7 +103,7 @@ TEST(Statistics, ReinsertionNeverCostsMore) {
                 settings.maxLevel = maxLevel;
                 const double binned =
                     bvh::statisticsOf(bvh::buildBinaryTree(scene.input(), settings)).sahCost;
-                settings.builder = BvhBuilder::High;
+                settings.builder = BvhBuilder::SahReinsertion;
                 const double high = bvh::statisticsOf(bvh::buildBinaryTree(scene.input(), settings)).sahCost;
                 EXPECT_LE(high, binned * (1.0 + 1e-5)) << scene.name << " " << leafSize << " " << maxLevel;
             }

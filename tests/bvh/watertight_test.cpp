@@ -21,7 +21,7 @@ struct Place {
 };
 
 /// A ray from well inside the mesh at an edge or a vertex; from a dyadic origin some meet it exactly.
-Ray aimedRay(const Geometry& mesh, const Place& place, Aim aim, Random& random) {
+Ray aimedRay(const TestGeometry& mesh, const Place& place, Aim aim, Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const int k = random.integer(3);
     const glm::dvec3 a = mesh.corner(triangle, k), b = mesh.corner(triangle, (k + 1) % 3);
@@ -50,8 +50,8 @@ Ray aimedRay(const Geometry& mesh, const Place& place, Aim aim, Random& random) 
     return ray;
 }
 
-int crossings(const Geometry& mesh, const Ray& ray) {
-    const bvh::ShearedRay sheared(bvh::words(ray));
+int crossings(const TestGeometry& mesh, const Ray& ray) {
+    const bvh::ShearedRay sheared(bvh::rayData(ray));
     int count = 0;
     for (const glm::uvec3& t : mesh.triangles) {
         bvh::TriangleHit hit;
@@ -72,7 +72,7 @@ std::vector<Place> places() {
 }
 
 /// Asks single and batched queries of every kernel.
-void expectNoLeak(const Geometry& mesh, const std::vector<Ray>& rays) {
+void expectNoLeak(const TestGeometry& mesh, const std::vector<Ray>& rays) {
     for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
         if (!bvh::isAvailable(isa)) continue;
         BuildSettings settings;
@@ -94,16 +94,16 @@ void expectNoLeak(const Geometry& mesh, const std::vector<Ray>& rays) {
 
 class WatertightMesh : public testing::TestWithParam<int> {
   protected:
-    static Geometry mesh(int which) {
+    static TestGeometry mesh(int which) {
         return which == 0 ? icosphere(3, 0.0, 1) : which == 1 ? needleSphere(4, 256) : gridBox(8);
     }
 };
 
 TEST_P(WatertightMesh, NoRayLeaksOutOfAClosedMesh) {
-    const Geometry unit = mesh(GetParam());
+    const TestGeometry unit = mesh(GetParam());
     Random random(17);
     for (const Place& place : places()) {
-        const Geometry moved = unit.transformed(place.scale, place.offset);
+        const TestGeometry moved = unit.transformed(place.scale, place.offset);
         std::vector<Ray> rays;
         for (const Aim aim : kAims)
             for (int i = 0; i < 500; ++i) rays.push_back(aimedRay(moved, place, aim, random));
@@ -112,12 +112,12 @@ TEST_P(WatertightMesh, NoRayLeaksOutOfAClosedMesh) {
 }
 
 TEST_P(WatertightMesh, EveryRayCrossesAConvexMeshOnce) {
-    const Geometry unit = mesh(GetParam());
+    const TestGeometry unit = mesh(GetParam());
     Random random(18);
     for (const Place& place : places()) {
         if (place.offset != glm::dvec3(0.0) && glm::length(place.offset) > 2e3 * place.scale)
             continue;  // rounded to a coarse grid it is no longer convex
-        const Geometry moved = unit.transformed(place.scale, place.offset);
+        const TestGeometry moved = unit.transformed(place.scale, place.offset);
         for (const Aim aim : kAims)
             for (int i = 0; i < 200; ++i) {
                 const Ray ray = aimedRay(moved, place, aim, random);
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, WatertightMesh, testing::Range(0, 3), [](const 
 TEST(Watertight, MovedVerticesStillCloseTheMesh) {
     for (const Place& place : places()) {
         Random random(21);
-        const Geometry bumpy = icosphere(4, 0.1, 3).transformed(place.scale, place.offset);
+        const TestGeometry bumpy = icosphere(4, 0.1, 3).transformed(place.scale, place.offset);
         const Accel accel = Accel::build(bumpy.input());
         for (const Aim aim : kAims)
             for (int i = 0; i < 5000; ++i) {
@@ -149,7 +149,7 @@ TEST(Watertight, MovedVerticesStillCloseTheMesh) {
 
 /// Every vertex lies on a grid of which the rays hit the lines exactly: nearly all are ties.
 TEST(Watertight, RaysAlongTheGridOfAFlatFloorCrossItOnce) {
-    Geometry floor;
+    TestGeometry floor;
     for (int x = -8; x < 8; ++x)
         for (int y = -8; y < 8; ++y) {
             floor.addTriangle({x, y, 0}, {x + 1, y, 0}, {x + 1, y + 1, 0});

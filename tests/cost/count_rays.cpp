@@ -60,7 +60,7 @@ int main(int count, char** arguments) try {
     camera.lookFrom = {1.5f, 1.0f, 2.0f};
     for (const measure::BenchRayKind kind : measure::kBenchRayKinds) {
         const std::vector<Ray> rays = measure::makeBenchRays(accel, camera, {2.0f, 4.0f, 3.0f}, kind, 64);
-        const bool any = measure::asksAnyHit(kind);
+        const bool any = measure::isAnyHitKind(kind);
         Answers answers{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size())};
         // The first time pays for what is set up once.
         countedSingle(accel, std::span(rays).first(1), any, answers);

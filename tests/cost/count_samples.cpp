@@ -8,7 +8,7 @@
 
 #include <rayscope/diagnostics.h>
 #include <rayscope/scene.h>
-#include "cost/unwatched.h"
+#include "cost/no_observer.h"
 #include "trace/compile.h"
 
 namespace {
@@ -35,7 +35,7 @@ glm::dvec3 sumOf(const trace::World& world) {
     Observer observer;
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
-            sum += glm::dvec3(trace::radiance(world, 1, SampleName{x, y, 0}, observer).radiance);
+            sum += glm::dvec3(trace::radiance(world, 1, SampleId{x, y, 0}, observer).radiance);
     return sum;
 }
 
@@ -47,7 +47,7 @@ extern "C" {
     sum = sumOf<trace::NullObserver>(world);
 }
 [[gnu::noipa]] void countedUnwatched(const trace::World& world, glm::dvec3& sum) {
-    sum = sumOf<trace::Nobody>(world);
+    sum = sumOf<trace::NoObserver>(world);
 }
 }
 

@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> oneOfEach() {
     const RgbImage image = gradient(16, 16);
     const std::string codes = test::allCodes();
     const char* data = codes.data();
-    return {{"png", image::encodePng(image, {}, ToneCurve::Srgb)},
+    return {{"png", image::encodePng(image, {}, Encoding::Srgb)},
             {"exr", image::encodeExr(image, {})},
             {"pfm", image::encodePfm(image)},
             {"hdr", image::encodeHdr(image)},
@@ -81,7 +81,7 @@ TEST(BadImage, NoSingleWrongByteBringsAReaderDown) {
 }
 
 TEST(BadImage, ASizeAboveTheLimitIsRefusedBeforeAnythingIsAllocated) {
-    std::string png = image::encodePng(gradient(1, 1), {}, ToneCurve::Srgb);
+    std::string png = image::encodePng(gradient(1, 1), {}, Encoding::Srgb);
     constexpr std::size_t kWidthInPng = 16;
     const std::string tenThousand("\0\0\x27\x10", 4);
     png.replace(kWidthInPng, 8, tenThousand + tenThousand);

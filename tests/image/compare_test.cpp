@@ -172,7 +172,7 @@ TEST(Compare, TheScoreOfAPartIsThatOfTheCutImage) {
 TEST(Compare, TheColourMapGrowsLighterAndMarksWhatIsNotFinite) {
     Image<double> map(101, 1);
     for (int x = 0; x <= 100; ++x) map.at(x, 0) = 0.02 * x;
-    const RgbImage colors = colorMapped(map, 2.0);
+    const RgbImage colors = applyColorMap(map, 2.0);
     // The spiral is even in the weights that its author used, of encoded values.
     double before = -1e-3;
     for (const Rgb& c : colors.pixels) {
@@ -184,7 +184,7 @@ TEST(Compare, TheColourMapGrowsLighterAndMarksWhatIsNotFinite) {
     }
     EXPECT_EQ(colors.at(0, 0), Rgb(0.0f));
     EXPECT_EQ(colors.at(100, 0), Rgb(1.0f));
-    EXPECT_EQ(colorMapped(Image<double>(1, 1, NAN), 1.0).at(0, 0), Rgb(1.0f, 0.0f, 1.0f));
+    EXPECT_EQ(applyColorMap(Image<double>(1, 1, NAN), 1.0).at(0, 0), Rgb(1.0f, 0.0f, 1.0f));
 }
 
 }  // namespace

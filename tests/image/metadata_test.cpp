@@ -44,7 +44,7 @@ std::uint32_t slowCrc(const std::string& bytes) {
 
 TEST(Metadata, PngHoldsItAsTextWhereReadersLookForIt) {
     const std::string png = image::encodePng(
-        gradient(5, 4), {{"seed", "7"}, {"scene", "K\u00fcche.toml"}, {"command", ""}}, ToneCurve::Srgb);
+        gradient(5, 4), {{"seed", "7"}, {"scene", "K\u00fcche.toml"}, {"command", ""}}, Encoding::Srgb);
     const std::vector<Chunk> chunks = chunksOf(png);
     ASSERT_EQ(chunks.size(), 7u);
     EXPECT_EQ(chunks[0].type, "IHDR");
@@ -57,7 +57,7 @@ TEST(Metadata, PngHoldsItAsTextWhereReadersLookForIt) {
 }
 
 TEST(Metadata, EveryPngChunkHasItsChecksum) {
-    const std::string png = image::encodePng(gradient(5, 4), {{"seed", "7"}}, ToneCurve::Course);
+    const std::string png = image::encodePng(gradient(5, 4), {{"seed", "7"}}, Encoding::None);
     std::size_t at = 8;
     for (const Chunk& chunk : chunksOf(png)) {
         EXPECT_NE(chunk.type, "sRGB") << "values without the curve must not claim to have it";
@@ -88,8 +88,8 @@ TEST(Metadata, TheSameImageAndMetadataGiveTheSameFile) {
     const RgbImage image = gradient(33, 21);
     const ImageMetadata metadata{{"seed", "7"}};
     EXPECT_EQ(image::encodeExr(image, metadata), image::encodeExr(image, metadata));
-    EXPECT_EQ(image::encodePng(image, metadata, ToneCurve::Srgb),
-              image::encodePng(image, metadata, ToneCurve::Srgb));
+    EXPECT_EQ(image::encodePng(image, metadata, Encoding::Srgb),
+              image::encodePng(image, metadata, Encoding::Srgb));
 }
 
 }  // namespace

@@ -73,12 +73,12 @@ TEST(RoundTrip, PngHoldsTheCodesOfTheCurve) {
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         for (int c = 0; c < 3; ++c)
             EXPECT_EQ(read.pixels[i][c],
-                      image::decodeByte(image::encodeByte(image.pixels[i][c], ToneCurve::Srgb)));
+                      image::decodeByte(image::encodeByte(image.pixels[i][c], Encoding::Srgb)));
 }
 
 TEST(RoundTrip, PngWithTheCourseCurveHoldsTruncatedValues) {
     const TemporaryFolder folder;
-    writeImage(folder.file("a.png"), RgbImage(2, 2, Rgb(0.5f)), {}, ToneCurve::Course);
+    writeImage(folder.file("a.png"), RgbImage(2, 2, Rgb(0.5f)), {}, Encoding::None);
     EXPECT_EQ(readImage(folder.file("a.png")).at(1, 1).x, image::decodeByte(127));
 }
 
@@ -115,7 +115,7 @@ TEST(Read, JpegComesNear) {
         [&](auto* write, void* file) { stbi_write_jpg_to_func(write, file, 16, 16, 3, codes.data(), 100); }));
     ASSERT_EQ(image.pixels.size(), 256u);
     for (int code = 0; code < 256; ++code)
-        EXPECT_NEAR(image::encodeByte(image.at(code % 16, code / 16).y, ToneCurve::Srgb), code, 3);
+        EXPECT_NEAR(image::encodeByte(image.at(code % 16, code / 16).y, Encoding::Srgb), code, 3);
 }
 
 TEST(Read, AlphaIsLeftOutAndGreyIsSpread) {

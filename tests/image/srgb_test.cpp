@@ -18,14 +18,14 @@ double exactEncoded(double linear) {
 
 TEST(Srgb, EveryCodeSurvivesDecodingAndEncoding) {
     for (int code = 0; code < 256; ++code)
-        EXPECT_EQ(image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), ToneCurve::Srgb),
+        EXPECT_EQ(image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), Encoding::Srgb),
                   code);
 }
 
 TEST(Srgb, CodesGrowWithTheValue) {
     int last = 0;
     for (int i = 0; i <= 100000; ++i) {
-        const int code = image::encodeByte(static_cast<float>(i) / 100000.0f, ToneCurve::Srgb);
+        const int code = image::encodeByte(static_cast<float>(i) / 100000.0f, Encoding::Srgb);
         ASSERT_GE(code, last) << i;
         last = code;
     }
@@ -37,7 +37,7 @@ TEST(Srgb, CodesAreTheNearest) {
         const float linear = static_cast<float>(i) / 20000.0f;
         // Half a code, and what a float near 255 rounds to in the few operations of the curve.
         const double slack = 0.5 + 255.0 * 8.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
-        ASSERT_LE(std::abs(image::encodeByte(linear, ToneCurve::Srgb) -
+        ASSERT_LE(std::abs(image::encodeByte(linear, Encoding::Srgb) -
                            255.0 * exactEncoded(static_cast<double>(linear))),
                   slack)
             << i;
@@ -45,28 +45,28 @@ TEST(Srgb, CodesAreTheNearest) {
 }
 
 TEST(Srgb, KnownPointsOfTheCurve) {
-    EXPECT_EQ(image::encodeByte(0.0f, ToneCurve::Srgb), 0);
-    EXPECT_EQ(image::encodeByte(1.0f, ToneCurve::Srgb), 255);
-    EXPECT_EQ(image::encodeByte(0.18f, ToneCurve::Srgb), 118);  // photographic grey: 255 · 0.4614
-    EXPECT_EQ(image::encodeByte(0.5f, ToneCurve::Srgb), 188);   // 255 · 0.7354
+    EXPECT_EQ(image::encodeByte(0.0f, Encoding::Srgb), 0);
+    EXPECT_EQ(image::encodeByte(1.0f, Encoding::Srgb), 255);
+    EXPECT_EQ(image::encodeByte(0.18f, Encoding::Srgb), 118);  // photographic grey: 255 · 0.4614
+    EXPECT_EQ(image::encodeByte(0.5f, Encoding::Srgb), 188);   // 255 · 0.7354
     EXPECT_EQ(image::decodeByte(0), 0.0f);
     EXPECT_EQ(image::decodeByte(255), 1.0f);
 }
 
 TEST(Srgb, TheCourseCurveTruncates) {
-    EXPECT_EQ(image::encodeByte(0.5f, ToneCurve::Course), 127);  // 127.5
-    EXPECT_EQ(image::encodeByte(254.99f / 255.0f, ToneCurve::Course), 254);
-    EXPECT_EQ(image::encodeByte(1.0f, ToneCurve::Course), 255);
+    EXPECT_EQ(image::encodeByte(0.5f, Encoding::None), 127);  // 127.5
+    EXPECT_EQ(image::encodeByte(254.99f / 255.0f, Encoding::None), 254);
+    EXPECT_EQ(image::encodeByte(1.0f, Encoding::None), 255);
 }
 
 TEST(Srgb, ValuesThatNoCodeHoldsAreClamped) {
-    for (const ToneCurve curve : {ToneCurve::Srgb, ToneCurve::Course}) {
+    for (const Encoding curve : {Encoding::Srgb, Encoding::None}) {
         EXPECT_EQ(image::encodeByte(-1.0f, curve), 0);
         EXPECT_EQ(image::encodeByte(-kInfinity, curve), 0);
         EXPECT_EQ(image::encodeByte(kNan, curve), 0);
         EXPECT_EQ(image::encodeByte(7.0f, curve), 255);
         EXPECT_EQ(image::encodeByte(kInfinity, curve), 255);
-        EXPECT_EQ(image::encodeByte(std::nextafter(1.0f, 0.0f), curve), curve == ToneCurve::Srgb ? 255 : 254);
+        EXPECT_EQ(image::encodeByte(std::nextafter(1.0f, 0.0f), curve), curve == Encoding::Srgb ? 255 : 254);
     }
 }
 

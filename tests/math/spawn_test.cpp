@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "math/exact_sum.h"
+#include "measure/lab/exact_sum.h"
 
 namespace rayscope::test {
 namespace {
@@ -50,7 +50,7 @@ TEST(Spawn, TheOriginLiesOnTheSideOfTheNormalAndNotFar) {
         const glm::dvec3 magnitude = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::abs(c));
         for (const double side : {1.0, -1.0}) {
             const glm::vec3 origin = math::spawnOrigin(point, magnitude, side * t.normal);
-            ASSERT_EQ(math::signedVolume(t.a, t.b, t.c, origin).sign(), side > 0.0 ? 1 : -1) << i;
+            ASSERT_EQ(measure::signedVolume(t.a, t.b, t.c, origin).sign(), side > 0.0 ? 1 : -1) << i;
             const double bound = math::spawnDistance(point, magnitude, side * t.normal);
             const double distance = glm::dot(glm::dvec3(origin) - point, side * t.normal);
             farthest = std::max(farthest, distance / bound);

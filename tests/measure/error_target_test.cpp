@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "measure/target/tile_shares.h"
+#include "measure/target/sample_allocation.h"
 #include "support/expect_input_error.h"
 
 namespace rayscope {
@@ -87,7 +87,7 @@ TEST(ErrorEstimate, TrustsALargeDifferenceIfTheSamplesOfThePixelDoNot) {
     RgbImage a(32, 32, Rgb(0.5f));
     const RgbImage b = a;
     a.at(7, 7) = Rgb(0.6f);
-    SpreadImage spread(32, 32, 1e-4);
+    VarianceImage spread(32, 32, 1e-4);
     const PixelBounds whole{0, 32, 0, 32};
     EXPECT_TRUE(estimateError(a, b, whole, {}, &spread).trusted) << "such a difference is luck";
     spread.at(7, 7) = 1.0;
@@ -99,7 +99,7 @@ TEST(ErrorEstimate, TrustsALargeDifferenceIfTheSamplesOfThePixelDoNot) {
 /// in each, as known from some dozen of them.
 struct UnevenHalves {
     RgbImage a{32, 32}, b{32, 32}, mean{32, 32};
-    SpreadImage spread{32, 32};
+    VarianceImage spread{32, 32};
 
     explicit UnevenHalves(std::uint64_t seed) {
         std::mt19937_64 random(seed);
@@ -165,7 +165,7 @@ TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
         copy.samples = 4;
         film.commit(tile, std::move(copy));
     }
-    const std::vector<double> shares = measure::tileShares(film, false, false);
+    const std::vector<double> shares = measure::allocateSamples(film, false, false);
     EXPECT_GT(shares[0], shares[1]);
     EXPECT_NEAR(shares[1], 0.5 * shares[0], 1e-12) << "the neighbour of the noisy tile";
     EXPECT_NEAR(shares[2], shares[4], 1e-12);
@@ -238,11 +238,11 @@ TEST(ErrorTarget, SaysWhyItStopped) {
     ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.01);
     EXPECT_THAT(renderToTarget(request).words, HasSubstr("the target is reached at rmse"));
     request.target.error = 1e-9;
-    request.mostSamples = 24;
+    request.maxSamples = 24;
     const ErrorTargetResult few = renderToTarget(request);
     EXPECT_EQ(few.reason, StopReason::SampleLimit);
     EXPECT_EQ(few.samples, 24);
-    request.mostSamples = 1 << 20;
+    request.maxSamples = 1 << 20;
     request.timeLimit = 0.3;
     const ErrorTargetResult late = renderToTarget(request);
     EXPECT_EQ(late.reason, StopReason::TimeLimit);

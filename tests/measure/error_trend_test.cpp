@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "measure/target/halves.h"
+#include "measure/target/film_pair.h"
 
 namespace rayscope {
 namespace {
@@ -21,7 +21,7 @@ TEST(ErrorTrend, KnowsTheUsualSlopeFirstAndTheTrueOneLater) {
     sobol.add(4, look(1.0));
     EXPECT_DOUBLE_EQ(trend.slope(), 0.5);
     EXPECT_DOUBLE_EQ(sobol.slope(), 0.8);
-    for (int samples = 5; samples <= 4096; samples = measure::sampleStepFrom(samples + 1))
+    for (int samples = 5; samples <= 4096; samples = measure::roundUpSampleCount(samples + 1))
         trend.add(samples, look(4.0 / samples));
     EXPECT_GT(trend.slope(), 0.9);
     EXPECT_LE(trend.slope(), 1.0);
@@ -49,7 +49,7 @@ TEST(ErrorTrend, IsQuieterThanItsLatestLook) {
     double single = 0.0, together = 0.0;
     for (int time = 0; time < 200; ++time) {
         measure::ErrorTrend trend(ErrorMetric::Rmse, SamplePattern::Sobol);
-        for (int samples = 4; samples <= 128; samples = measure::sampleStepFrom(samples + 1))
+        for (int samples = 4; samples <= 128; samples = measure::roundUpSampleCount(samples + 1))
             trend.add(samples, look(std::pow(samples, -0.8) * std::exp(noise(random))));
         const double truth = std::pow(128.0, -0.8);
         single += std::pow(std::log(trend.latest().error / truth), 2.0);
@@ -71,11 +71,12 @@ TEST(ErrorTrend, LooksThatSawNothingSayNothing) {
 
 TEST(SampleSteps, AreQuartersOfDoublings) {
     std::vector<int> steps;
-    for (int step = measure::sampleStepFrom(-1.0); step <= 64; step = measure::sampleStepFrom(step + 1))
+    for (int step = measure::roundUpSampleCount(-1.0); step <= 64;
+         step = measure::roundUpSampleCount(step + 1))
         steps.push_back(step);
     EXPECT_EQ(steps, (std::vector<int>{4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32, 40, 48, 56, 64}));
-    EXPECT_EQ(measure::sampleStepFrom(64.01), 80);
-    EXPECT_GT(measure::sampleStepFrom(1e300), 0);
+    EXPECT_EQ(measure::roundUpSampleCount(64.01), 80);
+    EXPECT_GT(measure::roundUpSampleCount(1e300), 0);
 }
 
 }  // namespace

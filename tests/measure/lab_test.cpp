@@ -6,7 +6,7 @@
 
 #include "bvh/intersect/hit_error.h"
 #include "measure/lab/exact_crossing.h"
-#include "measure/lab/lab_mesh.h"
+#include "measure/lab/mesh.h"
 #include "scene/generate.h"
 #include "support/expect_input_error.h"
 
@@ -25,7 +25,7 @@ SceneDescription sceneOf(MeshData data) {
 LabResult quickLab(MeshData data, int rays, int threads = 0) {
     LabRequest request;
     request.scene = std::make_shared<SceneDescription>(sceneOf(std::move(data)));
-    request.raysPerCell = rays;
+    request.raysPerTestPoint = rays;
     request.quick = true;
     request.threads = threads;
     return runLab(request);
@@ -112,7 +112,7 @@ WorstRatio worstRatio(double narrowest, double aside, std::uint64_t seed) {
         ray.origin = glm::vec3(target + size * std::exp2(12.0 * real(random) - 6.0) * point());
         ray.direction = glm::vec3(target - glm::dvec3(ray.origin));
         if (ray.direction == glm::vec3(0.0f)) continue;
-        const bvh::ShearedRay sheared(bvh::words(ray));
+        const bvh::ShearedRay sheared(bvh::rayData(ray));
         bvh::TriangleHit hit;
         if (!bvh::intersectTriangle(sheared, a, b, c, hit)) continue;
         const measure::ExactCrossing exact(ray, a, b, c);
@@ -149,35 +149,38 @@ TEST(HitError, IsNeverExceededAndNotIdle) {
 
 TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
     const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 3}), 1500);
-    EXPECT_EQ(result.cells.size(), 20u);
+    EXPECT_EQ(result.testPoints.size(), 20u);
     EXPECT_EQ(result.triangles, 1280u);
     EXPECT_EQ(result.sharedEdges, 1920u);
     EXPECT_EQ(result.closedVertices, 642u);
     const LabRange& safe = result.range(LabMethod::Rayscope);
-    EXPECT_EQ(safe.failingCells, 0u);
+    EXPECT_EQ(safe.failingTestPoints, 0u);
     EXPECT_EQ(safe.lowestScale, -40);
     EXPECT_EQ(safe.highestScale, 40);
     EXPECT_EQ(safe.largestOffset, 1e7);
     EXPECT_FALSE(safe.failsBelow || safe.failsAbove || safe.failsBeyond);
     for (const LabMethod method : {LabMethod::Float, LabMethod::Epsilon, LabMethod::Double})
-        EXPECT_GE(result.range(method).failingCells, result.cells.size() / 2) << infoOf(method).name;
+        EXPECT_GE(result.range(method).failingTestPoints, result.testPoints.size() / 2)
+            << infoOf(method).name;
     double worst = 0.0;
-    std::uint64_t aimed = 0, spawned = 0, plates = 0, floatLeaks = 0, floatLost = 0;
-    for (const LabCell& cell : result.cells) {
-        const LabCounts& mine = cell.of(LabMethod::Rayscope);
+    std::uint64_t sharedEdgeRays = 0, spawned = 0, offsetSurfaceRays = 0, floatLeaks = 0, floatLost = 0;
+    for (const LabTestPoint& testPoint : result.testPoints) {
+        const LabCounts& mine = testPoint.of(LabMethod::Rayscope);
         worst = std::max({worst, mine.tRatio, mine.weightRatio});
-        aimed += mine.aimed, spawned += mine.spawned, plates += mine.plates;
-        floatLeaks += cell.of(LabMethod::Float).leaks;
-        floatLost += cell.of(LabMethod::Float).lost;
+        sharedEdgeRays += mine.sharedEdgeRays, spawned += mine.spawned,
+            offsetSurfaceRays += mine.offsetSurfaceRays;
+        floatLeaks += testPoint.of(LabMethod::Float).leaks;
+        floatLost += testPoint.of(LabMethod::Float).missedSurfaces;
         // A tolerance of 1e-6 rejects every triangle of a mesh that small.
-        if (cell.place.scale <= -20 && cell.place.offset == 0.0) {
-            EXPECT_EQ(cell.of(LabMethod::Epsilon).leaks, cell.of(LabMethod::Epsilon).aimed);
+        if (testPoint.transform.scale <= -20 && testPoint.transform.offset == 0.0) {
+            EXPECT_EQ(testPoint.of(LabMethod::Epsilon).leaks,
+                      testPoint.of(LabMethod::Epsilon).sharedEdgeRays);
         }
     }
     EXPECT_GT(worst, 0.5) << "floats are rounded, so the bound is nearly reached";
-    EXPECT_GT(aimed, 15000u);
+    EXPECT_GT(sharedEdgeRays, 15000u);
     EXPECT_GT(spawned, 8000u);
-    EXPECT_GT(plates, 2000u);
+    EXPECT_GT(offsetSurfaceRays, 2000u);
     EXPECT_GT(floatLeaks, 100u);
     EXPECT_GT(floatLost, 100u);
 }
@@ -191,8 +194,8 @@ TEST(Lab, PlanesThatAreTurnedByRightAnglesDoNotHitThemselves) {
         LabRequest request;
         request.scene = std::make_shared<SceneDescription>(scene);
         request.quick = true;
-        request.raysPerCell = 1000;
-        EXPECT_EQ(runLab(request).range(LabMethod::Rayscope).failingCells, 0u) << degrees.x;
+        request.raysPerTestPoint = 1000;
+        EXPECT_EQ(runLab(request).range(LabMethod::Rayscope).failingTestPoints, 0u) << degrees.x;
     }
 }
 
@@ -208,25 +211,26 @@ TEST(Lab, CountsAreTheSameForAnyThreads) {
 TEST(Lab, SaysWhenTheMeshItselfLosesItsShape) {
     const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 4}), 50);
     EXPECT_EQ(result.meshOffset, 1e4);
-    for (const LabCell& cell : result.cells) EXPECT_EQ(cell.collapsed > 0, cell.place.offset > 1e4);
+    for (const LabTestPoint& testPoint : result.testPoints)
+        EXPECT_EQ(testPoint.degenerate > 0, testPoint.transform.offset > 1e4);
 }
 
 TEST(Lab, TakesWhatIsOdd) {
     MeshData one{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
     const LabResult single = quickLab(one, 200);
     EXPECT_EQ(single.sharedEdges, 0u);
-    EXPECT_EQ(single.range(LabMethod::Rayscope).failingCells, 0u);
+    EXPECT_EQ(single.range(LabMethod::Rayscope).failingTestPoints, 0u);
     EXPECT_NE(labText(single).find("no edge is shared"), std::string::npos);
 
     MeshData odd = scene::generate(scene::IcosphereShape{.subdivisions = 2});
     odd.positions[3].x = std::nanf("");
     odd.positions[40] = odd.positions[41];
     odd.triangles.insert(odd.triangles.end(), {{7, 7, 9}, {10, 11, 12}, {10, 11, 12}});
-    EXPECT_EQ(quickLab(odd, 200).range(LabMethod::Rayscope).failingCells, 0u);
+    EXPECT_EQ(quickLab(odd, 200).range(LabMethod::Rayscope).failingTestPoints, 0u);
 
     MeshData huge = scene::generate(scene::BoxShape{});
     for (glm::vec3& p : huge.positions) p *= 1e24f;  // overflows when scaled by 2^40 or moved
-    EXPECT_EQ(quickLab(huge, 100).range(LabMethod::Rayscope).failingCells, 0u);
+    EXPECT_EQ(quickLab(huge, 100).range(LabMethod::Rayscope).failingTestPoints, 0u);
 
     LabRequest nothing;
     nothing.scene = std::make_shared<SceneDescription>();
@@ -237,7 +241,7 @@ TEST(Lab, AStopKeepsWhatWasMeasured) {
     std::stop_source stop;
     LabRequest request;
     request.scene = std::make_shared<SceneDescription>(sceneOf(scene::generate(scene::BoxShape{})));
-    request.raysPerCell = 100;
+    request.raysPerTestPoint = 100;
     request.stop = stop.get_token();
     int calls = 0;
     request.progress = [&](double fraction, double remaining) {
@@ -247,8 +251,8 @@ TEST(Lab, AStopKeepsWhatWasMeasured) {
     };
     const LabResult result = runLab(request);
     EXPECT_TRUE(result.interrupted);
-    ASSERT_EQ(result.cells.size(), 3u);
-    EXPECT_TRUE(result.range(LabMethod::Rayscope).soundAsItIs) << "the scene as it is comes first";
+    ASSERT_EQ(result.testPoints.size(), 3u);
+    EXPECT_TRUE(result.range(LabMethod::Rayscope).soundUntransformed) << "the scene as it is comes first";
     EXPECT_FALSE(labHtml(result).empty());
     EXPECT_TRUE(nlohmann::json::parse(labJson(result))["interrupted"]);
 }

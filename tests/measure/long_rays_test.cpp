@@ -18,8 +18,10 @@ void report(const char* what, std::uint64_t rays) {
     testing::Test::RecordProperty(what, std::to_string(rays));
 }
 
-TEST(LongRays, NoneLeaksAtASharedEdgeOrVertex) { report("without a leak", shootAtSeams(rayCount())); }
-TEST(LongRays, NoneHitsTheSurfaceItLeaves) { report("without a false hit", leaveSurfaces(rayCount())); }
+TEST(LongRays, NoneLeaksAtASharedEdgeOrVertex) {
+    report("without a leak", traceRaysAtSharedEdges(rayCount()));
+}
+TEST(LongRays, NoneHitsTheSurfaceItLeaves) { report("without a false hit", traceSpawnedRays(rayCount())); }
 
 }  // namespace
 }  // namespace rayscope::test

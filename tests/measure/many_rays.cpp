@@ -7,8 +7,8 @@
 
 #include "bvh/isa.h"
 #include "bvh/meshes.h"
-#include "math/exact_sum.h"
 #include "math/frame.h"
+#include "measure/lab/exact_sum.h"
 #include "trace/compile.h"
 #include "trace/interaction.h"
 
@@ -31,13 +31,13 @@ std::vector<Place> places(double farthest) {
     return list;
 }
 
-Geometry placed(const Geometry& unit, const Place& place) {
+TestGeometry placed(const TestGeometry& unit, const Place& place) {
     const double scale = std::ldexp(1.0, place.exponent);
     return unit.transformed(scale, scale * place.offset);
 }
 
 /// From well inside a mesh of radius one at a vertex, or at a point of an edge.
-Ray aimedRay(const Geometry& mesh, const Place& place, Random& random) {
+Ray aimedRay(const TestGeometry& mesh, const Place& place, Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const int k = random.integer(3);
     const glm::dvec3 a = mesh.corner(triangle, k), b = mesh.corner(triangle, (k + 1) % 3);
@@ -72,15 +72,15 @@ std::vector<Isa> kernels() {
     return list;
 }
 
-Accel accelOf(const Geometry& mesh, Isa isa) {
+Accel accelOf(const TestGeometry& mesh, Isa isa) {
     BuildSettings settings;
     settings.isa = isa;
     return Accel::build(mesh.input(), settings);
 }
 
 /// An integer grid in the plane x + 2y + 3z = 0 and its neighbours: exactly coplanar in float.
-Geometry tiltedFloor() {
-    Geometry floor;
+TestGeometry tiltedPlane() {
+    TestGeometry floor;
     for (int i = -8; i < 8; ++i)
         for (int j = -8; j < 8; ++j) {
             const auto at = [](int u, int v) { return glm::vec3(-2 * u - 3 * v, u, v); };
@@ -91,16 +91,16 @@ Geometry tiltedFloor() {
 }
 
 /// Whether all vertices lie on or below the plane of every triangle, without rounding.
-bool isConvex(const Geometry& mesh) {
+bool isConvex(const TestGeometry& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (const glm::vec3& vertex : mesh.vertices)
-            if (math::signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex).sign() >
+            if (measure::signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex).sign() >
                 0)
                 return false;
     return true;
 }
 
-std::shared_ptr<const trace::World> worldOf(const Geometry& mesh) {
+std::shared_ptr<const trace::World> worldOf(const TestGeometry& mesh) {
     auto scene = std::make_shared<SceneDescription>();
     auto data = std::make_shared<MeshData>();
     data->positions = mesh.vertices;
@@ -111,7 +111,8 @@ std::shared_ptr<const trace::World> worldOf(const Geometry& mesh) {
 }
 
 /// One ray at a triangle and what leaves the hit point on both sides. False if it has to be left out.
-bool leaveOnce(const trace::World& world, const Geometry& mesh, bool closed, double size, Random& random) {
+bool traceSpawnedRay(const trace::World& world, const TestGeometry& mesh, bool closed, double size,
+                     Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const glm::dvec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1), c = mesh.corner(triangle, 2);
     double u = random.real(), v = random.real();
@@ -152,19 +153,19 @@ bool leaveOnce(const trace::World& world, const Geometry& mesh, bool closed, dou
 
 }  // namespace
 
-std::uint64_t shootAtSeams(std::uint64_t count) {
+std::uint64_t traceRaysAtSharedEdges(std::uint64_t count) {
     std::uint64_t shot = 0;
     Random random(23);
-    std::vector<Geometry> units{icosphere(3, 0.0, 1), icosphere(4, 0.1, 3), needleSphere(8, 256),
-                                gridBox(16)};
+    std::vector<TestGeometry> units{icosphere(3, 0.0, 1), icosphere(4, 0.1, 3), needleSphere(8, 256),
+                                    gridBox(16)};
     struct Target {
-        Geometry mesh;
+        TestGeometry mesh;
         Place place;
         std::vector<std::optional<Accel>> accels;  ///< by kernels, built when they are wanted
     };
     const std::vector<Isa> isas = kernels();
     std::vector<Target> targets;
-    for (const Geometry& unit : units)
+    for (const TestGeometry& unit : units)
         for (const Place& place : places(1e6)) {
             targets.push_back({placed(unit, place), place, {}});
             targets.back().accels.resize(isas.size());
@@ -195,32 +196,32 @@ std::uint64_t shootAtSeams(std::uint64_t count) {
     return shot;
 }
 
-std::uint64_t leaveSurfaces(std::uint64_t count) {
+std::uint64_t traceSpawnedRays(std::uint64_t count) {
     Random random(29);
     struct Target {
-        Geometry mesh;
+        TestGeometry mesh;
         std::shared_ptr<const trace::World> world;
         bool closed;
         double size;
     };
     std::vector<Target> targets;
     for (const Place& place : places(1e3)) {
-        for (const Geometry& unit : {icosphere(2, 0.0, 1), gridBox(4)}) {
-            const Geometry mesh = placed(unit, place);
+        for (const TestGeometry& unit : {icosphere(2, 0.0, 1), gridBox(4)}) {
+            const TestGeometry mesh = placed(unit, place);
             if (isConvex(mesh))
                 targets.push_back({mesh, worldOf(mesh), true, std::ldexp(1.0, place.exponent)});
         }
     }
     EXPECT_GE(targets.size(), 8u);
     for (const Place& place : places(1e6)) {
-        const Geometry mesh = placed(tiltedFloor(), place);
+        const TestGeometry mesh = placed(tiltedPlane(), place);
         targets.push_back({mesh, worldOf(mesh), false, std::ldexp(8.0, place.exponent)});
     }
     std::uint64_t left = 0;
     for (std::size_t round = 0; left < count; ++round) {
         const Target& target = targets[round % targets.size()];
         for (std::size_t i = 0; i < kBatch / 2; ++i) {
-            left += leaveOnce(*target.world, target.mesh, target.closed, target.size, random) ? 2 : 0;
+            left += traceSpawnedRay(*target.world, target.mesh, target.closed, target.size, random) ? 2 : 0;
             if (testing::Test::HasFailure()) return left;
         }
     }

@@ -11,8 +11,8 @@ constexpr std::uint64_t kSeams = 10'000'000, kSurfaces = 5'000'000;
 constexpr std::uint64_t kSeams = 100'000, kSurfaces = 50'000;
 #endif
 
-TEST(ManyRays, NoneLeaksAtASharedEdgeOrVertex) { EXPECT_GE(shootAtSeams(kSeams), kSeams); }
-TEST(ManyRays, NoneHitsTheSurfaceItLeaves) { EXPECT_GE(leaveSurfaces(kSurfaces), kSurfaces); }
+TEST(ManyRays, NoneLeaksAtASharedEdgeOrVertex) { EXPECT_GE(traceRaysAtSharedEdges(kSeams), kSeams); }
+TEST(ManyRays, NoneHitsTheSurfaceItLeaves) { EXPECT_GE(traceSpawnedRays(kSurfaces), kSurfaces); }
 
 }  // namespace
 }  // namespace rayscope::test

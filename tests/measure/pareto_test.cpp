@@ -8,7 +8,7 @@ namespace rayscope {
 namespace {
 
 TradePoint point(const std::string& name, double seconds, double error, double spread = 0.05,
-                 TradeRole role = TradeRole::Knob) {
+                 TradeRole role = TradeRole::Parameter) {
     TradePoint p;
     p.name = name;
     p.role = role;
@@ -23,8 +23,8 @@ TradePoint point(const std::string& name, double seconds, double error, double s
 TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base), point("finer", 4.0, 0.05),
                                    point("planted", 4.5, 0.12), point("coarse", 0.25, 0.20)};
-    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{3, 0, 1}));
-    EXPECT_FALSE(points[2].onFront);
+    EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{3, 0, 1}));
+    EXPECT_FALSE(points[2].onParetoFront);
     EXPECT_NE(points[2].dominatedBy, "");
     for (const std::size_t i : {0u, 1u, 3u}) EXPECT_EQ(points[i].dominatedBy, "");
 }
@@ -32,8 +32,8 @@ TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
 TEST(Pareto, WhatIsNotBeyondDoubtIsTied) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("worse", 1.02, 0.101)};
-    measure::markFront(points);
-    EXPECT_FALSE(points[1].onFront);
+    measure::markParetoFront(points);
+    EXPECT_FALSE(points[1].onParetoFront);
     EXPECT_EQ(points[1].dominatedBy, "");
 }
 
@@ -42,7 +42,7 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
                                    point("slow tree", 2.0, 0.10), point("like base", 1.01, 0.10)};
     points[1].samePicture = points[2].samePicture = true;
     points[2].timeRatio = {1.01, 0.95, 1.06};
-    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{0}));
     EXPECT_EQ(points[1].dominatedBy, "base");
     EXPECT_EQ(points[2].dominatedBy, "");
 }
@@ -50,20 +50,20 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
 TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
     std::vector<TradePoint> points{point("base", 1.0, 0.16, 0.05, TradeRole::Base),
                                    point("finer", 4.0, 0.04)};
-    const std::vector<std::size_t> front = measure::markFront(points);
+    const std::vector<std::size_t> front = measure::markParetoFront(points);
     // Halfway between both in the logarithm of the error the front needs 2 s.
-    EXPECT_NEAR(measure::excessOverFront(points, front, point("between", 3.0, 0.08)), 0.5, 1e-9);
-    EXPECT_EQ(measure::excessOverFront(points, front, points[1]), 0.0);
-    EXPECT_EQ(measure::excessOverFront(points, front, point("beyond", 9.0, 0.01)), 0.0);
-    EXPECT_NEAR(measure::excessOverFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
+    EXPECT_NEAR(measure::excessOverParetoFront(points, front, point("between", 3.0, 0.08)), 0.5, 1e-9);
+    EXPECT_EQ(measure::excessOverParetoFront(points, front, points[1]), 0.0);
+    EXPECT_EQ(measure::excessOverParetoFront(points, front, point("beyond", 9.0, 0.01)), 0.0);
+    EXPECT_NEAR(measure::excessOverParetoFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
 }
 
 TEST(Pareto, WhatTheNoiseOfTheMachineCanExplainIsTied) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("slower", 2.0, 0.12)};
-    measure::markFront(points, 1.5);
+    measure::markParetoFront(points, 1.5);
     EXPECT_EQ(points[1].dominatedBy, "");
-    measure::markFront(points, 0.5);
+    measure::markParetoFront(points, 0.5);
     EXPECT_EQ(points[1].dominatedBy, "base");
 }
 
@@ -73,7 +73,7 @@ TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
                                    point("effect off", 0.5, 0.01, 0.05, TradeRole::Feature),
                                    point("once", 0.5, 0.01)};
     points[3].runs = 1;
-    EXPECT_EQ(measure::markFront(points), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{0}));
 }
 
 TEST(Pareto, FindsTheMeasurementOfSettingsAsFarAsTheyMatter) {
@@ -101,8 +101,8 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
     std::vector<TradePoint> points;
     for (int i = 0; i < 12; ++i)
         points.push_back(point(std::to_string(i), 0.1 * std::pow(1.7, i), std::pow(0.7, i), 0.1,
-                               i == 0 ? TradeRole::Base : TradeRole::Knob));
-    const std::vector<std::size_t> front = measure::markFront(points);
+                               i == 0 ? TradeRole::Base : TradeRole::Parameter));
+    const std::vector<std::size_t> front = measure::markParetoFront(points);
     const std::vector<TradeAdvice> advice = measure::adviceFrom(points, front);
     ASSERT_GE(advice.size(), 4u);
     EXPECT_EQ(advice.front().point, front.front());
@@ -119,10 +119,10 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
 TEST(Dial, SaysWhetherBeingBehindIsBeyondDoubt) {
     TradeResult result;
     result.points.resize(1);
-    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.0}), "0 %");
-    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.12}), "12 %, not beyond doubt");
+    EXPECT_EQ(excessText(result, {"preview", 0, 0.0}), "0 %");
+    EXPECT_EQ(excessText(result, {"preview", 0, 0.12}), "12 %, not beyond doubt");
     result.points[0].dominatedBy = "base";
-    EXPECT_EQ(excessInWords(result, {"preview", 0, 0.12}), "12 %");
+    EXPECT_EQ(excessText(result, {"preview", 0, 0.12}), "12 %");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace rayscope::test {
 namespace {
 
 TEST(RandomLines, CostWhatTheSurfaceAreaHeuristicPredicts) {
-    const Geometry scene = soup(3000, 0.1, 3);
+    const TestGeometry scene = soup(3000, 0.1, 3);
     for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::SahBinned}) {
         BuildSettings settings;
         settings.builder = builder;

@@ -58,7 +58,7 @@ TEST(Trade, FindsAPlantedBiasAndAPlantedDominatedSetting) {
     // One interval in forty begins above 0 by chance; then it is far from what was planted.
     EXPECT_GT(named(result, "planted bias").bias.lower, 10.0 * named(result, "base").bias.lower);
     EXPECT_NE(named(result, "planted waste").dominatedBy, "");
-    EXPECT_FALSE(named(result, "planted waste").onFront);
+    EXPECT_FALSE(named(result, "planted waste").onParetoFront);
 }
 
 TEST(Trade, TheRecommendationIsReproducedByARenderOfItsSettings) {
@@ -83,10 +83,10 @@ TEST(Trade, EffectsWithoutMatterGiveTheSamePicture) {
     const TradeResult result = measureTrade(requestFor("builtin:cornell", 8, 6.0));
     ASSERT_TRUE(result.complete);
     int proved = 0;
-    for (const TradeNeed& need : result.needs) {
+    for (const TradeEffect& need : result.needs) {
         const TradePoint& point = result.points[need.point];
-        if (need.proof.empty() || point.runs == 0) continue;
-        EXPECT_TRUE(point.samePicture) << need.key << ": " << need.proof;
+        if (need.reason.empty() || point.runs == 0) continue;
+        EXPECT_TRUE(point.samePicture) << need.key << ": " << need.reason;
         ++proved;
     }
     EXPECT_GE(proved, 4);

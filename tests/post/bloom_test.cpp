@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "post/develop.h"
+#include "post/display_transform.h"
 
 namespace rayscope {
 namespace {

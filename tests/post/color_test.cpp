@@ -6,7 +6,7 @@
 
 #include "image/srgb.h"
 #include "post/bloom.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 
 namespace rayscope {
 namespace {
@@ -17,11 +17,11 @@ TEST(Color, MeetsTheKnownPairsOfSrgb) {
                                             {0.02028856, 39}, {0.1844, 119},    {0.2158605, 128},
                                             {0.5, 188},       {0.7379104, 223}, {1.0, 255}};
     for (const auto& [linear, code] : pairs)
-        EXPECT_EQ(int{image::encodeByte(static_cast<float>(linear), ToneCurve::Srgb)}, code) << linear;
+        EXPECT_EQ(int{image::encodeByte(static_cast<float>(linear), Encoding::Srgb)}, code) << linear;
     for (int code = 0; code < 256; ++code) {
         const double s = code / 255.0, exact = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
         EXPECT_NEAR(static_cast<double>(image::decodeByte(static_cast<std::uint8_t>(code))), exact, 1e-6);
-        EXPECT_EQ(int{image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), ToneCurve::Srgb)},
+        EXPECT_EQ(int{image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), Encoding::Srgb)},
                   code);
     }
 }
@@ -30,11 +30,11 @@ TEST(Color, OfTheCourseIsClampedAndCutOff) {
     const std::pair<float, int> pairs[] = {{0.0f, 0},     {0.0039f, 0}, {0.00393f, 1}, {0.5f, 127},
                                            {0.999f, 254}, {1.0f, 255},  {7.0f, 255},   {-1.0f, 0}};
     for (const auto& [linear, code] : pairs)
-        EXPECT_EQ(int{image::encodeByte(linear, ToneCurve::Course)}, code) << linear;
+        EXPECT_EQ(int{image::encodeByte(linear, Encoding::None)}, code) << linear;
 }
 
 TEST(Color, RisesSteadilyAndSurvivesEverything) {
-    for (const ToneCurve curve : {ToneCurve::Srgb, ToneCurve::Course}) {
+    for (const Encoding curve : {Encoding::Srgb, Encoding::None}) {
         int before = 0;
         for (float x = 0.0f; x <= 1.0f; x += 1.0f / 4096.0f) {
             const int code = image::encodeByte(x, curve);

@@ -62,7 +62,7 @@ TEST(Aov, CountWhatTheLogsShow) {
                     const auto count = [&](const std::vector<probe::TraversalLog>& logs) {
                         ++rays;
                         for (const probe::TraversalLog& log : logs) {
-                            nodes += log.count(probe::TraversalEvent::Entered);
+                            nodes += log.count(probe::TraversalEvent::Visited);
                             tests += log.tests();
                         }
                     };
@@ -83,7 +83,7 @@ TEST(Aov, CountWhatTheLogsShow) {
 TEST(Aov, AreTheSameForAnyNumberOfThreads) {
     const auto world = builtin("teapot");
     const std::vector<probe::Aov> wanted{probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Triangles,
-                                         probe::Aov::Rays, probe::Aov::NotFinite};
+                                         probe::Aov::Rays, probe::Aov::NonFinite};
     const auto one = render(*world, wanted, 2, 1), many = render(*world, wanted, 2, 7);
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(one[i].pixels, many[i].pixels);
 }

@@ -5,8 +5,8 @@
 
 #include "bvh/build/build.h"
 #include "bvh/layout/statistics.h"
-#include "probe/search_costs.h"
 #include "probe/split_curve.h"
+#include "probe/traversal_costs.h"
 #include "probe/tree_index.h"
 #include "support/test_scenes.h"
 
@@ -51,7 +51,7 @@ TEST(SplitCurve, OfTwoTrianglesComputedByHand) {
 /// The binned builder takes the lowest point of the curve; other builders do not go below it by much.
 TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
     const auto world = builtin("monkey");
-    const AccelInput& input = world->bodies[0].geometry->input;
+    const AccelInput& input = world->motionGroups[0].geometry->input;
     for (const int bins : {8, 32}) {
         BuildSettings settings;
         settings.bins = bins;
@@ -74,27 +74,30 @@ TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
     EXPECT_GT(curve.made, lowest(curve) * 1.001) << "the median split is not the cheapest";
 }
 
-TEST(SearchCosts, ABetterTreeCostsTheSameRaysLess) {
+TEST(TraversalCosts, ABetterTreeCostsTheSameRaysLess) {
     const auto world = builtin("monkey");
-    const AccelInput& input = world->bodies[0].geometry->input;
+    const AccelInput& input = world->motionGroups[0].geometry->input;
     const probe::ViewRays rays = probe::raysOfView(*world, 0, 0, 16, 16);
     EXPECT_GE(rays.closest.size(), 256u);
     EXPECT_GT(rays.any.size(), 20u);
     BuildSettings settings;
-    const probe::SearchCosts binned = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
+    const probe::TraversalCosts binned =
+        probe::traversalCosts(bvh::buildBinaryTree(input, settings), input, rays);
     settings.builder = BvhBuilder::Median;
-    const probe::SearchCosts median = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
+    const probe::TraversalCosts median =
+        probe::traversalCosts(bvh::buildBinaryTree(input, settings), input, rays);
     EXPECT_GT(binned.nodes, 1.0);
     EXPECT_LT(binned.nodes, median.nodes);
     settings.builder = BvhBuilder::SahBinned;
     settings.leafSize = 64;
     settings.maxLevel = 3;
-    const probe::SearchCosts coarse = probe::searchCosts(bvh::buildBinaryTree(input, settings), input, rays);
+    const probe::TraversalCosts coarse =
+        probe::traversalCosts(bvh::buildBinaryTree(input, settings), input, rays);
     EXPECT_LT(coarse.nodes, binned.nodes);
     EXPECT_GT(coarse.tests, 5.0 * binned.tests);
     settings.maxLevel = 0;
-    const probe::SearchCosts all =
-        probe::searchCosts(bvh::buildBinaryTree(input, settings), input, {rays.closest, {}});
+    const probe::TraversalCosts all =
+        probe::traversalCosts(bvh::buildBinaryTree(input, settings), input, {rays.closest, {}});
     EXPECT_LE(all.tests, static_cast<double>(input.triangles.size()));
     EXPECT_LE(all.nodes, 1.0);
 }

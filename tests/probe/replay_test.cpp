@@ -46,7 +46,7 @@ TEST_P(Replay, SilentAndRecordingTracersAgreeBitForBit) {
     for (int y = 0; y < r.height; ++y)
         for (int x = 0; x < r.width; ++x)
             for (int index = 0; index < 2; ++index) {
-                const SampleName name{x, y, index};
+                const SampleId name{x, y, index};
                 const RayTree tree = probeSample(*world, 3, name);
                 ASSERT_TRUE(sameBits(tree.radiance, trace::radiance(*world, 3, name, silent).radiance))
                     << x << " " << y;
@@ -66,10 +66,10 @@ TEST_P(Replay, ReplayedPixelsEqualTheFilm) {
         ASSERT_EQ(session.wait(), RenderState::Done);
         for (int y = 0; y < opened.request.height; ++y)
             for (int x = 0; x < opened.request.width; ++x) {
-                const ReplayVerdict verdict =
-                    verify(*session.world(), *session.film(), opened.request.seed, x, y);
+                const ReplayResult verdict =
+                    verifyReplay(*session.world(), *session.film(), opened.request.seed, x, y);
                 ASSERT_TRUE(verdict.matchesFilm) << x << " " << y;
-                ASSERT_TRUE(verdict.addsUp) << x << " " << y;
+                ASSERT_TRUE(verdict.sumMatches) << x << " " << y;
                 ASSERT_EQ(verdict.samples, 4);
             }
     }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bvh/traversal/wide_counts.h"
+#include "bvh/traversal/traversal_counts.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {
@@ -48,7 +48,7 @@ TEST(TraversalLog, FindsWhatTheWorldFinds) {
                 ASSERT_EQ(end.bound, log.hit.t);
                 if (log.hit.t < nearest || primitive == kNoPrimitive) {
                     nearest = log.hit.t;
-                    primitive = log.hit.primitive + world->bodies[log.body].firstPrimitive;
+                    primitive = log.hit.primitive + world->motionGroups[log.motionGroup].firstPrimitive;
                 }
             }
             ASSERT_EQ(primitive, hit.primitive) << name << " ray " << i;
@@ -79,21 +79,21 @@ TEST(TraversalLog, EveryStepIsPlausible) {
             const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
                                            [&](const auto& waiting) { return waiting.box == s.number; });
             switch (s.event) {
-                case probe::TraversalEvent::Entered:
+                case probe::TraversalEvent::Visited:
                     EXPECT_LE(s.t, before.bound);
                     // It comes from the top of the stack or from the node before.
                     EXPECT_TRUE(waits ? before.stack.back().box == s.number
                                       : log.boxes[s.number].parent == before.current);
                     break;
-                case probe::TraversalEvent::Waits:
+                case probe::TraversalEvent::Pushed:
                     ++waited;
                     EXPECT_EQ(log.boxes[s.number].parent, before.current);
                     // The sibling is entered next and is not farther away.
                     ASSERT_LT(step, log.steps.size());
-                    EXPECT_EQ(log.steps[step].event, probe::TraversalEvent::Entered);
+                    EXPECT_EQ(log.steps[step].event, probe::TraversalEvent::Visited);
                     EXPECT_LE(log.steps[step].t, s.t);
                     break;
-                case probe::TraversalEvent::Behind:
+                case probe::TraversalEvent::Culled:
                     ++skipped;
                     EXPECT_GT(s.t, before.bound);
                     break;
@@ -117,7 +117,7 @@ TEST(TraversalLog, EveryStepIsPlausible) {
 TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
     for (const std::string name : {"monkey", "cornell", "spheres", "triangle"}) {
         const auto world = builtin(name);
-        const bvh::WideTree* tree = world->bodies[0].accel->wideTree();
+        const bvh::WideTree* tree = world->motionGroups[0].accel->wideTree();
         ASSERT_NE(tree, nullptr);
         std::mt19937 random(23);
         int hits = 0;
@@ -125,10 +125,10 @@ TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
             const Ray ray = randomRay(random);
             const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
             Hit hit;
-            hits += world->bodies[0].accel->closestHit(ray, hit);
+            hits += world->motionGroups[0].accel->closestHit(ray, hit);
             ASSERT_EQ(std::memcmp(&hit, &log.hit, sizeof hit), 0) << name << " ray " << i;
-            const bvh::WideCounts counts = bvh::countSearches(*tree, {&ray, 1}, false);
-            ASSERT_EQ(log.count(probe::TraversalEvent::Entered), counts.nodes + counts.leaves);
+            const bvh::TraversalCounts counts = bvh::countTraversals(*tree, {&ray, 1}, false);
+            ASSERT_EQ(log.count(probe::TraversalEvent::Visited), counts.nodes + counts.leaves);
             ASSERT_EQ(log.tests(), counts.exact);
             ASSERT_EQ(log.count(probe::TraversalEvent::Filtered), counts.primitives - counts.exact);
             const probe::TraversalState end = probe::stateAfter(log, log.steps.size());
@@ -137,8 +137,8 @@ TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
 
             const probe::TraversalLog any = probe::recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
             ASSERT_EQ(any.hit.primitive != kNoPrimitive, world->anyHit(ray, 0.0f));
-            const bvh::WideCounts anyCounts = bvh::countSearches(*tree, {&ray, 1}, true);
-            ASSERT_EQ(any.count(probe::TraversalEvent::Entered), anyCounts.nodes + anyCounts.leaves);
+            const bvh::TraversalCounts anyCounts = bvh::countTraversals(*tree, {&ray, 1}, true);
+            ASSERT_EQ(any.count(probe::TraversalEvent::Visited), anyCounts.nodes + anyCounts.leaves);
         }
         EXPECT_GT(hits, 20) << name;
     }
@@ -157,7 +157,7 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
             ASSERT_EQ(s.bound, before.bound);
             const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
                                            [&](const auto& waiting) { return waiting.box == s.number; });
-            if (s.event == probe::TraversalEvent::Entered && step > 1) {
+            if (s.event == probe::TraversalEvent::Visited && step > 1) {
                 ASSERT_TRUE(waits ? before.stack.back().box == s.number
                                   : log.boxes[s.number].parent == before.current);
                 ASSERT_LE(s.t, before.bound);
@@ -167,11 +167,11 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
                         ASSERT_LE(s.t, waiting.t);
                     }
             }
-            if (s.event == probe::TraversalEvent::Behind) {
+            if (s.event == probe::TraversalEvent::Culled) {
                 ASSERT_GE(s.t, before.bound * (1.0f - 1e-6f));
             }
-            waited += s.event == probe::TraversalEvent::Waits;
-            skipped += s.event == probe::TraversalEvent::Behind;
+            waited += s.event == probe::TraversalEvent::Pushed;
+            skipped += s.event == probe::TraversalEvent::Culled;
             filtered += s.event == probe::TraversalEvent::Filtered;
         }
         for (const probe::TraversalBox& box : log.boxes) {

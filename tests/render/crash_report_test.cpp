@@ -38,7 +38,7 @@ TEST(CrashReport, TheCommandNamesEverythingThatDiffers) {
 void crash(int signal, bool inAnotherThread) {
     render::installCrashReport();
     render::describeForCrashReport(cornell());
-    const auto work = [&] { render::BusySample::ofThisThread().set(12, 3, 5); };
+    const auto work = [&] { render::CurrentSample::ofThisThread().set(12, 3, 5); };
     if (inAnotherThread)
         std::thread(work).join();
     else
@@ -57,7 +57,7 @@ TEST(CrashReportDeathTest, PrintsTheCommandThatRepeatsTheSample) {
     EXPECT_EXIT(
         {
             render::installCrashReport();
-            render::BusySample::ofThisThread().clear();
+            render::CurrentSample::ofThisThread().clear();
             std::raise(SIGFPE);
         },
         testing::KilledBySignal(SIGFPE), "arithmetic exception");
@@ -79,7 +79,7 @@ TEST(CrashReportDeathTest, AThreadWhoseStackIsUsedUpSaysWhatItTraced) {
             render::installCrashReport();
             render::describeForCrashReport(cornell());
             std::thread([] {
-                render::BusySample::ofThisThread().set(7, 8, 9);
+                render::CurrentSample::ofThisThread().set(7, 8, 9);
                 std::exit(callItself(nullptr));
             }).join();
         },

@@ -132,7 +132,7 @@ TEST(Session, SharesGeometryBetweenWorldsWhenALightMoves) {
     session.submit(requestFor(std::make_shared<const SceneDescription>(moved), 50, 1));
     session.wait();
     EXPECT_NE(session.world(), before);
-    EXPECT_EQ(session.world()->bodies[0].accel, before->bodies[0].accel);
+    EXPECT_EQ(session.world()->motionGroups[0].accel, before->motionGroups[0].accel);
 }
 
 TEST(Session, TheLatestRequestWins) {

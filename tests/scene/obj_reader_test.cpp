@@ -28,7 +28,7 @@ TEST_F(ObjReader, ABareMeshOpensWithACameraAndALight) {
     const glm::vec3 toLight = std::get<PointLight>(scene.lights[0].shape).position - camera.lookFrom;
     EXPECT_LT(toLight.x, 0.0f) << "left of a camera that looks along -z";
     EXPECT_GT(toLight.y, 0.0f) << "above it";
-    EXPECT_TRUE(notes_.empty()) << noted();
+    EXPECT_TRUE(notes_.empty()) << notesText();
 }
 
 TEST_F(ObjReader, CornersAreSharedWhereAllIndicesAgree) {
@@ -98,7 +98,7 @@ TEST_F(ObjReader, RemarksAreNoVerticesAndNoFaces) {
     const auto scene = read("# a path C:\\\nv 0 0 0 # origin\r\nv 1 0 0\nv 0 1 0#\nf 1 2 3 # 4 5\n");
     EXPECT_EQ(meshOf(scene).positions.size(), 3u);
     EXPECT_EQ(meshOf(scene).triangles.size(), 1u);
-    EXPECT_TRUE(notes_.empty()) << noted();
+    EXPECT_TRUE(notes_.empty()) << notesText();
 }
 
 TEST_F(ObjReader, AnEmptyFileIsAnError) {
@@ -116,15 +116,15 @@ TEST_F(ObjReader, StrayVerticesAreKeptAndCounted) {
         read("v 0 0 0\nv nan 0 0\nv 0 -inf 0\nv 1 1 1e60\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 4 5\nf 1 5 6\n");
     EXPECT_TRUE(std::isnan(meshOf(scene).positions[1].x));
     EXPECT_TRUE(std::isinf(meshOf(scene).positions[2].y));
-    EXPECT_THAT(noted(), HasSubstr("mesh.obj:2: note: 3 vertices with NaN or infinite coordinates"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:2: note: 3 vertices with NaN or infinite coordinates"));
     EXPECT_EQ(boundsOf(scene).upper, glm::vec3(1, 1, 0)) << "the rest is framed";
 }
 
 TEST_F(ObjReader, ThinFacesAndUnknownLinesAreNotedOnce) {
     const auto scene = read(kTriangle + "f 1 2\nl 1 2\nl 2 3\nf 1\nf 1 2 3\n");
     EXPECT_EQ(meshOf(scene).triangles.size(), 1u);
-    EXPECT_THAT(noted(), HasSubstr("mesh.obj:4: note: 2 faces with fewer than three corners"));
-    EXPECT_THAT(noted(), HasSubstr("ignored: l\n"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:4: note: 2 faces with fewer than three corners"));
+    EXPECT_THAT(notesText(), HasSubstr("ignored: l\n"));
     EXPECT_EQ(notes_.size(), 2u);
 }
 
@@ -145,8 +145,8 @@ TEST_F(ObjReader, ReadsMaterials) {
     EXPECT_EQ(red.illum, 3);
     EXPECT_EQ(scene.materials[1].opacity, 0.5f) << "d wins";
     EXPECT_EQ(meshOf(scene).materialSlots, (std::vector<std::uint16_t>{0, 1, 1}));
-    EXPECT_THAT(noted(), HasSubstr("d 0.5 and Tr 0.75 contradict each other"));
-    EXPECT_THAT(noted(), HasSubstr("ignored: Ka, map_bump"));
+    EXPECT_THAT(notesText(), HasSubstr("d 0.5 and Tr 0.75 contradict each other"));
+    EXPECT_THAT(notesText(), HasSubstr("ignored: Ka, map_bump"));
 }
 
 TEST_F(ObjReader, FacesBeforeTheFirstUsemtlHaveADefault) {
@@ -165,7 +165,7 @@ TEST_F(ObjReader, OpensTexturesBehindOptionsAndBackslashes) {
     writeImage(image, texels);
     write("m.mtl", "newmtl a\nKd 0 0 0\nmap_Kd -clamp on -mm 0 1 -blendu on images\\a.pfm\n");
     const auto scene = read("mtllib m.mtl\nusemtl a\n" + kTriangle + "f 1 2 3\n");
-    ASSERT_TRUE(scene.materials[0].kdTexture) << noted();
+    ASSERT_TRUE(scene.materials[0].kdTexture) << notesText();
     EXPECT_EQ(scene.materials[0].kdTexture->image.at(0, 0), Rgb(1, 0, 0));
     EXPECT_EQ(scene.materials[0].kdTexture->wrap, TextureWrap::Clamp);
 }
@@ -173,7 +173,7 @@ TEST_F(ObjReader, OpensTexturesBehindOptionsAndBackslashes) {
 TEST_F(ObjReader, WhatIsMissingBesideTheMeshIsAWarning) {
     const auto plain = read("mtllib gone.mtl\nusemtl a\n" + kTriangle + "f 1 2 3\n");
     EXPECT_EQ(plain.materials.size(), 1u);
-    EXPECT_THAT(noted(), HasSubstr("mesh.obj:1: warning: the material file"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:1: warning: the material file"));
     EXPECT_EQ(notes_.size(), 1u);
 
     notes_.clear();
@@ -182,12 +182,12 @@ TEST_F(ObjReader, WhatIsMissingBesideTheMeshIsAWarning) {
     const auto textured = read("mtllib m.mtl\nusemtl a\n" + kTriangle + "f 1 2 3\n");
     EXPECT_FALSE(textured.materials[0].kdTexture);
     EXPECT_EQ(textured.materials[0].kd, Rgb(0.5f));
-    EXPECT_EQ(notes_.size(), 1u) << noted();
-    EXPECT_THAT(noted(), HasSubstr("gone.png"));
+    EXPECT_EQ(notes_.size(), 1u) << notesText();
+    EXPECT_THAT(notesText(), HasSubstr("gone.png"));
 
     notes_.clear();
     read("mtllib m.mtl\nusemtl c\n" + kTriangle + "f 1 2 3\n");
-    EXPECT_THAT(noted(), HasSubstr("mesh.obj:2: warning: material 'c' is in no material file"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:2: warning: material 'c' is in no material file"));
 }
 
 TEST_F(ObjReader, DoesNotDependOnTheLocale) {

@@ -46,7 +46,7 @@ class SceneFiles : public ::testing::Test {
     }
 
     /// The text of every note so far, one per line.
-    std::string noted() const {
+    std::string notesText() const {
         std::string text;
         for (const Diagnostic& note : notes_) text += toString(note) + "\n";
         return text;

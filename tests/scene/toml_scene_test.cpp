@@ -146,8 +146,8 @@ TEST_F(TomlScene, ASceneWithoutCameraOrLightsOpensWithAWarningEach) {
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.cameras[0].lookAt, glm::vec3(5, 0, 0));
     EXPECT_EQ(notes_.size(), 2u);
-    EXPECT_THAT(noted(), HasSubstr("warning: no camera"));
-    EXPECT_THAT(noted(), HasSubstr("warning: no light"));
+    EXPECT_THAT(notesText(), HasSubstr("warning: no camera"));
+    EXPECT_THAT(notesText(), HasSubstr("warning: no light"));
 }
 
 TEST_F(TomlScene, OneFileInManyPlacesIsReadOnce) {

@@ -42,8 +42,8 @@ TEST(EnvironmentLookup, OfAGradientIsTheGradient) {
     for (int i = 0; i < 20000; ++i) {
         const glm::dvec3 d = anyDirection(random);
         const double exact = 0.5 + 0.5 * glm::dot(d, kAxis);
-        test::takeWorst(worstCube, std::abs(shading::lookup(*cube, d).x - exact));
-        test::takeWorst(worstEquirect, std::abs(shading::lookup(*equirect, d).x - exact));
+        test::updateWorst(worstCube, std::abs(shading::lookup(*cube, d).x - exact));
+        test::updateWorst(worstEquirect, std::abs(shading::lookup(*equirect, d).x - exact));
     }
     // Bilinear inside a face is of the second order; across an edge texels of two faces mix, half a texel
     // apart.
@@ -71,7 +71,7 @@ TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
                           jumpAt({1, 1, y}, {1, -1, 0}), jumpAt({y, -1, 1}, {0, 1, 1}),
                           jumpAt({y, 1, -1}, {0, 1, 1})});
     }
-    test::takeWorst(worst, jumpAt(corner, {1, -1, 0}));
+    test::updateWorst(worst, jumpAt(corner, {1, -1, 0}));
     EXPECT_LT(worst, 0.5 * 2.0 * lipschitz / kSize);
     test::reportDeviation("environment, jump over the edges of a cube of 128", worst, "absolute");
 

@@ -3,7 +3,7 @@
 
 namespace rayscope::trace {
 
-template SampleResult radiance(const World&, std::uint64_t, const SampleName&, test::CountingObserver&);
-template SampleResult radiance(const World&, std::uint64_t, const SampleName&, test::RecordingObserver&);
+template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::EventCounter&);
+template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::RecordingObserver&);
 
 }  // namespace rayscope::trace

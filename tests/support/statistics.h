@@ -29,7 +29,7 @@ Estimate estimateOver(int runs, Run&& run) {
 }
 
 /// Keeps the larger of the two; what is not a number fails the test instead of getting lost.
-inline void takeWorst(double& worst, double deviation) {
+inline void updateWorst(double& worst, double deviation) {
     EXPECT_TRUE(std::isfinite(deviation));
     if (deviation > worst) worst = deviation;
 }

@@ -20,7 +20,7 @@ inline CameraDescription pointCamera(const glm::vec3& from, const glm::vec3& at)
 }
 
 /// Counts every event by kind.
-struct CountingObserver {
+struct EventCounter {
     std::array<int, 4> segments{};  ///< by RayKind
     std::array<int, 7> ends{};      ///< by RayEnd
     std::array<int, 4> lights{};    ///< light samples by Visibility
@@ -37,7 +37,7 @@ struct CountingObserver {
     int count(RayKind kind) const { return segments[static_cast<std::size_t>(kind)]; }
     int count(RayEnd end) const { return ends[static_cast<std::size_t>(end)]; }
     int lightSamples() const { return lights[0] + lights[1] + lights[2] + lights[3]; }
-    bool operator==(const CountingObserver&) const = default;
+    bool operator==(const EventCounter&) const = default;
 };
 
 /// Keeps the values themselves.
@@ -65,10 +65,8 @@ struct RecordingObserver {
 
 namespace rayscope::trace {
 // Instantiated once, in support/observers.cpp.
-extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
-                                      test::CountingObserver&);
-extern template SampleResult radiance(const World&, std::uint64_t, const SampleName&,
-                                      test::RecordingObserver&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::EventCounter&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::RecordingObserver&);
 }  // namespace rayscope::trace
 
 namespace rayscope::test {

@@ -152,7 +152,7 @@ TEST(ParallelogramLight, HasAPenumbraThatIsALinearRamp) {
             const double full = shading ? pixelMean(*lit, 0, 0, 0, 1).x : 1.0;
             if (!shading) {
                 EXPECT_NEAR(estimate.mean, exact, 4.0 * estimate.standardError + 1e-6) << x;
-                takeWorst(worst, std::abs(estimate.mean - exact));
+                updateWorst(worst, std::abs(estimate.mean - exact));
             } else {
                 // The part of the light that is seen is a rectangle of its own.
                 const double seen = 0.5 - exact;
@@ -181,7 +181,7 @@ TEST(AreaLight, HardAndSoftShadowsAreSeparateSwitches) {
 }
 
 int lightSamples(const Light& light, const Settings& settings) {
-    CountingObserver counter;
+    EventCounter counter;
     pixelMean(*compileScene(underLight(light), settings, 1, 1), 0, 0, 0, 1, counter);
     return counter.lightSamples();
 }

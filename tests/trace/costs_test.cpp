@@ -1,7 +1,7 @@
 // What a scene does not use costs nothing: the same bits and the same events, whatever its settings say.
 #include <gtest/gtest.h>
 
-#include "support/everything.h"
+#include "support/all_effects_scene.h"
 #include "support/tracing.h"
 
 namespace rayscope::test {
@@ -9,7 +9,7 @@ namespace {
 
 struct Trace {
     std::vector<RgbSum> pixels;
-    CountingObserver events;
+    EventCounter events;
     std::uint64_t rays = 0;
     bool operator==(const Trace&) const = default;
 };
@@ -106,7 +106,7 @@ TEST(Everything, AtOnceGivesNumbers) {
             settings.textureFilter = TextureFilter::Mipmap;
             settings.reflectionMap = reflectionMap;
             settings.sampler = pattern;
-            const Trace trace = traceAll(everythingScene(), settings, 24, 4);
+            const Trace trace = traceAll(allEffectsScene(), settings, 24, 4);
             for (const RgbSum& value : trace.pixels) {
                 ASSERT_TRUE(std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z));
                 ASSERT_GE(std::min({value.x, value.y, value.z}), 0.0);

@@ -25,7 +25,7 @@ TEST(EnvironmentMap, ThatIsConstantGivesTheConstantEverywhere) {
         double worst = 0.0;
         for (int y = 0; y < 24; ++y)
             for (int x = 0; x < 24; ++x)
-                takeWorst(worst, glm::distance(pixelMean(*world, 0, x, y, 4), RgbSum(color)));
+                updateWorst(worst, glm::distance(pixelMean(*world, 0, x, y, 4), RgbSum(color)));
         EXPECT_LT(worst, 1e-14);
         reportDeviation("environment, constant map", worst, "absolute");
     }
@@ -43,7 +43,7 @@ TEST(EnvironmentMap, MakesAMirrorInvisibleIfItIsConstant) {
     int checked = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
-            CountingObserver counter;
+            EventCounter counter;
             const RgbSum value = pixelMean(*world, 0, x, y, 1, counter);
             if (counter.count(RayEnd::DepthLimit) > 0) continue;  // energy is left out there on purpose
             EXPECT_NEAR(value.x, 0.5, 1e-12);
@@ -63,7 +63,7 @@ TEST(EnvironmentMap, IsSeenInTheDirectionOfTheRay) {
           glm::vec3(0.4f, -1, -0.6f), glm::vec3(-0.3f, 0.2f, 1), glm::vec3(0.7f, 0.7f, -1)}) {
         scene.cameras = {pointCamera(glm::vec3(0), d)};
         const double expected = 0.5 + 0.5 * glm::dot(glm::normalize(glm::dvec3(d)), kAxis);
-        takeWorst(worst, std::abs(firstSample(*compileScene(scene, {}, 1, 1)).x - expected));
+        updateWorst(worst, std::abs(firstSample(*compileScene(scene, {}, 1, 1)).x - expected));
     }
     EXPECT_LT(worst, 1e-4);
     reportDeviation("environment, gradient on a cube of 128", worst, "absolute");

@@ -1,7 +1,7 @@
 // At the ends of what can be asked for: finite, and with the right limits.
 #include <limits>
 
-#include "support/everything.h"
+#include "support/all_effects_scene.h"
 #include "support/statistics.h"
 #include "support/tracing.h"
 
@@ -150,7 +150,7 @@ TEST(Extremes, GlossTendsToTheMirrorAndToNoise) {
 }
 
 TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
-    SceneDescription scene = everythingScene();
+    SceneDescription scene = allEffectsScene();
     Settings settings;
     settings.lensSamples = 2;
     for (const float fNumber : {0.1f, 1.0f, 1000.0f, 1e30f})
@@ -176,7 +176,7 @@ TEST(Extremes, TextureCoordinatesThatAreNoNumbersReadATexel) {
     for (const float odd : {kNan, kInfinity, -kInfinity, 1e30f, -1e-9f, 1.0f - 0x1p-24f})
         for (const TextureFilter filter :
              {TextureFilter::Nearest, TextureFilter::Bilinear, TextureFilter::Mipmap}) {
-            SceneDescription scene = everythingScene();
+            SceneDescription scene = allEffectsScene();
             auto sheet = std::make_shared<MeshData>(*scene.meshes[0].data);
             for (std::size_t i = 0; i < sheet->texCoords.size(); i += 3) sheet->texCoords[i].x = odd;
             scene.meshes[0].data = sheet;
@@ -192,7 +192,7 @@ TEST(Extremes, EmptyAndDegenerateScenesGiveNumbers) {
     empty.cameras = {frontCamera(1.0f)};
     EXPECT_EQ(firstSample(*compileScene(empty, {}, 1, 1)), RgbSum(0.0));
 
-    SceneDescription odd = everythingScene();
+    SceneDescription odd = allEffectsScene();
     auto sheet = std::make_shared<MeshData>(*odd.meshes[0].data);
     sheet->positions[5].x = kNan;
     sheet->positions[40].y = kInfinity;

@@ -90,7 +90,7 @@ TEST(GlossyReflection, CountsRaysBelowTheSurfaceAsZero) {
     const Estimate estimate =
         estimateOver(64, [&](std::uint64_t seed) { return pixelMean(*world, seed, 0, 0, 1).x; });
     expectUnbiased("glossy rays above ground", estimate, exact);
-    CountingObserver counter;
+    EventCounter counter;
     pixelMean(*world, 0, 0, 0, 1, counter);
     EXPECT_NEAR(counter.count(RayEnd::BelowSurface) / 1024.0, 1.0 - exact, 0.01);
     EXPECT_EQ(counter.count(RayKind::Glossy), 1024);
@@ -116,7 +116,7 @@ TEST(GlossyReflection, WithoutWidthIsTheMirrorBitForBit) {
     Settings mirror = glossySettings(SamplePattern::Sobol, 64),
              sharp = glossySettings(SamplePattern::Sobol, 64, 0.0f);
     mirror.glossy = false;
-    CountingObserver a, b;
+    EventCounter a, b;
     EXPECT_EQ(pixelMean(*compileScene(scene, mirror, 1, 1), 0, 0, 0, 4, a),
               pixelMean(*compileScene(scene, sharp, 1, 1), 0, 0, 0, 4, b));
     EXPECT_EQ(a, b);
@@ -134,7 +134,7 @@ TEST(GlossyReflection, TakesAsManyRaysAsTheSettingSaysAndOneOfEverythingBehind) 
         Settings settings = glossySettings(SamplePattern::Sobol, n, 0.2f);
         settings.maxDepth = 2;
         settings.parallelogramSamples = 4;
-        CountingObserver counter;
+        EventCounter counter;
         pixelMean(*compileScene(scene, settings, 1, 1), 0, 0, 0, 1, counter);
         EXPECT_EQ(counter.count(RayKind::Camera), 1);
         // The first reflection splits into n, each hits the upper plane and goes on as one (or, unsplit, n)

@@ -83,7 +83,7 @@ TEST(DepthOfField, HasTheCircleOfConfusionOfAThinLens) {
         EXPECT_NEAR(squares.x, variance, 2e-3 * variance + 1e-12);
         EXPECT_NEAR(squares.y, variance, 2e-3 * variance + 1e-12);
         if (expected > 0.0)
-            takeWorst(worst, std::abs(std::sqrt(2.0 * (squares.x + squares.y)) / blurRadius(d) - 1.0));
+            updateWorst(worst, std::abs(std::sqrt(2.0 * (squares.x + squares.y)) / blurRadius(d) - 1.0));
     }
     reportDeviation("circle of confusion", worst, "relative");
 }
@@ -100,7 +100,7 @@ TEST(DepthOfField, IsSharpOnThePlaneOfFocus) {
             trace::radiance(*world, 0, {x, y, 0}, record);
             ASSERT_FALSE(record.hits.empty());
             for (const trace::Interaction& at : record.hits)
-                takeWorst(worst, glm::distance(at.position, record.hits.front().position));
+                updateWorst(worst, glm::distance(at.position, record.hits.front().position));
         }
     EXPECT_LT(worst, 8 * kFocus * 0x1p-23);
     reportDeviation("spread on the plane of focus", worst, "scene units");
@@ -136,7 +136,7 @@ TEST(DepthOfField, OneRayPerSampleIsUnbiasedToo) {
 
 TEST(DepthOfField, TakesAsManyRaysAsTheSettingSays) {
     for (const int n : {1, 2, 7, 512}) {
-        CountingObserver counter;
+        EventCounter counter;
         pixelMean(*compileScene(edgeAtDepth(10.0f, 0.0f), lensSettings(SamplePattern::Sobol, n), 1, 1), 0, 0,
                   0, 3, counter);
         EXPECT_EQ(counter.count(RayKind::Camera), 3 * n);
@@ -148,7 +148,7 @@ TEST(DepthOfField, WithAPointForAnApertureIsThePinholeBitForBit) {
     scene.cameras[0].fov = 40.0f;
     const auto image = [&](const SceneDescription& s, const Settings& settings) {
         std::vector<RgbSum> pixels;
-        CountingObserver counter;
+        EventCounter counter;
         const auto world = compileScene(s, settings, 8, 8);
         for (int i = 0; i < 64; ++i) pixels.push_back(pixelMean(*world, 0, i % 8, i / 8, 4, counter));
         EXPECT_EQ(counter.count(RayKind::Camera), 256);
@@ -167,7 +167,7 @@ TEST(DepthOfField, LeavesTheSharpZoneToTheCentralRay) {
     Settings settings = lensSettings(SamplePattern::Sobol, 16);
     for (const float zone : {0.0f, 0.9f, 1.1f}) {
         settings.sharpZone = zone;
-        CountingObserver counter;
+        EventCounter counter;
         pixelMean(*compileScene(edgeAtDepth(5.0f, 0.01f), settings, 1, 1), 0, 0, 0, 1, counter);
         EXPECT_EQ(counter.count(RayKind::Camera), zone > 1.0f ? 1 : 16) << zone;
     }

@@ -106,9 +106,9 @@ TEST(MotionBlur, KeepsSurfacesFromShadowingThemselves) {
     camera.lookFrom = {0, 4, 9};
     scene.cameras = {camera};
     const auto world = compileScene(scene, {}, 32, 32);
-    CountingObserver counter;
+    EventCounter counter;
     for (int i = 0; i < 1024; ++i) pixelMean(*world, 0, i % 32, i / 32, 4, counter);
-    const int blocked = counter.lights[static_cast<int>(Visibility::Blocked)];
+    const int blocked = counter.lights[static_cast<int>(Visibility::Occluded)];
     EXPECT_LT(blocked, counter.lightSamples() / 20);  // what the small sphere may hide, and no more
     EXPECT_GT(counter.lightSamples(), 2000);
 }

@@ -61,8 +61,8 @@ TEST(NormalInterpolation, GivesTheNormalsOfASphere) {
     double worst = 0.0, worstFlat = 0.0;
     for (const auto& [at, point] : hits) {
         EXPECT_TRUE(at.interpolated);
-        takeWorst(worst, glm::distance(at.normal, glm::normalize(point)));
-        takeWorst(worstFlat, glm::distance(at.geometricNormal, glm::normalize(point)));
+        updateWorst(worst, glm::distance(at.normal, glm::normalize(point)));
+        updateWorst(worstFlat, glm::distance(at.geometricNormal, glm::normalize(point)));
     }
     EXPECT_LT(worst, 1e-6);
     EXPECT_GT(worstFlat, 0.05);  // the facets' own normals would not do
@@ -80,7 +80,7 @@ TEST(NormalInterpolation, FollowsRotationScaleAndReflection) {
     for (const Transform& t : {transform, reflection}) {
         double worst = 0.0;
         for (const auto& [at, point] : hitsOf(*compileScene(sphereScene(true, t), {}, kSize, kSize)))
-            takeWorst(worst, glm::distance(at.normal, glm::normalize(point)));
+            updateWorst(worst, glm::distance(at.normal, glm::normalize(point)));
         EXPECT_LT(worst, 1e-6);
     }
 }
@@ -95,7 +95,7 @@ TEST(NormalInterpolation, OfAnEllipsoidIsNearItsGradient) {
     scene.meshes[0].data = sphereMesh(48, true);
     double worst = 0.0;
     for (const auto& [at, point] : hitsOf(*compileScene(scene, {}, kSize, kSize)))
-        takeWorst(worst, glm::distance(at.normal, glm::normalize(point / (axes * axes))));
+        updateWorst(worst, glm::distance(at.normal, glm::normalize(point / (axes * axes))));
     // Vertex normals are exact; between them the error is of the second order in the facets' size of 1/15.
     EXPECT_LT(worst, 0.01);
 }

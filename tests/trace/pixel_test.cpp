@@ -59,7 +59,7 @@ TEST(PixelSamples, OfASlantedEdgeGiveItsExactCoverage) {
                     kRuns, [&](std::uint64_t seed) { return pixelMean(*world, seed, x, y, kSpp).x; });
                 // Some 20 pixels by three patterns: 5 standard errors keep the family of tests honest.
                 EXPECT_NEAR(estimate.mean, exact, 5.0 * estimate.standardError + 1e-5) << x << " " << y;
-                takeWorst(worst, std::abs(estimate.mean - exact));
+                updateWorst(worst, std::abs(estimate.mean - exact));
                 ++partial;
             }
         }

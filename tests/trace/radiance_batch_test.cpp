@@ -62,7 +62,7 @@ class RadianceBatchOf : public testing::TestWithParam<Case> {};
 TEST_P(RadianceBatchOf, IsThatOfEachSample) {
     for (const bool moving : {false, true}) {
         const auto world = worldOf(GetParam(), moving);
-        std::vector<SampleName> names;
+        std::vector<SampleId> names;
         for (int y = 0; y < world->height; ++y)
             for (int x = 0; x < world->width; ++x)
                 for (int index = 0; index < 2; ++index) names.push_back({x, y, index});

@@ -25,14 +25,14 @@ TEST(Recursion, BetweenTwoMirrorsIsAGeometricSeries) {
         Settings settings;
         settings.shading = false;
         settings.maxDepth = depth;
-        CountingObserver counter;
+        EventCounter counter;
         const RgbSum measured = pixelMean(*compileScene(scene, settings, 1, 1), 0, 0, 0, 1, counter);
         EXPECT_EQ(counter.count(RayKind::Camera), 1);
         EXPECT_EQ(counter.count(RayKind::Reflection), depth);
         EXPECT_EQ(counter.count(RayEnd::DepthLimit), 1);
         const glm::dvec3 expected(geometricSum(0.25, 0.5, depth + 1), geometricSum(0.25, 0.75, depth + 1),
                                   geometricSum(0.25, 0.875, depth + 1));
-        for (int c = 0; c < 3; ++c) takeWorst(worst, std::abs(measured[c] / expected[c] - 1.0));
+        for (int c = 0; c < 3; ++c) updateWorst(worst, std::abs(measured[c] / expected[c] - 1.0));
     }
     EXPECT_LT(worst, 17 * 0x1p-52);
     reportDeviation("recursion, shading off", worst, "relative");
@@ -59,7 +59,7 @@ TEST(Recursion, EndsWhereNothingIsReflected) {
     Settings settings;
     settings.shading = false;
     settings.maxDepth = 16;
-    CountingObserver counter;
+    EventCounter counter;
     const RgbSum measured = pixelMean(*compileScene(scene, settings, 1, 1), 0, 0, 0, 1, counter);
     EXPECT_EQ(counter.count(RayKind::Reflection), 1);
     EXPECT_EQ(counter.count(RayEnd::Absorbed), 1);

@@ -49,16 +49,16 @@ void expectSameHits(const trace::World& a, const trace::World& b) {
 TEST(RefitWorld, WhenAnObjectTurned) {
     const Settings settings;
     const auto before = compiled(monkey({}), settings, nullptr);
-    EXPECT_EQ(before->treeGrowth, 1.0);
+    EXPECT_EQ(before->sahCostGrowth, 1.0);
     const auto scene = monkey(turned(1.1f, {0, 10, 3}));
     const auto moved = compiled(scene, settings, before.get()), fresh = compiled(scene, settings, nullptr);
-    EXPECT_NE(moved->treeGrowth, 1.0);
-    EXPECT_LE(moved->treeGrowth, static_cast<double>(settings.bvhRefit));
-    EXPECT_EQ(fresh->treeGrowth, 1.0);
+    EXPECT_NE(moved->sahCostGrowth, 1.0);
+    EXPECT_LE(moved->sahCostGrowth, static_cast<double>(settings.bvhRefit));
+    EXPECT_EQ(fresh->sahCostGrowth, 1.0);
     expectSameHits(*moved, *fresh);
     const auto again = compiled(scene, settings, moved.get());
-    EXPECT_EQ(again->bodies[0].accel, moved->bodies[0].accel);
-    EXPECT_EQ(again->treeGrowth, moved->treeGrowth);
+    EXPECT_EQ(again->motionGroups[0].accel, moved->motionGroups[0].accel);
+    EXPECT_EQ(again->sahCostGrowth, moved->sahCostGrowth);
 }
 
 TEST(RefitWorld, BuildsAnewWhenRaysWouldPayTooMuchOrTheUserWantsIt) {
@@ -68,7 +68,7 @@ TEST(RefitWorld, BuildsAnewWhenRaysWouldPayTooMuchOrTheUserWantsIt) {
         settings.bvhRefit = most;
         const auto before = compiled(monkey({}), settings, nullptr);
         const auto moved = compiled(scene, settings, before.get());
-        EXPECT_EQ(moved->treeGrowth > 1.0, most > 1.0f) << most;
+        EXPECT_EQ(moved->sahCostGrowth > 1.0, most > 1.0f) << most;
         expectSameHits(*moved, *compiled(scene, settings, nullptr));
     }
 }
@@ -79,9 +79,9 @@ TEST(RefitWorld, BuildsAnewForOtherTriangles) {
     auto mesh = std::make_shared<MeshData>(*other.meshes[0].data);
     std::swap(mesh->triangles.front(), mesh->triangles.back());
     other.meshes[0].data = mesh;
-    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->treeGrowth, 1.0);
+    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->sahCostGrowth, 1.0);
     other.meshes.clear();
-    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->treeGrowth, 1.0);
+    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->sahCostGrowth, 1.0);
 }
 
 }  // namespace

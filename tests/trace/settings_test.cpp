@@ -6,9 +6,9 @@
 
 #include "bvh/binary_tree.h"
 #include "image/srgb.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "settings/table.h"
-#include "support/everything.h"
+#include "support/all_effects_scene.h"
 #include "support/tracing.h"
 #include "trace/compile.h"
 
@@ -19,7 +19,7 @@ constexpr int kWidth = 20, kHeight = 14;
 
 /// The bytes that a user sees.
 std::vector<std::uint8_t> pictureOf(const Settings& settings) {
-    const auto world = compileScene(everythingScene(), settings, kWidth, kHeight);
+    const auto world = compileScene(allEffectsScene(), settings, kWidth, kHeight);
     RgbImage mean(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) mean.at(x, y) = Rgb(pixelMean(*world, 1, x, y, settings.spp));
@@ -54,20 +54,21 @@ std::array<std::string, 2> endsOf(const SettingInfo& info) {
 /// Settings that decide how an image is found, not what it is.
 bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh") || key == "isa"; }
 
-/// What the tree of the first body looks like, and how it is walked, after the body has been turned.
+/// What the tree of the first motionGroup looks like, and how it is walked, after the motionGroup has been
+/// turned.
 std::vector<std::uint32_t> treeOf(const Settings& settings) {
-    SceneDescription turned = everythingScene();
+    SceneDescription turned = allEffectsScene();
     for (MeshInstance& mesh : turned.meshes) mesh.transform.rotate += glm::vec3(20, 30, 40);
     const auto before = compileScene(std::move(turned), settings, kWidth, kHeight);
     trace::CompileRequest request;
-    request.scene = std::make_shared<const SceneDescription>(everythingScene());
+    request.scene = std::make_shared<const SceneDescription>(allEffectsScene());
     request.camera = request.scene->cameras[0];
     request.settings = settings;
     const auto world = trace::compile(request, before.get());
-    if (!world->bodies[0].accel) return {};
-    const bvh::BinaryTree* tree = world->bodies[0].accel->binaryTree();
+    if (!world->motionGroups[0].accel) return {};
+    const bvh::BinaryTree* tree = world->motionGroups[0].accel->binaryTree();
     std::vector<std::uint32_t> shape(tree->primitives.begin(), tree->primitives.end());
-    const AccelSummary& summary = world->bodies[0].accel->summary();
+    const AccelSummary& summary = world->motionGroups[0].accel->summary();
     shape.push_back(static_cast<std::uint32_t>(tree->nodes.size()));
     shape.push_back(static_cast<std::uint32_t>(summary.wideNodes));
     shape.push_back(static_cast<std::uint32_t>(summary.isa));
@@ -97,19 +98,19 @@ TEST(EverySetting, HasNoEffectWhereTheTableSaysSo) {
     off.recursion = off.softShadows = off.hardShadows = off.textureMapping = off.environment =
         off.depthOfField = false;
     off.bvh = false;
-    int idle = 0;
+    int inactive = 0;
     std::map<std::string_view, std::string_view> reasons;
-    settings::forEachSetting([&](const auto& row) { reasons[row.text.key] = row.idle(off); });
+    settings::forEachSetting([&](const auto& row) { reasons[row.text.key] = row.inactive(off); });
     for (const SettingInfo& info : describeSettings()) {
         if (reasons[info.key].empty()) continue;
-        ++idle;
+        ++inactive;
         Settings low = off, high = off;
         const auto [lowest, highest] = endsOf(info);
         assign(low, info.key, lowest);
         assign(high, info.key, highest);
         EXPECT_EQ(pictureOf(low), pictureOf(high)) << info.key << ": " << reasons[info.key];
     }
-    EXPECT_GT(idle, 15);
+    EXPECT_GT(inactive, 15);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST(Shading, OfPointLightsIsPhongsFormula) {
                 expected += glm::dvec3(light.color) *
                             byHand(m, {0, 1, 0}, glm::normalize(glm::dvec3(light.position - at)), viewer);
             const RgbSum measured = firstSample(*compileScene(scene, settings, 1, 1));
-            takeWorst(worst, largest((measured - expected) / expected));
+            updateWorst(worst, largest((measured - expected) / expected));
         }
     }
     EXPECT_LT(worst, 256 * kFloatRounding);  // the lobe multiplies an error of the direction by its shininess

@@ -52,7 +52,7 @@ TEST(HardShadow, HasItsEdgeWhereGeometrySays) {
             settings.hardShadows = false;
             const auto lit = compileScene(made.scene, settings, kWidth, 1);
             const double expected = world->camera.project({made.edge, 0.0, 0.0}).x;
-            takeWorst(worst, std::abs(edgeColumn(*world, *lit) - expected));
+            updateWorst(worst, std::abs(edgeColumn(*world, *lit) - expected));
         }
         EXPECT_LT(worst, 0.01);
         reportDeviation(
@@ -83,7 +83,7 @@ TEST(HardShadow, NeitherTheSurfaceItselfNorThingsBehindTheLightCastOne) {
     scene.meshes = {quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}), quad({-9, 3, 9}, {18, 0, 0}, {0, 0, -18})};
     scene.lights = {pointLight({0, 3, 0})};  // exactly in the upper plane: a lamp that is geometry as well
     scene.cameras = {pointCamera({1, 2, 1}, glm::vec3(0.5f, 0, 0))};
-    CountingObserver counter;
+    EventCounter counter;
     pixelMean(*compileScene(scene, {}, 1, 1), 0, 0, 0, 1, counter);
     EXPECT_EQ(counter.lights[static_cast<int>(Visibility::Visible)], 1);
 }

@@ -61,7 +61,7 @@ TEST(TextureMapping, MixesTexelsBilinearly) {
                 const RgbSum expected = (1 - y) * ((1 - x) * RgbSum(kBottomLeft) + x * RgbSum(kBottomRight)) +
                                         y * ((1 - x) * RgbSum(kTopLeft) + x * RgbSum(kTopRight));
                 const RgbSum measured = colorAt(scene, glm::vec2(u, v), TextureFilter::Bilinear);
-                takeWorst(worst, glm::distance(measured, expected));
+                updateWorst(worst, glm::distance(measured, expected));
             }
     }
     EXPECT_LT(worst, 4 * kFloatRounding);

@@ -35,9 +35,9 @@ TEST(Transparency, BlendsLayersByTheProductFormula) {
         }
         const SceneDescription scene =
             stack({opacities.begin(), opacities.begin() + static_cast<int>(n)}, greys);
-        CountingObserver counter;
+        EventCounter counter;
         const double measured = pixelMean(*compileScene(scene, flat(), 1, 1), 0, 0, 0, 1, counter).x;
-        takeWorst(worst, std::abs(measured / expected - 1.0));
+        updateWorst(worst, std::abs(measured / expected - 1.0));
         EXPECT_EQ(counter.hits, static_cast<int>(n));
     }
     EXPECT_LT(worst, 12 * 0x1p-52);
@@ -57,7 +57,7 @@ TEST(Transparency, GoesThroughTenThousandLayers) {
     }
     scene.meshes = {{"layers", data, {}, {0}, glm::vec3(0)}};
     scene.cameras = {pointCamera({0.1f, 0.2f, 3}, {0.1f, 0.2f, 0})};
-    CountingObserver counter;
+    EventCounter counter;
     const double measured = pixelMean(*compileScene(scene, flat(), 1, 1), 0, 0, 0, 1, counter).x;
     const double expected = 1.0 - std::pow(1.0 - static_cast<double>(1e-4f), kLayers);
     EXPECT_EQ(counter.hits, kLayers);
@@ -74,7 +74,7 @@ TEST(Transparency, ZeroShowsOnlyWhatIsBehindAndOneOnlyItself) {
 }
 
 TEST(Transparency, StopsWhereNothingCouldBeSeenAnyMore) {
-    CountingObserver counter;
+    EventCounter counter;
     pixelMean(
         *compileScene(stack(std::vector<float>(200, 0.5f), std::vector<float>(200, 1.0f)), flat(), 1, 1), 0,
         0, 0, 1, counter);

@@ -18,46 +18,46 @@ ViewFrame frameAt(glm::vec3 eye) {
     return viewFrame(camera, 800, 600);
 }
 
-TEST(BoxChoice, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
+TEST(BoxSelection, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 5})).whole.size(), 1u);
-    EXPECT_TRUE(chooseBoxes(one, frameAt({0, 0, 5})).strokes.empty());
-    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 5000})).strokes.size(), 1u);
+    EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 5})).whole.size(), 1u);
+    EXPECT_TRUE(selectBoxes(one, frameAt({0, 0, 5})).strokes.empty());
+    EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 5000})).strokes.size(), 1u);
     const OverlayBoxes many(1000, one[0]);
-    EXPECT_EQ(chooseBoxes(many, frameAt({0, 0, 5})).whole.size(), 1000u);
-    EXPECT_EQ(chooseBoxes(many, frameAt({0, 0, 5000})).strokes.size(), 1u);
+    EXPECT_EQ(selectBoxes(many, frameAt({0, 0, 5})).whole.size(), 1000u);
+    EXPECT_EQ(selectBoxes(many, frameAt({0, 0, 5000})).strokes.size(), 1u);
     // With a limit the largest are whole.
     OverlayBoxes sizes;
     for (int i = 1; i <= 100; ++i) {
         const float half = 0.01f * static_cast<float>(i);
         sizes.push_back({glm::vec3(-half), glm::vec3(half)});
     }
-    const BoxChoice ten = chooseBoxes(sizes, frameAt({0, 0, 5}), 10);
+    const BoxSelection ten = selectBoxes(sizes, frameAt({0, 0, 5}), 10);
     ASSERT_EQ(ten.whole.size(), 10u);
     EXPECT_EQ(ten.whole.front().lower, sizes[90].lower);
     EXPECT_EQ(ten.strokes.size(), 1u);
     EXPECT_GT(ten.large, 80u);
 }
 
-TEST(BoxChoice, LeavesOutWhatIsNotInThePicture) {
+TEST(BoxSelection, LeavesOutWhatIsNotInThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
     const auto seen = [&](glm::vec3 eye) {
-        const BoxChoice choice = chooseBoxes(one, frameAt(eye));
+        const BoxSelection choice = selectBoxes(one, frameAt(eye));
         return choice.whole.size() + choice.strokes.size();
     };
     EXPECT_EQ(seen({0, 0, -5}), 0u) << "behind the camera";
     EXPECT_EQ(seen({50, 0, 5}), 0u) << "beside the picture";
-    EXPECT_EQ(chooseBoxes(one, frameAt({0, 0, 0})).whole.size(), 1u) << "around the camera";
+    EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 0})).whole.size(), 1u) << "around the camera";
 }
 
-TEST(BoxChoice, IsBoundedByThePictureForAnyNumberOfBoxes) {
+TEST(BoxSelection, IsBoundedByThePictureForAnyNumberOfBoxes) {
     OverlayBoxes boxes;
     for (int i = 0; i < 200000; ++i) {
         const glm::vec3 place(static_cast<float>(i % 500) * 0.01f - 2.5f,
                               static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
         boxes.push_back({place, place + 0.005f});
     }
-    const std::size_t lines = chooseBoxes(boxes, frameAt({0, 0, 5})).strokes.size();
+    const std::size_t lines = selectBoxes(boxes, frameAt({0, 0, 5})).strokes.size();
     EXPECT_GT(lines, 5000u);
     EXPECT_LE(lines, 201u * 151u);
 }
@@ -84,28 +84,28 @@ TEST(BvhInspector, ShowsTheTreeThatRaysSearchAndItsRival) {
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);
     ASSERT_NE(inspector.inspected(), nullptr);
-    EXPECT_EQ(&inspector.inspected()->tree(), world->bodies[0].accel->binaryTree());
-    EXPECT_EQ(inspector.rival(), nullptr) << "nobody asked for one";
-    inspector.shown.savings = true;
+    EXPECT_EQ(&inspector.inspected()->tree(), world->motionGroups[0].accel->binaryTree());
+    EXPECT_EQ(inspector.referenceTree(), nullptr) << "nobody asked for one";
+    inspector.shown.showReference = true;
     waitUntilQuiet(inspector, world);
-    ASSERT_NE(inspector.rival(), nullptr);
-    EXPECT_EQ(inspector.rival()->builder, BvhBuilder::Median);
-    EXPECT_GT(inspector.rival()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
+    ASSERT_NE(inspector.referenceTree(), nullptr);
+    EXPECT_EQ(inspector.referenceTree()->builder, BvhBuilder::Median);
+    EXPECT_GT(inspector.referenceTree()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
 
-    // The boxes of both at a level: the rival's come first, in red.
+    // The boxes of both at a level: the referenceTree's come first, in red.
     inspector.shown.level = 3;
-    const IndexedTree rival = inspector.rival()->indexed();
-    const OverlayBoxes boxes = levelBoxes(inspector.inspected()->indexed(), &rival, inspector.shown);
-    EXPECT_EQ(boxes.front().color, palette::kRivalBox);
+    const IndexedTree referenceTree = inspector.referenceTree()->indexed();
+    const OverlayBoxes boxes = levelBoxes(inspector.inspected()->indexed(), &referenceTree, inspector.shown);
+    EXPECT_EQ(boxes.front().color, palette::kReferenceBox);
     EXPECT_EQ(boxes.back().color, palette::kLevelBox);
     EXPECT_GT(boxes.size(), 8u);
 
-    // Another world has another tree, and its old rival is no longer shown.
+    // Another world has another tree, and its old referenceTree is no longer shown.
     const auto other = worldOf("monkey", BvhBuilder::Median);
-    inspector.shown.savings = false;
+    inspector.shown.showReference = false;
     waitUntilQuiet(inspector, other);
-    EXPECT_EQ(inspector.rival(), nullptr);
-    EXPECT_EQ(inspector.inspected()->accel, other->bodies[0].accel);
+    EXPECT_EQ(inspector.referenceTree(), nullptr);
+    EXPECT_EQ(inspector.inspected()->accel, other->motionGroups[0].accel);
 }
 
 TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
@@ -142,7 +142,7 @@ TEST(BvhOverlay, ALeafIsItsBoxAndItsPrimitives) {
     const auto world = worldOf("spheres");
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);
-    const BvhInspector::Inspected& seen = *inspector.inspected();
+    const BvhInspector::InspectedTree& seen = *inspector.inspected();
     inspector.stepLeaf(1);
     const OverlayBoxes boxes = leafBoxes(seen.indexed(), inspector.shown);
     ASSERT_EQ(boxes.size(), 1u);

@@ -25,7 +25,7 @@ TEST(Commands, leaveTheKeysOfFlyModeAlone) {
 }
 
 TEST(Commands, lockKeysDoNotMatter) {
-    EXPECT_EQ(commandFor(GLFW_KEY_R, GLFW_MOD_NUM_LOCK | GLFW_MOD_CAPS_LOCK), Command::ShootRay);
+    EXPECT_EQ(commandFor(GLFW_KEY_R, GLFW_MOD_NUM_LOCK | GLFW_MOD_CAPS_LOCK), Command::RecordRays);
 }
 
 TEST(Commands, shortcutsReadAsPeopleWriteThem) {

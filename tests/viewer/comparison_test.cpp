@@ -25,18 +25,18 @@ TEST(Comparison, MeasuresThePresentPictureAgainstTheKeptOne) {
     Comparison comparison;
     EXPECT_FALSE(comparison.visible());
     settle(comparison, flat(16, 16, 0.5f), 1);
-    EXPECT_EQ(comparison.figures(), nullptr) << "there is no A";
+    EXPECT_EQ(comparison.metrics(), nullptr) << "there is no A";
     comparison.keep({}, flat(16, 16, 0.25f), 4);
     EXPECT_FALSE(comparison.visible()) << "only if asked for";
     comparison.view.shown = true;
     settle(comparison, flat(16, 16, 0.75f), 1);
-    ASSERT_NE(comparison.figures(), nullptr);
-    EXPECT_DOUBLE_EQ(comparison.figures()->rmse, 0.5);
-    EXPECT_TRUE(comparison.figuresAreFinal());
+    ASSERT_NE(comparison.metrics(), nullptr);
+    EXPECT_DOUBLE_EQ(comparison.metrics()->rmse, 0.5);
+    EXPECT_TRUE(comparison.metricsAreFinal());
     settle(comparison, flat(16, 16, 0.25f), 2);
-    EXPECT_EQ(comparison.figures()->rmse, 0.0);
-    EXPECT_EQ(comparison.figures()->ssim, 1.0);
-    EXPECT_EQ(comparison.figures()->flip, 0.0);
+    EXPECT_EQ(comparison.metrics()->rmse, 0.0);
+    EXPECT_EQ(comparison.metrics()->ssim, 1.0);
+    EXPECT_EQ(comparison.metrics()->flip, 0.0);
 }
 
 TEST(Comparison, SaysWhetherTheFiguresAreThoseOfTheCompletePicture) {
@@ -49,22 +49,22 @@ TEST(Comparison, SaysWhetherTheFiguresAreThoseOfTheCompletePicture) {
         while (comparison.busy());
     };
     wait(false, 1, b);
-    ASSERT_NE(comparison.figures(), nullptr) << "figures so far";
-    EXPECT_FALSE(comparison.figuresAreFinal());
-    // The last tile came with the figures: nothing is measured again, they are final now.
+    ASSERT_NE(comparison.metrics(), nullptr) << "figures so far";
+    EXPECT_FALSE(comparison.metricsAreFinal());
+    // The last tile came with the metrics: nothing is measured again, they are final now.
     comparison.update(b, 1, true, 0.0f);
     EXPECT_FALSE(comparison.busy());
-    EXPECT_TRUE(comparison.figuresAreFinal());
+    EXPECT_TRUE(comparison.metricsAreFinal());
     // Tiles that come after the end of the rendering was seen.
     comparison.update(flat(16, 16, 0.75f), 2, true, 0.0f);
-    EXPECT_FALSE(comparison.figuresAreFinal());
+    EXPECT_FALSE(comparison.metricsAreFinal());
     wait(true, 2, flat(16, 16, 0.75f));
-    EXPECT_TRUE(comparison.figuresAreFinal());
-    EXPECT_DOUBLE_EQ(comparison.figures()->rmse, 0.5);
+    EXPECT_TRUE(comparison.metricsAreFinal());
+    EXPECT_DOUBLE_EQ(comparison.metrics()->rmse, 0.5);
     // Exposure is part of what a person sees.
     comparison.update(flat(16, 16, 0.75f), 2, true, 1.0f);
     EXPECT_TRUE(comparison.busy());
-    EXPECT_FALSE(comparison.figuresAreFinal());
+    EXPECT_FALSE(comparison.metricsAreFinal());
 }
 
 TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
@@ -72,11 +72,11 @@ TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
     comparison.keep({}, flat(16, 16, 0.25f), 1);
     comparison.view.shown = true;
     settle(comparison, flat(16, 16, 0.5f), 1);
-    ASSERT_NE(comparison.figures(), nullptr);
+    ASSERT_NE(comparison.metrics(), nullptr);
     settle(comparison, flat(17, 16, 0.5f), 2);
-    EXPECT_EQ(comparison.figures(), nullptr);
+    EXPECT_EQ(comparison.metrics(), nullptr);
     const int version = comparison.view.version;
-    comparison.forget();
+    comparison.discard();
     EXPECT_EQ(comparison.a(), nullptr);
     EXPECT_FALSE(comparison.visible());
     EXPECT_GT(comparison.view.version, version);

@@ -15,7 +15,7 @@ TEST(DrawingBudget, OnlySoftwareThatHasToKeepUpWithTheHandIsHeldBack) {
     EXPECT_LT(least.triangles, most.triangles);
     EXPECT_LT(least.boxes, most.boxes);
     EXPECT_LT(least.linePixels, most.linePixels);
-    EXPECT_LT(least.mostWideLines, most.mostWideLines);
+    EXPECT_LT(least.maxWideLines, most.maxWideLines);
     EXPECT_GT(least.divisor, most.divisor);
 }
 

@@ -40,7 +40,7 @@ TEST(HeatStatistics, LeaveOutWhatIsNotANumber) {
 TEST(HeatColors, SpanTheRange) {
     RgbImage values = ramp(101);
     values.at(50, 0) = Rgb(std::numeric_limits<float>::quiet_NaN());
-    const RgbImage image = colored(values, post::ColorMap::BlueGold, 20.0, 80.0);
+    const RgbImage image = applyColorMap(values, post::ColorMap::BlueGold, 20.0, 80.0);
     EXPECT_EQ(image.at(0, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
     EXPECT_EQ(image.at(20, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
     EXPECT_EQ(image.at(80, 0), post::mapColor(post::ColorMap::BlueGold, 1.0));
@@ -48,7 +48,7 @@ TEST(HeatColors, SpanTheRange) {
     EXPECT_EQ(image.at(50, 0), Rgb(1.0f, 0.0f, 1.0f));
     EXPECT_LT(glm::distance(image.at(49, 0), post::mapColor(post::ColorMap::BlueGold, 29.0 / 60.0)), 2e-3f);
     // A range without extent has two colours.
-    EXPECT_EQ(colored(ramp(3), post::ColorMap::Grey, 1.0, 1.0).at(2, 0),
+    EXPECT_EQ(applyColorMap(ramp(3), post::ColorMap::Grey, 1.0, 1.0).at(2, 0),
               post::mapColor(post::ColorMap::Grey, 1.0));
 }
 

@@ -35,7 +35,7 @@ TEST(History, aChangeAfterUndoForgetsWhatWasUndone) {
     history.undo();
     history.record(stateWithDepth(7));
     EXPECT_FALSE(history.canRedo());
-    EXPECT_EQ(history.present(), stateWithDepth(7));
+    EXPECT_EQ(history.current(), stateWithDepth(7));
     EXPECT_EQ(history.undo(), stateWithDepth(0));
 }
 
@@ -50,21 +50,21 @@ TEST(History, coversCameraSettingsAndScene) {
     EXPECT_TRUE(history.canUndo());
     history.record(scene);
     EXPECT_EQ(history.undo().camera.fov, 20.0f);
-    EXPECT_TRUE(history.present().scene->lights.empty());
+    EXPECT_TRUE(history.current().scene->lights.empty());
     EXPECT_EQ(history.redo().scene->lights.size(), 1u);
 }
 
 TEST(History, forgetsTheOldestBeyondItsLimit) {
     History history(stateWithDepth(0));
-    for (int i = 1; i < static_cast<int>(History::kMostStates) + 50; ++i) {
+    for (int i = 1; i < static_cast<int>(History::kMaxStates) + 50; ++i) {
         EditState state;
         state.settings.spp = i + 16;
         history.record(state);
     }
     std::size_t steps = 0;
     for (; history.canUndo(); history.undo()) ++steps;
-    EXPECT_EQ(steps, History::kMostStates - 1);
-    EXPECT_EQ(history.present().settings.spp, 50 + 16);
+    EXPECT_EQ(steps, History::kMaxStates - 1);
+    EXPECT_EQ(history.current().settings.spp, 50 + 16);
 }
 
 TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
@@ -76,7 +76,7 @@ TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
     viewer::CameraOverrides overrides;
     overrides.name = "b";
     overrides.lookAt = glm::vec3(1.0f);
-    const EditState state = openingState(scene, {{"spp", "9", {}}}, overrides);
+    const EditState state = initialState(scene, {{"spp", "9", {}}}, overrides);
     EXPECT_EQ(state.settings.maxDepth, 2);
     EXPECT_EQ(state.settings.spp, 9);
     EXPECT_EQ(state.camera.fov, 30.0f);
@@ -97,9 +97,9 @@ TEST(EditState, namesTheNearestCameraAndSetting) {
         }
         return std::string();
     };
-    EXPECT_NE(messageOf([&] { openingState(scene, {}, overrides); }).find("'front'"), std::string::npos);
+    EXPECT_NE(messageOf([&] { initialState(scene, {}, overrides); }).find("'front'"), std::string::npos);
     EXPECT_NE(messageOf([&] {
-                  openingState(scene, {{"max_dept", "2", {"x.toml", 3, 1}}}, {});
+                  initialState(scene, {{"max_dept", "2", {"x.toml", 3, 1}}}, {});
               }).find("x.toml:3:1"),
               std::string::npos);
 }

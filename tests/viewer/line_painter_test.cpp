@@ -80,7 +80,7 @@ TEST(LinePainter, WhatLiesBehindSurfacesIsFainter) {
 
 TEST(LinePainter, PatternsBeginWhereTheLineBegins) {
     PaintCanvas canvas = blackCanvas(100, 4);
-    const PaintLook coarse{glm::mat4(1.0f), 0.5f, 1.0f};
+    const PaintOptions coarse{glm::mat4(1.0f), 0.5f, 1.0f};
     paintLines(canvas,
                {{centerOf(canvas, 0, 0), centerOf(canvas, 99, 0), glm::vec4(1.0f), LineStyle::Dashed}}, {});
     EXPECT_NEAR(static_cast<double>(painted(canvas)), 60.0, 10.0);

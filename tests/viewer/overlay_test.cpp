@@ -27,7 +27,7 @@ RayTree handMadeTree() {
     reflection.ray.direction = {0.0f, 2.0f, 0.0f};
     tree.nodes = {camera, reflection};
     for (const Visibility verdict :
-         {Visibility::Visible, Visibility::Blocked, Visibility::Attenuated, Visibility::FacingAway}) {
+         {Visibility::Visible, Visibility::Occluded, Visibility::Attenuated, Visibility::FacingAway}) {
         ShadowRay shadow;
         shadow.from = camera.position;
         shadow.to = {0.0f, 3.0f, 0.0f};
@@ -58,7 +58,7 @@ TEST(DebugRaysOverlay, drawsEachRayFromItsOriginToItsEnd) {
 
 TEST(DebugRaysOverlay, showsTheVerdictOnShadowRays) {
     DebugRayFilter filter = nothing();
-    filter.camera = filter.shadowVisible = filter.shadowBlocked = filter.shadowAway = true;
+    filter.camera = filter.shadowVisible = filter.shadowOccluded = filter.shadowBehindSurface = true;
     OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
     ASSERT_EQ(lines.size(), 5u);
     lines.erase(lines.begin());
@@ -127,7 +127,7 @@ TEST(DebugRaysOverlay, hidesIsolatesAndSelects) {
     filter.light = 1;
     EXPECT_EQ(shownRays(tree, filter).size(), 2u);
     filter.light = -1;
-    filter.leastContribution = 0.5f;
+    filter.minContribution = 0.5f;
     EXPECT_TRUE(shownRays(tree, filter).empty());
 }
 
@@ -151,7 +151,7 @@ TEST(DebugRaysOverlay, colorsShowWhatARaySees) {
     EXPECT_EQ(lines[0].color.a, 0.5f);
     EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
     EXPECT_EQ(lines[1].color.a, 1.0f);
-    filter.colors = RayColors::Arriving;
+    filter.colors = RayColors::IncomingRadiance;
     lines = debugRayLines(tree, filter, 10.0f);
     EXPECT_EQ(glm::vec3(lines[0].color), displayColor({0.4f, 0.5f, 0.0f}));
     EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
@@ -186,7 +186,7 @@ TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
 
 TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
     Diagnostics notes;
-    EditState state = openingState(loadScene("builtin:cornell", notes), {}, {});
+    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
     RenderSession session(1);
     RenderRequest request;
     request.scene = state.scene;
@@ -198,48 +198,48 @@ TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
     ASSERT_EQ(session.wait(60.0), RenderState::Done);
 
     DebugRays rays;
-    rays.shoot(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
-    ASSERT_TRUE(rays.shot());
-    EXPECT_TRUE(rays.shot()->verdict->matchesFilm);
-    EXPECT_EQ(rays.shot()->tree().nodes[0].ray.origin, state.camera.lookFrom);
-    EXPECT_FALSE(rays.staleFor(state, {48, 48}));
-    EXPECT_TRUE(rays.staleFor(state, {96, 48}));
+    rays.recordPixel(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
+    ASSERT_TRUE(rays.recording());
+    EXPECT_TRUE(rays.recording()->verdict->matchesFilm);
+    EXPECT_EQ(rays.recording()->tree().nodes[0].ray.origin, state.camera.lookFrom);
+    EXPECT_FALSE(rays.isStaleFor(state, {48, 48}));
+    EXPECT_TRUE(rays.isStaleFor(state, {96, 48}));
 
     rays.step(1);
-    ASSERT_EQ(rays.searches().size(), 1u);
-    EXPECT_EQ(rays.searches()[0].hit.primitive, rays.shot()->tree().nodes[0].primitiveHit.primitive);
+    ASSERT_EQ(rays.traversals().size(), 1u);
+    EXPECT_EQ(rays.traversals()[0].hit.primitive, rays.recording()->tree().nodes[0].primitiveHit.primitive);
     rays.step(100000);
-    EXPECT_EQ(rays.search.step, static_cast<int>(rays.searches()[0].steps.size()));
+    EXPECT_EQ(rays.traversal.step, static_cast<int>(rays.traversals()[0].steps.size()));
 
     EditState other = state;
     other.settings.exposure = 1.0f;
-    EXPECT_FALSE(rays.staleFor(other, {48, 48}));
+    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
     other.settings.maxDepth = 1;
-    EXPECT_TRUE(rays.staleFor(other, {48, 48}));
+    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
     other = state;
     other.camera.fov += 1.0f;
-    EXPECT_TRUE(rays.staleFor(other, {48, 48}));
+    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
     rays.clear();
-    EXPECT_FALSE(rays.staleFor(other, {48, 48}));
+    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
 }
 
 TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
     Diagnostics notes;
-    EditState state = openingState(loadScene("builtin:cornell", notes), {}, {});
+    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
     state.settings.spp = 64;
     const auto world = trace::compile({state.scene, state.settings, state.camera, 48, 48});
     DebugRays rays;
-    rays.shoot(world, state, {48, 48}, {24, 30, 0}, nullptr);
-    EXPECT_EQ(rays.shot()->trees.size(), 1u);
+    rays.recordPixel(world, state, {48, 48}, {24, 30, 0}, nullptr);
+    EXPECT_EQ(rays.recording()->trees.size(), 1u);
     rays.showAllSamples(true);
-    EXPECT_EQ(rays.shot()->trees.size(), 64u);
-    rays.chooseSample(40);
-    EXPECT_EQ(rays.shot()->tree().name.index, 40);
+    EXPECT_EQ(rays.recording()->trees.size(), 64u);
+    rays.selectSample(40);
+    EXPECT_EQ(rays.recording()->tree().name.index, 40);
     rays.budget = 4096;
     rays.showAllSamples(true);
-    EXPECT_LT(rays.shot()->trees.size(), 20u);
-    EXPECT_EQ(rays.shot()->tree().name.index, 40) << "the chosen one is always there";
-    EXPECT_EQ(rays.shot()->samples, 64);
+    EXPECT_LT(rays.recording()->trees.size(), 20u);
+    EXPECT_EQ(rays.recording()->tree().name.index, 40) << "the chosen one is always there";
+    EXPECT_EQ(rays.recording()->samples, 64);
 }
 
 TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {

@@ -42,7 +42,7 @@ TEST_F(RecentFilesTest, makesPathsAbsolute) {
 TEST_F(RecentFilesTest, forgetsTheOldest) {
     RecentFiles recent(file_);
     for (int i = 0; i < 30; ++i) recent.add("/" + std::to_string(i));
-    EXPECT_EQ(recent.paths().size(), RecentFiles::kMost);
+    EXPECT_EQ(recent.paths().size(), RecentFiles::kMaxCount);
     EXPECT_EQ(recent.paths().front(), "/29");
 }
 

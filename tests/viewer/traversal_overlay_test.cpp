@@ -22,10 +22,10 @@ struct HandMade {
                      {3, 0, true, {9, 9, 9}, {9, 9, 9}}};
         const float nan = std::numeric_limits<float>::quiet_NaN(), inf = log.ray.tMax;
         log.steps = {
-            {probe::TraversalEvent::Entered, 0, 0.0f, inf}, {probe::TraversalEvent::Missed, 3, nan, inf},
-            {probe::TraversalEvent::Waits, 1, 3.0f, inf},   {probe::TraversalEvent::Entered, 2, 2.0f, inf},
+            {probe::TraversalEvent::Visited, 0, 0.0f, inf}, {probe::TraversalEvent::Missed, 3, nan, inf},
+            {probe::TraversalEvent::Pushed, 1, 3.0f, inf},  {probe::TraversalEvent::Visited, 2, 2.0f, inf},
             {probe::TraversalEvent::Hit, 0, 2.5f, inf},     {probe::TraversalEvent::NoHit, 1, nan, 2.5f},
-            {probe::TraversalEvent::Behind, 1, 3.0f, 2.5f}};
+            {probe::TraversalEvent::Culled, 1, 3.0f, 2.5f}};
     }
 };
 
@@ -36,17 +36,17 @@ std::size_t countOf(const OverlayBoxes& boxes, glm::vec4 color) {
 
 TEST(TraversalOverlay, AtTheEndVisitedIsGreenAndSkippedIsPurple) {
     const HandMade made;
-    TraversalChoice choice;
+    TraversalOverlayOptions choice;
     EXPECT_TRUE(traversalBoxes(made.log, choice).empty());
     choice.shown = true;
     OverlayBoxes boxes = traversalBoxes(made.log, choice);
     EXPECT_EQ(boxes.size(), 3u);
     EXPECT_EQ(countOf(boxes, palette::kVisitedBox), 2u);
-    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 1u);
-    choice.skipped = false;
+    EXPECT_EQ(countOf(boxes, palette::kCulledBox), 1u);
+    choice.culled = false;
     choice.missed = true;
     boxes = traversalBoxes(made.log, choice);
-    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 0u);
+    EXPECT_EQ(countOf(boxes, palette::kCulledBox), 0u);
     EXPECT_EQ(countOf(boxes, palette::kMissedBox), 1u);
     const OverlayLines lines = traversalLines(made.log, made.input, choice, 10.0f);
     EXPECT_EQ(lines.size(), 3u) << "the edges of the triangle that was hit";
@@ -55,13 +55,13 @@ TEST(TraversalOverlay, AtTheEndVisitedIsGreenAndSkippedIsPurple) {
 
 TEST(TraversalOverlay, EachStepIsDrawnAsTheSearchStandsThen) {
     const HandMade made;
-    TraversalChoice choice;
+    TraversalOverlayOptions choice;
     choice.shown = choice.stepping = true;
     EXPECT_TRUE(traversalBoxes(made.log, choice).empty()) << "before the first step nothing is known";
     choice.step = 3;
     OverlayBoxes boxes = traversalBoxes(made.log, choice);
-    EXPECT_EQ(countOf(boxes, palette::kWaitingBox), 1u);
-    EXPECT_EQ(countOf(boxes, palette::kSkippedBox), 0u);
+    EXPECT_EQ(countOf(boxes, palette::kPushedBox), 1u);
+    EXPECT_EQ(countOf(boxes, palette::kCulledBox), 0u);
     EXPECT_EQ(boxes.back().lower, made.log.boxes[0].lower) << "the root is searched now";
     choice.step = 6;
     boxes = traversalBoxes(made.log, choice);
@@ -77,7 +77,7 @@ TEST(TraversalOverlay, EachStepIsDrawnAsTheSearchStandsThen) {
 TEST(TraversalOverlay, FollowsABodyThatMoves) {
     HandMade made;
     made.log.shift = {0, 100, 0};
-    TraversalChoice choice;
+    TraversalOverlayOptions choice;
     choice.shown = true;
     EXPECT_EQ(traversalBoxes(made.log, choice)[0].lower, glm::vec3(0, 100, 0));
     EXPECT_EQ(traversalLines(made.log, made.input, choice, 10.0f)[0].from, glm::vec3(0, 100, 5));

@@ -10,18 +10,18 @@ namespace rayscope::bvh {
 
 /// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
 /// time than filling them.
-constexpr std::size_t kMostParted = 4;
+constexpr std::size_t kMaxExhaustiveSplit = 4;
 
 struct Subset {
     float cost = std::numeric_limits<float>::infinity();
     unsigned left = 0;  ///< bit i: primitive i belongs to the left side
 };
 
-/// The cheapest way to part 2 … kMostParted primitives by the surface area heuristic; areas are scaled before
-/// they are compared.
+/// The cheapest way to part 2 … kMaxExhaustiveSplit primitives by the surface area heuristic; areas are
+/// scaled before they are compared.
 inline Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
-    Bounds4 box[1 << kMostParted];
-    float cost[1 << kMostParted];
+    Bounds4 box[1 << kMaxExhaustiveSplit];
+    float cost[1 << kMaxExhaustiveSplit];
     const unsigned all = (1u << refs.size()) - 1;
     for (unsigned set = 1; set < all; ++set) {
         box[set] = box[set & (set - 1)];

@@ -37,7 +37,7 @@ float areaScale(const Bounds4& box) {
 /// In the wide layout few triangles come to stand in one block however they are parted. Unless someone wants
 /// to look at the binary tree, they need not be: that takes a tenth of the time, and rays test 1 % more
 /// triangles.
-std::size_t trianglesKeptTogether(const AccelInput& input, const BuildSettings& settings) {
+std::size_t maxUnsplitTriangles(const AccelInput& input, const BuildSettings& settings) {
     const bool isLookedAt = settings.keepBinaryTree || settings.layout == BvhLayout::Binary;
     return isLookedAt || !input.spheres.empty() ? 1
                                                 : static_cast<std::size_t>(std::min(settings.leafSize, 4));
@@ -65,7 +65,7 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
     const std::span<PrimitiveRef> refs = collected.refs;
-    const bool isHigh = settings.builder == BvhBuilder::High;
+    const bool isHigh = settings.builder == BvhBuilder::SahReinsertion;
     BuildSettings skeletonSettings = settings;
     if (isHigh) skeletonSettings.leafSize = 1;  // what stands alone can be moved alone
     TreeSkeleton skeleton(refs.size(), skeletonSettings);
@@ -80,9 +80,9 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
                 buildSweep(skeleton, refs, skeleton.whole(), scale);
                 break;
             case BvhBuilder::SahBinned:
-                buildBinned(skeleton, refs, scale, trianglesKeptTogether(input, settings));
+                buildBinned(skeleton, refs, scale, maxUnsplitTriangles(input, settings));
                 break;
-            case BvhBuilder::High:
+            case BvhBuilder::SahReinsertion:
                 buildBinned(skeleton, refs, scale, 1);
                 break;
         }

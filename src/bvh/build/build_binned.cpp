@@ -149,8 +149,8 @@ struct BinnedBuilder {
         if (tree.size() <= together || skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
 
         RangeBounds sides[2];
-        const std::size_t lefts =
-            tree.size() <= kMostParted ? splitFew(tree, bounds, sides) : splitMany(tree, bounds, sides);
+        const std::size_t lefts = tree.size() <= kMaxExhaustiveSplit ? splitFew(tree, bounds, sides)
+                                                                     : splitMany(tree, bounds, sides);
         if (lefts == 0) return makeLeaf(tree, bounds.box);
         const auto children = skeleton.split(tree, bounds.box, tree.begin + lefts);
         if (tree.size() < kTaskSize) {
@@ -165,7 +165,7 @@ struct BinnedBuilder {
     /// Sorts the primitives of the left child to the front; returns their number, or 0 for a leaf.
     std::size_t splitFew(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
         const auto range = refs.subspan(tree.begin, tree.size());
-        const Subset subset = TreeSkeleton::mustBeHalved(tree) ? Subset{} : bestSubset(range, scale);
+        const Subset subset = TreeSkeleton::mustSplitAtMedian(tree) ? Subset{} : bestSubset(range, scale);
         if (isLeafCheaper(tree, bounds, subset.cost)) return 0;
         if (subset.left == 0) return halve(range, bounds, sides);
         std::size_t lefts = 0;
@@ -181,7 +181,8 @@ struct BinnedBuilder {
     std::size_t splitMany(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         const BinMapping mapping(bounds.centroids, binCountFor(tree.size()));
-        const Split split = TreeSkeleton::mustBeHalved(tree) ? Split{} : bestSplitOf(range, mapping, sides);
+        const Split split =
+            TreeSkeleton::mustSplitAtMedian(tree) ? Split{} : bestSplitOf(range, mapping, sides);
         if (isLeafCheaper(tree, bounds, split.cost)) return 0;
         return split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);
     }
@@ -260,7 +261,7 @@ struct BinnedBuilder {
         const Float4 size = bounds.centroids.upper - bounds.centroids.lower;
         const int axis = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : (size[1] >= size[2] ? 1 : 2);
         const std::stop_token& stop = skeleton.settings().stop;
-        const std::size_t middle = halveAtMedian(range, axis, stop);
+        const std::size_t middle = splitAtMedian(range, axis, stop);
         sides[0] = boundsOf(range.first(middle), stop);
         sides[1] = boundsOf(range.subspan(middle), stop);
         return middle;

@@ -22,7 +22,7 @@ struct MedianBuilder {
             for (std::size_t i = tree.begin; i < tree.end; ++i) skeleton.slot(i) = refs[i].primitive;
             return;
         }
-        const std::size_t half = halveAtMedian(range, tree.level % 3, skeleton.settings().stop);
+        const std::size_t half = splitAtMedian(range, tree.level % 3, skeleton.settings().stop);
         const auto [left, right] = skeleton.split(tree, box, tree.begin + half);
         if (tree.size() < kTaskSize) {
             build(left);
@@ -35,7 +35,7 @@ struct MedianBuilder {
 
 }  // namespace
 
-std::size_t halveAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop) {
+std::size_t splitAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop) {
     std::size_t comparisons = 0;
     const auto less = [&](const PrimitiveRef& a, const PrimitiveRef& b) {
         if (++comparisons % 16384 == 0) throwIfStopped(stop);

@@ -97,7 +97,7 @@ class SweepBuilder {
         Split best;
         for (const Split& split : splits)
             if (split.isBetterThan(best)) best = split;
-        if (TreeSkeleton::mustBeHalved(tree) || !haveDistinctCentroids(begin, end))
+        if (TreeSkeleton::mustSplitAtMedian(tree) || !haveDistinctCentroids(begin, end))
             return {best.cost, begin + tree.size() / 2, 0, 0};
         return best;
     }

@@ -32,7 +32,7 @@ inline float splitCost(float area, float children) {
 
 /// Moves the half with the smaller centroids (of equal ones, the smaller numbers) to the front; returns its
 /// size.
-std::size_t halveAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop);
+std::size_t splitAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop);
 
 /// Object median: halves at the median centroid; the axes take turns with the level.
 void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);

@@ -45,7 +45,7 @@ LinkedTree::LinkedTree(const BinaryTree& source, float scale, const std::stop_to
     : nodes_(source.nodes.size()),
       parents_(source.nodes.size(), kNoNode),
       heights_(source.nodes.size()),
-      mayRise_(source.nodes.size()),
+      mayMoveUp_(source.nodes.size()),
       scale_(scale) {
     // Children have larger numbers than their parents.
     for (std::size_t i = source.nodes.size(); i-- > 0;) {
@@ -60,13 +60,13 @@ void LinkedTree::copyNode(const BinaryTree& source, std::uint32_t number) {
     std::memcpy(node.lower, &from.lower, sizeof node.lower);
     std::memcpy(node.upper, &from.upper, sizeof node.upper);
     node.left = node.right = kNoNode;
-    mayRise_[number] = from.count == 1;
+    mayMoveUp_[number] = from.count == 1;
     if (from.isLeaf()) return;
     node.left = from.first;
     node.right = from.first + 1;
     parents_[node.left] = parents_[node.right] = number;
     heights_[number] = static_cast<std::uint8_t>(1 + std::max(heights_[node.left], heights_[node.right]));
-    mayRise_[number] = mayRise_[node.left] && mayRise_[node.right];
+    mayMoveUp_[number] = mayMoveUp_[node.left] && mayMoveUp_[node.right];
 }
 
 void LinkedTree::replaceChild(std::uint32_t parent, std::uint32_t child, std::uint32_t by) {
@@ -124,7 +124,7 @@ double LinkedTree::moveIfBetter(std::uint32_t node, std::uint32_t target, int de
     const std::uint32_t parent = parents_[node];
     if (parent == kNoNode) return 0.0;
     const std::uint32_t home = sibling(node);
-    if (target == parent || target == home || !mayRise_[node] || !mayRise_[home]) return 0.0;
+    if (target == parent || target == home || !mayMoveUp_[node] || !mayMoveUp_[home]) return 0.0;
     const int level = levelOutside(target, node);
     if (level < 0 || level + 1 + std::max(heights_[node], heights_[target]) > deepestLevel) return 0.0;
     const double saved = detach(node);

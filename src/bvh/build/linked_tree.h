@@ -53,7 +53,7 @@ class LinkedTree {
     base::BigVector<Node> nodes_;
     base::BigVector<std::uint32_t> parents_;  ///< kNoNode: the root
     std::vector<std::uint8_t> heights_;       ///< levels below the node
-    std::vector<std::uint8_t> mayRise_;       ///< no leaf of several primitives lies there or below
+    std::vector<std::uint8_t> mayMoveUp_;     ///< no leaf of several primitives lies there or below
     std::uint32_t root_ = 0;
     float scale_;
 };

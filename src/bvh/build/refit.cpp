@@ -111,7 +111,7 @@ class WideRefitter {
                     block.corner[corner][axis][lane] = input_.vertices[index[corner]][axis];
             block.primitive[lane] = triangle;
             boxOfBlock_[number].extend(boxOfPrimitive(input_, triangle));
-            good &= isHittable(input_, triangle);
+            good &= hasFiniteCoordinates(input_, triangle);
         }
         return good;
     }
@@ -120,7 +120,7 @@ class WideRefitter {
         kernel::SphereRecord& record = to_.spheres[number];
         const Sphere& sphere = input_.spheres[record.primitive - input_.triangles.size()];
         record = {{sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius}, record.primitive};
-        return isHittable(input_, record.primitive);
+        return hasFiniteCoordinates(input_, record.primitive);
     }
 
     Box boxOf(ChildRef child) const {
@@ -160,7 +160,7 @@ std::optional<BinaryTree> refitted(const BinaryTree& tree, const AccelInput& inp
         bool good = true;
         for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
             box.extend(boxOfPrimitive(input, tree.primitives[slot]));
-            good &= isHittable(input, tree.primitives[slot]);
+            good &= hasFiniteCoordinates(input, tree.primitives[slot]);
         }
         node.lower = box.lower;
         node.upper = box.upper;
@@ -179,7 +179,7 @@ std::optional<BinaryTree> refitted(const BinaryTree& tree, const AccelInput& inp
     return result;
 }
 
-double searchCost(const WideTree& tree) {
+double sahCostOf(const WideTree& tree) {
     const bool isOneLeaf = (tree.root & kernel::kBlockTag) != 0;
     if (isOneLeaf) return 1.0;
     double sum = 0.0;

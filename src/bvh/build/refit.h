@@ -14,8 +14,8 @@ std::optional<BinaryTree> refitted(const BinaryTree& tree, const AccelInput& inp
                                    const std::stop_token& stop);
 std::optional<WideTree> refitted(const WideTree& tree, const AccelInput& input, const std::stop_token& stop);
 
-/// What a random line that meets the box of a wide tree is expected to open: nodes, blocks and spheres, each
-/// as likely as its area says.
-double searchCost(const WideTree& tree);
+/// What a random line that intersects the box of a wide tree is expected to open: nodes, blocks and spheres,
+/// each as likely as its area says.
+double sahCostOf(const WideTree& tree);
 
 }  // namespace rayscope::bvh

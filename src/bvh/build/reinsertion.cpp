@@ -6,11 +6,11 @@ namespace rayscope::bvh {
 namespace {
 
 /// Long thin boxes that overlap many others open tens of thousands; more than these find nothing better.
-constexpr int kMostOpened = 256;
+constexpr int kMaxVisited = 256;
 
-class Search {
+class ReinsertionSearch {
   public:
-    Search(const LinkedTree& tree, std::uint32_t node)
+    ReinsertionSearch(const LinkedTree& tree, std::uint32_t node)
         : tree_(tree), box_(tree[node].box()), area_(areaOf(box_)), best_{node} {}
 
     Reinsertion run() {
@@ -49,18 +49,18 @@ class Search {
 
     /// Tries all places strictly below `top`, where `saved` counts what the way down to `top` has cost.
     void searchBelow(std::uint32_t top, float saved) {
-        Waiting stack[kMaxTreeLevel + 2];
-        int waiting = 0;
+        StackEntry stack[kMaxTreeLevel + 2];
+        int stackSize = 0;
         const auto push = [&](std::uint32_t node, float savedAbove, float merged) {
             if (!tree_[node].isLeaf())
-                stack[waiting++] = {node, savedAbove - (merged - areaOf(tree_[node].box()))};
+                stack[stackSize++] = {node, savedAbove - (merged - areaOf(tree_[node].box()))};
         };
         push(top, saved, mergedArea(top));
-        while (waiting > 0) {
-            const Waiting at = stack[--waiting];
+        while (stackSize > 0) {
+            const StackEntry at = stack[--stackSize];
             // No new parent is smaller than the node.
             if (at.saved - area_ <= best_.gain) continue;
-            if (++opened_ > kMostOpened) return;
+            if (++opened_ > kMaxVisited) return;
             std::uint32_t near = tree_[at.node].left, far = tree_[at.node].right;
             float nearMerged = mergedArea(near), farMerged = mergedArea(far);
             if (farMerged < nearMerged) {
@@ -75,7 +75,7 @@ class Search {
     }
 
     /// A node to be opened, and what is saved less the growth of all boxes down to its own.
-    struct Waiting {
+    struct StackEntry {
         std::uint32_t node;
         float saved;
     };
@@ -89,6 +89,8 @@ class Search {
 
 }  // namespace
 
-Reinsertion bestReinsertion(const LinkedTree& tree, std::uint32_t node) { return Search(tree, node).run(); }
+Reinsertion bestReinsertion(const LinkedTree& tree, std::uint32_t node) {
+    return ReinsertionSearch(tree, node).run();
+}
 
 }  // namespace rayscope::bvh

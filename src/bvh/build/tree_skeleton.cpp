@@ -13,7 +13,7 @@ namespace rayscope::bvh {
 namespace {
 
 constexpr std::size_t kStopInterval = 65536;
-constexpr std::size_t kPieceSize = 512;
+constexpr std::size_t kChunkSize = 512;
 
 BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
     return {{box.lower[0], box.lower[1], box.lower[2]},
@@ -27,25 +27,25 @@ BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {
 TreeSkeleton::TreeSkeleton(std::size_t primitives, const BuildSettings& settings)
     : count_(primitives),
       settings_(settings),
-      pieces_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
-      taken_(1),
+      chunks_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
+      allocated_(1),
       // No thread takes a piece before its last one is full.
-      nodes_(2 * primitives + kPieceSize * pieces_.size()),
+      nodes_(2 * primitives + kChunkSize * chunks_.size()),
       primitives_(primitives) {}
 
-std::size_t TreeSkeleton::takePair() {
+std::size_t TreeSkeleton::allocatePair() {
     // Negative before a thread has had its first task: then it is alone.
     const int thread = std::max(0, tbb::this_task_arena::current_thread_index());
-    Piece& piece = pieces_[static_cast<std::size_t>(thread)];
+    NodeChunk& piece = chunks_[static_cast<std::size_t>(thread)];
     if (piece.next == piece.end) {
-        piece.next = taken_.fetch_add(kPieceSize);
-        piece.end = piece.next + kPieceSize;
+        piece.next = allocated_.fetch_add(kChunkSize);
+        piece.end = piece.next + kChunkSize;
     }
     return std::exchange(piece.next, piece.next + 2);
 }
 
 std::pair<Subtree, Subtree> TreeSkeleton::split(const Subtree& tree, const Bounds4& box, std::size_t middle) {
-    const std::size_t pair = takePair();
+    const std::size_t pair = allocatePair();
     nodes_[tree.node] = makeNode(box, pair, 0);
     return {{tree.begin, middle, pair, tree.level + 1}, {middle, tree.end, pair + 1, tree.level + 1}};
 }
@@ -54,7 +54,7 @@ void TreeSkeleton::makeLeaf(const Subtree& tree, const Bounds4& box) {
     nodes_[tree.node] = makeNode(box, tree.begin, tree.size());
 }
 
-bool TreeSkeleton::mustBeHalved(const Subtree& tree) {
+bool TreeSkeleton::mustSplitAtMedian(const Subtree& tree) {
     return static_cast<int>(std::bit_width(tree.size())) >= kMaxTreeLevel - tree.level;
 }
 
@@ -132,11 +132,11 @@ class TreeSkeleton::Compaction {
     }
 
     int placeAlone(std::size_t root, std::size_t below, int rootLevel) {
-        struct Waiting {
+        struct StackEntry {
             std::size_t node;
             int level;
         };
-        std::vector<Waiting> stack{{root, rootLevel}};
+        std::vector<StackEntry> stack{{root, rootLevel}};
         int levels = 0;
         std::size_t placed = 0;
         while (!stack.empty()) {

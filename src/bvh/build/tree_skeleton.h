@@ -41,7 +41,7 @@ class TreeSkeleton {
     }
 
     /// Whether the subtree has to be halved from here on so that it ends above kMaxTreeLevel.
-    static bool mustBeHalved(const Subtree& tree);
+    static bool mustSplitAtMedian(const Subtree& tree);
 
     const BuildSettings& settings() const { return settings_; }
 
@@ -52,15 +52,15 @@ class TreeSkeleton {
     class Compaction;
 
     /// Places that one thread fills.
-    struct alignas(64) Piece {
+    struct alignas(64) NodeChunk {
         std::size_t next = 0, end = 0;
     };
-    std::size_t takePair();
+    std::size_t allocatePair();
 
     std::size_t count_;
     BuildSettings settings_;
-    std::vector<Piece> pieces_;       ///< of the threads
-    std::atomic<std::size_t> taken_;  ///< places in pieces, and the root's
+    std::vector<NodeChunk> chunks_;       ///< of the threads
+    std::atomic<std::size_t> allocated_;  ///< places in pieces, and the root's
     base::BigVector<BinaryNode> nodes_;
     base::BigVector<std::uint32_t> primitives_;
 };

@@ -9,11 +9,11 @@
 //
 // Subtraction, multiplication and rounding are monotone: if one box contains another, its computed interval
 // contains that of the other as well. Hits are accepted only inside the interval of their own primitive's box
-// (see kernel::accept()), so no ancestor can ever be culled that holds the answer, whatever the order of the
-// search.
+// (see kernel::acceptHit()), so no ancestor can ever be culled that holds the answer, whatever the order of
+// the search.
 #include "bvh/binary_tree.h"
-#include "bvh/intersect/ray_words.h"
-#include "bvh/kernel/query.h"
+#include "bvh/intersect/ray_data.h"
+#include "bvh/kernel/hit_acceptance.h"
 
 namespace rayscope::bvh {
 

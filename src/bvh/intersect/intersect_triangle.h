@@ -1,6 +1,6 @@
 #pragma once
 // Watertight ray-triangle intersection; the method is described in kernel/exact_triangle.h.
-#include "bvh/intersect/ray_words.h"
+#include "bvh/intersect/ray_data.h"
 #include "bvh/kernel/exact_triangle.h"
 
 namespace rayscope::bvh {
@@ -13,7 +13,7 @@ using kernel::TriangleHit;
 inline bool intersectTriangle(const ShearedRay& ray, const glm::vec3& a, const glm::vec3& b,
                               const glm::vec3& c, TriangleHit& hit) {
     const kernel::ShearedVertex sa = shear(ray, &a.x), sb = shear(ray, &b.x), sc = shear(ray, &c.x);
-    return !surelyMisses(sa, sb, sc) && intersectSheared(ray.scaleZ, sa, sb, sc, hit);
+    return !certainlyMisses(sa, sb, sc) && intersectSheared(ray.scaleZ, sa, sb, sc, hit);
 }
 
 }  // namespace rayscope::bvh

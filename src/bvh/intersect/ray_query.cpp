@@ -24,17 +24,17 @@ PrimitiveBox boxOf(const Sphere& sphere) {
 }
 
 RayQuery::RayQuery(const Ray& original)
-    : ray(withoutNegativeT(original)), box(words(ray)), sheared(words(ray)) {}
+    : ray(withoutNegativeT(original)), box(rayData(ray)), sheared(rayData(ray)) {}
 
 bool RayQuery::hits(const Sphere& sphere, float bound, Hit& found) const {
-    kernel::HitWords hit;
-    if (!kernel::hitsSphere(words(ray), &sphere.center.x, bound, hit)) return false;
+    kernel::HitData hit;
+    if (!kernel::hitsSphere(rayData(ray), &sphere.center.x, bound, hit)) return false;
     found.t = hit.t;
     found.u = found.v = 0.0f;
     return true;
 }
 
-bool kernel::hitsSphere(RayWords words, const float* record, float bound, HitWords& found) {
+bool kernel::hitsSphere(RayData words, const float* record, float bound, HitData& found) {
     const Ray ray{{words[0], words[1], words[2]}, {words[3], words[4], words[5]}};
     const Sphere sphere{{record[0], record[1], record[2]}, record[3]};
     double near, far;
@@ -44,8 +44,8 @@ bool kernel::hitsSphere(RayWords words, const float* record, float bound, HitWor
     found.u = found.v = 0.0f;
     const BoxRay box(words);
     const float tMin = std::max(words[6], 0.0f);
-    return accept(box, tMin, near, own.lower(), own.upper(), bound, found.t) ||
-           accept(box, tMin, far, own.lower(), own.upper(), bound, found.t);
+    return acceptHit(box, tMin, near, own.lower(), own.upper(), bound, found.t) ||
+           acceptHit(box, tMin, far, own.lower(), own.upper(), bound, found.t);
 }
 
 }  // namespace rayscope::bvh

@@ -27,7 +27,7 @@ PrimitiveBox boxOf(const Sphere& sphere);
 /// A ray prepared for boxes, triangles and spheres. One test per primitive; production rays go through the
 /// kernels, which give the same answers.
 struct RayQuery {
-    static bool isTraceable(const Ray& ray) { return kernel::isTraceable(words(ray)); }
+    static bool isTraceable(const Ray& ray) { return kernel::isTraceable(rayData(ray)); }
 
     explicit RayQuery(const Ray& original);
 
@@ -40,7 +40,7 @@ struct RayQuery {
         TriangleHit hit;
         if (!intersectTriangle(sheared, a, b, c, hit)) return false;
         const PrimitiveBox own = boxOf(a, b, c);
-        if (!accept(box, ray.tMin, hit.t, own.lower(), own.upper(), bound, found.t)) return false;
+        if (!acceptHit(box, ray.tMin, hit.t, own.lower(), own.upper(), bound, found.t)) return false;
         found.u = static_cast<float>(hit.u);
         found.v = static_cast<float>(hit.v);
         return true;

@@ -4,9 +4,9 @@
 // The vertices are moved so that the ray starts at the origin and sheared so that it runs along z (Woop,
 // Benthin, Wald 2013). A sheared vertex depends on ray and vertex only, and the sign of an edge function is
 // that of the exact product of its two sheared end points; so two triangles that share an edge see the same
-// line on exactly one side of it. A line that meets an edge or a vertex exactly is decided by Simulation of
-// Simplicity (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A closed surface
-// is therefore crossed without a leak, and a fan of triangles exactly once.
+// line on exactly one side of it. A line that intersects an edge or a vertex exactly is decided by Simulation
+// of Simplicity (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A closed
+// surface is therefore crossed without a leak, and a fan of triangles exactly once.
 #include "bvh/kernel/ray_setup.h"
 
 namespace rayscope::bvh::kernel {
@@ -31,12 +31,12 @@ RAYSCOPE_INLINE ShearedVertex shear(const ShearedRay& ray, const float* vertex) 
 }
 
 /// A ShearedRay whose axes are in the order in which its z comes last.
-struct TurnedRay {
+struct PermutedRay {
     Double4 origin;
     Double4 shear;  ///< x, y, 0, 0
     double scaleZ;
 
-    RAYSCOPE_INLINE TurnedRay(Float4 from, Float4 direction)
+    RAYSCOPE_INLINE PermutedRay(Float4 from, Float4 direction)
         : origin(__builtin_convertvector(from, Double4)) {
         const Double4 along = __builtin_convertvector(direction, Double4);
         shear = Double4{along[0], along[1], 0.0, 0.0} / along[2];
@@ -45,7 +45,7 @@ struct TurnedRay {
 };
 
 /// The same for a vertex in that order.
-RAYSCOPE_INLINE ShearedVertex shear(const TurnedRay& ray, Float4 vertex) {
+RAYSCOPE_INLINE ShearedVertex shear(const PermutedRay& ray, Float4 vertex) {
     const Double4 relative = __builtin_convertvector(vertex, Double4) - ray.origin;
     const Double4 sheared = relative - ray.shear * relative[2];
     return {sheared[0], sheared[1], relative[2]};
@@ -54,7 +54,7 @@ RAYSCOPE_INLINE ShearedVertex shear(const TurnedRay& ray, Float4 vertex) {
 /// True only if two edge functions have opposite signs beyond doubt: the rounding error of fl(p·q − r·s) is
 /// at most ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below
 /// rounded with factor 4ε exceeds; the smallest normal number stands for products that underflow.
-RAYSCOPE_INLINE bool surelyMisses(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
+RAYSCOPE_INLINE bool certainlyMisses(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
     constexpr double kFactor = 2.0 * __DBL_EPSILON__;
     constexpr double kFloor = __DBL_MIN__;
     const double cb = c.x * b.y, bc = c.y * b.x;
@@ -83,8 +83,8 @@ RAYSCOPE_INLINE int edgeSign(double edge, const ShearedVertex& p, const ShearedV
 }
 
 /// Whether the line passes inside, where an edge function may be zero.
-RAYSCOPE_INLINE bool isInsideOnRim(double u, double v, double w, const ShearedVertex& a,
-                                   const ShearedVertex& b, const ShearedVertex& c) {
+RAYSCOPE_INLINE bool isInsideOnEdge(double u, double v, double w, const ShearedVertex& a,
+                                    const ShearedVertex& b, const ShearedVertex& c) {
     const int side = edgeSign(u, c, b);
     return side != 0 && edgeSign(v, a, c) == side && edgeSign(w, b, a) == side;
 }
@@ -96,7 +96,7 @@ RAYSCOPE_INLINE bool intersectSheared(double scaleZ, const ShearedVertex& a, con
     const double v = differenceOfProducts(a.x, c.y, a.y, c.x);
     const double w = differenceOfProducts(b.x, a.y, b.y, a.x);
     const bool inside = ((u > 0.0) & (v > 0.0) & (w > 0.0)) | ((u < 0.0) & (v < 0.0) & (w < 0.0));
-    if (!inside && !isInsideOnRim(u, v, w, a, b, c)) return false;
+    if (!inside && !isInsideOnEdge(u, v, w, a, b, c)) return false;
 
     const double det = u + v + w;
     hit.t = (u * a.z + v * b.z + w * c.z) * scaleZ / det;

@@ -16,9 +16,9 @@ struct FastRay {
 
     /// The ray must be traceable. Multiplying by a power of two is exact, and does not wait for it as a
     /// division would; where the reciprocal alone overflows, the ray does not suit.
-    RAYSCOPE_INLINE void prepare(RayWords ray) {
+    RAYSCOPE_INLINE void prepare(RayData ray) {
         const Float4 direction = load4(ray + 3);
-        const Float4 scales = powerOfTwoBelow(largestOf3InAll(absolute(direction)));
+        const Float4 scales = powerOfTwoBelow(maxComponentBroadcast(absolute(direction)));
         inverse = 1.0f / direction * scales;
         constant = -load4(ray) * inverse;
         scale = scales[0];
@@ -28,7 +28,7 @@ struct FastRay {
     /// Whether no plane up to `largest` away from 0 can bring about an infinity, a NaN or a denormal scale.
     /// If not, the ray has to be tested with kernel::intersectBox().
     RAYSCOPE_INLINE bool suits(float largest) const {
-        const float reach = largestOf3(absolute(constant) + absolute(inverse) * (largest + 1.0f));
+        const float reach = maxComponent(absolute(constant) + absolute(inverse) * (largest + 1.0f));
         return (reach < 0x1p120f) & (scale > 0x1p-100f) & (scale < 0x1p100f);
     }
 };
@@ -50,12 +50,12 @@ struct FastShear {
     float shearX, shearY;
     float scaleZ;  ///< from z to distance
 
-    RAYSCOPE_INLINE void prepareOnce(RayWords ray, float scale) {
+    RAYSCOPE_INLINE void prepareOnce(RayData ray, float scale) {
         if (isReady) return;
         isReady = true;
         axes = RayAxes(ray);
-        origin = axes.turned(ray);
-        direction = axes.turned(ray + 3);
+        origin = axes.permuted(ray);
+        direction = axes.permuted(ray + 3);
         shearX = direction[0] / direction[2];
         shearY = direction[1] / direction[2];
         scaleZ = scale / direction[2];

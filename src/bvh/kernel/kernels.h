@@ -1,16 +1,16 @@
 #pragma once
 // The queries of the wide tree, once per instruction set. All give the same answers, bit for bit.
-#include "bvh/kernel/query.h"
-#include "bvh/kernel/wide_tree.h"
+#include "bvh/kernel/hit_acceptance.h"
+#include "bvh/kernel/wide_layout.h"
 
 namespace rayscope::bvh::kernel {
 
 struct Kernels {
     /// Leaves `hit` as it is on a miss.
-    bool (*closestHit)(const WideTreeView& tree, RayWords ray, HitWords& hit);
-    bool (*anyHit)(const WideTreeView& tree, RayWords ray);
+    bool (*closestHit)(const WideTreeView& tree, RayData ray, HitData& hit);
+    bool (*anyHit)(const WideTreeView& tree, RayData ray);
     /// The same for many rays of eight words each; a miss gives what a default Hit holds.
-    void (*closestHits)(const WideTreeView& tree, const float* rays, HitWords* hits, size_t count);
+    void (*closestHits)(const WideTreeView& tree, const float* rays, HitData* hits, size_t count);
     void (*anyHits)(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count);
 };
 

@@ -4,7 +4,7 @@
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on
 #include "bvh/kernel/kernels.h"
-#include "bvh/kernel/walk.inl"
+#include "bvh/kernel/traverse_wide.inl"
 
 const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kPortableKernels = {
-    closestHit, anyHit, closestHitsInTurn, anyHitsInTurn};
+    closestHit, anyHit, closestHitsSequential, anyHitsSequential};

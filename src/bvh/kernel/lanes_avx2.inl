@@ -22,7 +22,7 @@ RAYSCOPE_INLINE Lanes operator*(Lanes a, Lanes b) { return {_mm256_mul_ps(a.valu
 RAYSCOPE_INLINE Lanes minimum(Lanes a, Lanes b) { return {_mm256_min_ps(a.value, b.value)}; }
 RAYSCOPE_INLINE Lanes maximum(Lanes a, Lanes b) { return {_mm256_max_ps(a.value, b.value)}; }
 RAYSCOPE_INLINE Lanes absolute(Lanes a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.value)}; }
-RAYSCOPE_INLINE Lanes withSignOf(Lanes a, Lanes b) {
+RAYSCOPE_INLINE Lanes flipSign(Lanes a, Lanes b) {
     return {_mm256_xor_ps(a.value, _mm256_and_ps(_mm256_set1_ps(-0.0f), b.value))};
 }
 RAYSCOPE_INLINE Lanes multiplyAdd(Lanes a, Lanes b, Lanes c) {

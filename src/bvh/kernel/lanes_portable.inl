@@ -52,7 +52,7 @@ RAYSCOPE_INLINE Lanes absolute(Lanes a) {
     return eachOf(a, a, [](float x, float) { return __builtin_fabsf(x); });
 }
 /// a, negated where b has a minus.
-RAYSCOPE_INLINE Lanes withSignOf(Lanes a, Lanes b) {
+RAYSCOPE_INLINE Lanes flipSign(Lanes a, Lanes b) {
     return eachOf(a, b, [](float x, float y) { return __builtin_signbit(y) ? -x : x; });
 }
 

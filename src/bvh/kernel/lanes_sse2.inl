@@ -42,7 +42,7 @@ RAYSCOPE_INLINE Lanes absolute(Lanes a) {
     const __m128 sign = _mm_set1_ps(-0.0f);
     return {_mm_andnot_ps(sign, a.low), _mm_andnot_ps(sign, a.high)};
 }
-RAYSCOPE_INLINE Lanes withSignOf(Lanes a, Lanes b) {
+RAYSCOPE_INLINE Lanes flipSign(Lanes a, Lanes b) {
     const __m128 sign = _mm_set1_ps(-0.0f);
     return {_mm_xor_ps(a.low, _mm_and_ps(sign, b.low)), _mm_xor_ps(a.high, _mm_and_ps(sign, b.high))};
 }

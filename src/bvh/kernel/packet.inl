@@ -5,7 +5,7 @@
 // directions follows between which distances any of the rays could be in a box (Boulos, Wald and Shirley
 // 2006). Only at the leaves every ray is tested by itself, eight at a time, against one triangle after the
 // other.
-#include "bvh/kernel/walk.inl"
+#include "bvh/kernel/traverse_wide.inl"
 
 namespace rayscope::bvh::kernel {
 namespace {
@@ -22,7 +22,7 @@ RAYSCOPE_INLINE Lanes farther(Lanes far) {
     return multiplyAdd(far, Lanes::all(1.0f + 0x1p-20f), Lanes::all(0x1p-120f));
 }
 
-RAYSCOPE_INLINE float greatest(Lanes x) {
+RAYSCOPE_INLINE float horizontalMax(Lanes x) {
     alignas(32) float values[kWidth];
     x.store(values);
     float result = values[0];
@@ -80,12 +80,12 @@ struct Packet {
         isSheared = false;
         tMin = leastOf[7];
         scale = prepared->scale;
-        bound = scaledReach(most[7], scale);
+        bound = scaledTMax(most[7], scale);
         return true;
     }
 
     /// Which children of a node any of the rays may meet; lowers `nearest` to where.
-    RAYSCOPE_INLINE unsigned meets(const WideNode& node, Lanes& nearest) const {
+    RAYSCOPE_INLINE unsigned intersects(const WideNode& node, Lanes& nearest) const {
         Lanes enter, leave;
         for (int axis = 0; axis < 3; ++axis) {
             const Lanes least = Lanes::all(leastInverse[axis]), most = Lanes::all(mostInverse[axis]);
@@ -101,8 +101,8 @@ struct Packet {
     }
 
     /// Which of eight rays may meet a child of a node before their bounds.
-    RAYSCOPE_INLINE unsigned meets(const WideNode& node, int child, uint32_t group,
-                                   const float* bounds) const {
+    RAYSCOPE_INLINE unsigned intersects(const WideNode& node, int child, uint32_t group,
+                                        const float* bounds) const {
         const RayColumns& ray = columns[group];
         Lanes enter, leave;
         for (int axis = 0; axis < 3; ++axis) {

@@ -80,7 +80,7 @@ RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, PackedRa
     row[6] = steepest * 0x1p-21f + 0x1p-120f;
     row[7] = (word[6] > 0.0f ? word[6] : Float8{}) * scale;
     store8(columns.tMin, row[7]);
-    store8(bound, (word[7] < kLargest ? word[7] : Float8{} + kLargest) * scale);
+    store8(bound, (word[7] < kMaxFloat ? word[7] : Float8{} + kMaxFloat) * scale);
     const Int8 usable = (nothing == 0.0f) & (word[6] < word[7]) & (word[7] > 0.0f) & (farthest < 0x1p120f) &
                         (scale > 0x1p-100f) & (scale < 0x1p100f);
     transpose(row);

@@ -11,11 +11,11 @@ namespace rayscope::bvh::kernel {
 #define RAYSCOPE_INLINE [[gnu::always_inline]] inline
 
 constexpr float kInfinity = __builtin_inff();
-constexpr float kLargest = __FLT_MAX__;
+constexpr float kMaxFloat = __FLT_MAX__;
 constexpr uint32_t kNoPrimitive = 0xffffffffu;
 
 /// The words of a Ray: origin, direction, tMin, tMax.
-using RayWords = const float*;
+using RayData = const float*;
 
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = int32_t __attribute__((vector_size(16)));
@@ -29,13 +29,13 @@ RAYSCOPE_INLINE Float4 load4(const float* from) {
 RAYSCOPE_INLINE Float4 absolute(Float4 x) {
     return __builtin_bit_cast(Float4, __builtin_bit_cast(Int4, x) & 0x7fffffff);
 }
-RAYSCOPE_INLINE float largestOf3(Float4 x) {
+RAYSCOPE_INLINE float maxComponent(Float4 x) {
     const float ab = x[0] > x[1] ? x[0] : x[1];
     return x[2] > ab ? x[2] : ab;
 }
 
 /// The same in all places.
-RAYSCOPE_INLINE Float4 largestOf3InAll(Float4 x) {
+RAYSCOPE_INLINE Float4 maxComponentBroadcast(Float4 x) {
     const Float4 second = __builtin_shuffle(x, Int4{1, 2, 0, 1}),
                  third = __builtin_shuffle(x, Int4{2, 0, 1, 2});
     const Float4 larger = second > third ? second : third, first = __builtin_shuffle(x, Int4{0, 1, 2, 0});
@@ -51,16 +51,16 @@ RAYSCOPE_INLINE float powerOfTwoBelow(float x) {
 }
 
 /// The distance, scaled, behind which nothing counts as hit: neither behind tMax, nor where t is no float.
-RAYSCOPE_INLINE float scaledReach(float tMax, double scale) {
-    return static_cast<float>((tMax < kLargest ? tMax : kLargest) * scale);
+RAYSCOPE_INLINE float scaledTMax(float tMax, double scale) {
+    return static_cast<float>((tMax < kMaxFloat ? tMax : kMaxFloat) * scale);
 }
 
 /// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
-RAYSCOPE_INLINE bool isTraceable(RayWords ray) {
+RAYSCOPE_INLINE bool isTraceable(RayData ray) {
     const Float4 direction = load4(ray + 3);
     const Float4 nothing = load4(ray) * 0.0f + direction * 0.0f;  // NaN where infinite or NaN
     const bool finite = nothing[0] + nothing[1] + nothing[2] == 0.0f;
-    return finite & (largestOf3(absolute(direction)) > 0.0f) & (ray[6] < ray[7]) & (ray[7] > 0.0f);
+    return finite & (maxComponent(absolute(direction)) > 0.0f) & (ray[6] < ray[7]) & (ray[7] > 0.0f);
 }
 
 /// For the test against boxes; see intersect_box.h. The direction must be finite and not zero. Of all vectors
@@ -77,11 +77,11 @@ struct BoxRay {
     float tMax;     ///< scaled
     double scale;   ///< power of two: distance = t * scale
 
-    RAYSCOPE_INLINE explicit BoxRay(RayWords ray) : BoxRay(load4(ray), load4(ray + 3), ray[6], ray[7]) {}
+    RAYSCOPE_INLINE explicit BoxRay(RayData ray) : BoxRay(load4(ray), load4(ray + 3), ray[6], ray[7]) {}
     RAYSCOPE_INLINE BoxRay(Float4 from, Float4 direction, float t0, float t1) : origin(from) {
         constexpr double kPad = 0x1p-21;  // 8u
         backward = __builtin_bit_cast(Int4, direction) < 0;
-        const double longest = largestOf3(absolute(direction));
+        const double longest = maxComponent(absolute(direction));
         scale = __builtin_bit_cast(double, __builtin_bit_cast(uint64_t, longest) & 0x7ff0000000000000u);
         tMin = distance(t0 > 0.0f ? t0 : 0.0f);
         tMax = distance(t1);
@@ -89,8 +89,8 @@ struct BoxRay {
         const Float4 shorter = __builtin_convertvector(inverse * (1.0 - kPad), Float4);
         farInverse = __builtin_convertvector(inverse * (1.0 + kPad), Float4);
         // A near distance must not become infinite because the reciprocal did; a far distance may.
-        const Float4 above = shorter > kLargest ? Float4{} + kLargest : shorter;
-        const Float4 finite = above < -kLargest ? Float4{} - kLargest : above;
+        const Float4 above = shorter > kMaxFloat ? Float4{} + kMaxFloat : shorter;
+        const Float4 finite = above < -kMaxFloat ? Float4{} - kMaxFloat : above;
         nearInverse = direction == 0.0f ? shorter : finite;
     }
 
@@ -104,7 +104,7 @@ struct RayAxes {
     int32_t kx, ky, kz;
 
     RayAxes() = default;
-    RAYSCOPE_INLINE explicit RayAxes(RayWords ray) {
+    RAYSCOPE_INLINE explicit RayAxes(RayData ray) {
         const float* direction = ray + 3;
         const float x = __builtin_fabsf(direction[0]), y = __builtin_fabsf(direction[1]),
                     z = __builtin_fabsf(direction[2]);
@@ -117,7 +117,7 @@ struct RayAxes {
     }
 
     /// Three numbers, x y z, in the order of these axes.
-    RAYSCOPE_INLINE Float4 turned(const float* from) const {
+    RAYSCOPE_INLINE Float4 permuted(const float* from) const {
         return Float4{from[kx], from[ky], from[kz], 0.0f};
     }
 };
@@ -128,7 +128,7 @@ struct ShearedRay {
     double shearX, shearY, scaleZ;
     int kx, ky, kz;  ///< axes, z being the one along which the direction is longest
 
-    RAYSCOPE_INLINE explicit ShearedRay(RayWords ray) {
+    RAYSCOPE_INLINE explicit ShearedRay(RayData ray) {
         const RayAxes axes(ray);
         kx = axes.kx;
         ky = axes.ky;

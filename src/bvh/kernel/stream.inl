@@ -10,13 +10,13 @@
 namespace rayscope::bvh::kernel {
 namespace {
 
-constexpr uint32_t kMostPackets = kStreamSize / kPacketSize;
-constexpr uint32_t kFewRays = 4;                      ///< fewer are not worth a stream
-constexpr uint32_t kShortList = 1;                    ///< rays that go on by themselves
+constexpr uint32_t kMaxPackets = kStreamSize / kPacketSize;
+constexpr uint32_t kMinStreamRays = 4;                ///< fewer are not worth a stream
+constexpr uint32_t kMaxSingleRays = 1;                ///< rays that go on by themselves
 constexpr uint32_t kListCapacity = 32 * kStreamSize;  ///< rays and packets in all lists that wait
-constexpr int kCredit = 16;                           ///< that packets start with, and the most they can have
-constexpr int kWorth = 4;                             ///< rays that must meet a leaf for a packet to pay
-constexpr int kFewOfGroup = 3;                        ///< fewer rays of a group are tested one by one
+constexpr int kCoherenceBudget = 16;                  ///< that packets start with, and the most they can have
+constexpr int kMinActiveRays = 4;                     ///< rays that must meet a leaf for a packet to pay
+constexpr int kMinGroupRays = 3;                      ///< fewer rays of a group are tested one by one
 
 /// The rays of a stream, or the packets, that have to visit a subtree: a child of a node, or the root.
 struct StreamList {
@@ -31,36 +31,37 @@ template <bool kAny>
 struct Stream {
     const WideTreeView& tree;
     StreamRays<kAny> rays;
-    Packet packets[kMostPackets];
-    int credit = kCredit;  ///< of packets: rays that met leaves, less those that would have paid
+    Packet packets[kMaxPackets];
+    int coherenceBudget =
+        kCoherenceBudget;  ///< of packets: rays that met leaves, less those that would have paid
     uint8_t masks[kStreamSize + 64];
     uint32_t lists[kListCapacity + kStreamSize + 64];  ///< with room for packets that come apart
 
-    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* words, HitWords* best, uint8_t* occluded)
+    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* words, HitData* best, uint8_t* occluded)
         : tree(t), rays(t, words, best, occluded) {}
 
     /// Prepares the rays, answers those that do not suit, and then the others.
     RAYSCOPE_INLINE void answer(uint32_t count) {
-        struct Sixteen {
+        struct PacketInfo {
             unsigned suits;  ///< a bit for each ray
             bool isPacket;
-        } all[kMostPackets];
+        } all[kMaxPackets];
         uint32_t gathered = 0;
         for (uint32_t first = 0; first < count; first += kPacketSize) {
             const uint32_t size = count - first < kPacketSize ? count - first : kPacketSize;
             Packet& packet = packets[gathered];
             const unsigned suits = rays.prepare(first, size, packet);
             for (unsigned others = ~suits & ((1u << size) - 1u); others != 0; others &= others - 1)
-                rays.answerOne(first + static_cast<uint32_t>(__builtin_ctz(others)));
+                rays.queryOne(first + static_cast<uint32_t>(__builtin_ctz(others)));
             const bool isPacket = suits == (1u << kPacketSize) - 1u && (tree.root & kTagMask) == 0 &&
-                                  packet.gather(rays.words(first), rays.prepared + first, first);
+                                  packet.gather(rays.rayData(first), rays.prepared + first, first);
             all[first / kPacketSize] = {suits, isPacket};
             gathered += isPacket ? 1 : 0;
         }
         if (gathered * kPacketSize < count / 2) gathered = 0;
         uint32_t loose = 0;
         for (uint32_t first = 0; first < count; first += kPacketSize) {
-            const Sixteen& these = all[first / kPacketSize];
+            const PacketInfo& these = all[first / kPacketSize];
             if (these.isPacket && gathered > 0) continue;
             for (uint32_t i = 0; i < kPacketSize; ++i) {
                 lists[loose] = first + i;
@@ -72,22 +73,22 @@ struct Stream {
 
     void run(uint32_t rayCount, uint32_t packetCount) {
         StreamList stack[kStackSize + 1];
-        int waiting = 0;
+        int stackSize = 0;
         for (uint32_t i = 0; i < packetCount; ++i) lists[rayCount + i] = i;
-        stack[waiting++] = {tree.root, 0, rayCount, false, nullptr, 0};
-        stack[waiting++] = {tree.root, rayCount, packetCount, true, nullptr, 0};
-        while (waiting > 0) {
-            StreamList top = stack[--waiting];
+        stack[stackSize++] = {tree.root, 0, rayCount, false, nullptr, 0};
+        stack[stackSize++] = {tree.root, rayCount, packetCount, true, nullptr, 0};
+        while (stackSize > 0) {
+            StreamList top = stack[--stackSize];
             if (top.count == 0) continue;
             if (top.ref & kTagMask) {
-                top.arePackets ? visitLeafTogether(top)
+                top.arePackets ? visitLeafWithPackets(top)
                                : rays.visitLeaf(top.ref, lists + top.begin, top.count);
                 continue;
             }
-            if (top.arePackets && (credit < 0 || leavesNoRoom(top))) top = takenApart(top);
+            if (top.arePackets && (coherenceBudget < 0 || exceedsCapacity(top))) top = splitPackets(top);
             const uint32_t* list = lists + top.begin;
-            if (!top.arePackets && (top.count <= kShortList || leavesNoRoom(top))) {
-                rays.visitAlone(top.ref, list, top.count);
+            if (!top.arePackets && (top.count <= kMaxSingleRays || exceedsCapacity(top))) {
+                rays.traverseSingleRays(top.ref, list, top.count);
                 continue;
             }
             const WideNode& node = tree.nodes[top.ref];
@@ -110,7 +111,7 @@ struct Stream {
                 const ChildRef ref = node.child[order[i]];
                 prefetch(tree, ref);
                 const uint32_t gathered = gatherByBit(masks, order[i], list, top.count, lists + end);
-                stack[waiting++] = {ref, end, gathered, top.arePackets, &node, order[i]};
+                stack[stackSize++] = {ref, end, gathered, top.arePackets, &node, order[i]};
                 end += gathered;
             }
         }
@@ -155,7 +156,7 @@ struct Stream {
                                          Lanes& nearest) {
         unsigned any = 0;
         for (uint32_t i = 0; i < count; ++i) {
-            const unsigned mask = packets[list[i]].meets(node, nearest);
+            const unsigned mask = packets[list[i]].intersects(node, nearest);
             masks[i] = static_cast<uint8_t>(mask);
             any |= mask;
         }
@@ -163,12 +164,12 @@ struct Stream {
     }
 
     /// For the lists of eight children.
-    RAYSCOPE_INLINE static bool leavesNoRoom(const StreamList& list) {
+    RAYSCOPE_INLINE static bool exceedsCapacity(const StreamList& list) {
         return list.begin + (1 + kWidth) * list.count > kListCapacity;
     }
 
     /// The rays of packets, behind their list.
-    RAYSCOPE_INLINE StreamList takenApart(const StreamList& list) {
+    RAYSCOPE_INLINE StreamList splitPackets(const StreamList& list) {
         StreamList apart{list.ref, list.begin + list.count, 0, false, nullptr, 0};
         for (uint32_t i = 0; i < list.count; ++i)
             for (uint32_t k = 0; k < kPacketSize; ++k) {
@@ -180,17 +181,17 @@ struct Stream {
     }
 
     /// Those rays of packets that meet a leaf visit it.
-    [[gnu::noinline]] void visitLeafTogether(const StreamList& top) {
+    [[gnu::noinline]] void visitLeafWithPackets(const StreamList& top) {
         for (uint32_t i = 0; i < top.count; ++i) {
             Packet& packet = packets[lists[top.begin + i]];
             if (packet.bound < 0.0f) continue;
-            credit -= kWorth;
+            coherenceBudget -= kMinActiveRays;
             for (uint32_t group = 0; group < kPacketGroups; ++group) {
                 const uint32_t first = packet.firstRay + kWidth * group;
-                unsigned met = packet.meets(*top.parent, top.child, group, rays.bounds + first);
-                credit += __builtin_popcount(met);
-                if (top.ref < kSphereTag && __builtin_popcount(met) >= kFewOfGroup) {
-                    visitBlockTogether(top.ref, packet, group, met);
+                unsigned met = packet.intersects(*top.parent, top.child, group, rays.bounds + first);
+                coherenceBudget += __builtin_popcount(met);
+                if (top.ref < kSphereTag && __builtin_popcount(met) >= kMinGroupRays) {
+                    visitBlockWithGroup(top.ref, packet, group, met);
                 } else {
                     for (; met != 0; met &= met - 1) {
                         const uint32_t ray = first + static_cast<uint32_t>(__builtin_ctz(met));
@@ -201,26 +202,26 @@ struct Stream {
             Lanes farthest = Lanes::load(rays.bounds + packet.firstRay);
             for (uint32_t group = 1; group < kPacketGroups; ++group)
                 farthest = maximum(farthest, Lanes::load(rays.bounds + packet.firstRay + kWidth * group));
-            packet.bound = greatest(farthest);
-            credit = credit < kCredit ? credit : kCredit;
+            packet.bound = horizontalMax(farthest);
+            coherenceBudget = coherenceBudget < kCoherenceBudget ? coherenceBudget : kCoherenceBudget;
         }
     }
-    RAYSCOPE_INLINE void visitBlockTogether(ChildRef leaf, Packet& packet, uint32_t group, unsigned met) {
+    RAYSCOPE_INLINE void visitBlockWithGroup(ChildRef leaf, Packet& packet, uint32_t group, unsigned met) {
         const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
         const uint32_t first = packet.firstRay + kWidth * group;
         const RayColumns& columns = packet.sheared(group);
         const Lanes bound = Lanes::load(rays.bounds + first);
         uint8_t possible[kWidth] = {};
         for (uint32_t triangle = 0; triangle < trianglesIn(leaf); ++triangle) {
-            const Candidates found =
-                candidates(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
+            const FilterResult found =
+                filterTriangles(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
             unsigned hit = found.possible;
             if (kAny && hit != 0) {
-                unsigned sure = found.sure();
-                met &= ~sure;
-                hit &= ~sure;
-                for (; sure != 0; sure &= sure - 1)
-                    rays.occlude(first + static_cast<uint32_t>(__builtin_ctz(sure)));
+                unsigned certain = found.certain();
+                met &= ~certain;
+                hit &= ~certain;
+                for (; certain != 0; certain &= certain - 1)
+                    rays.occlude(first + static_cast<uint32_t>(__builtin_ctz(certain)));
             }
             for (; hit != 0; hit &= hit - 1)
                 possible[__builtin_ctz(hit)] |= static_cast<uint8_t>(1u << triangle);
@@ -229,13 +230,13 @@ struct Stream {
             const int lane = __builtin_ctz(met);
             const uint32_t ray = first + static_cast<uint32_t>(lane);
             if (possible[lane] != 0)
-                rays.testBlock(block, possible[lane], ray, BlockRay(rays.words(ray), packet.axes));
+                rays.testBlock(block, possible[lane], ray, BlockRay(rays.rayData(ray), packet.axes));
         }
     }
 };
 
-void closestHits(const WideTreeView& tree, const float* rays, HitWords* hits, size_t count) {
-    if (count < kFewRays) return closestHitsInTurn(tree, rays, hits, count);
+void closestHits(const WideTreeView& tree, const float* rays, HitData* hits, size_t count) {
+    if (count < kMinStreamRays) return closestHitsSequential(tree, rays, hits, count);
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t end = count - begin < kStreamSize ? count : begin + kStreamSize;
         for (size_t i = begin; i < end; ++i) hits[i] = {rays[8 * i + 7], kNoPrimitive, 0.0f, 0.0f};
@@ -247,7 +248,7 @@ void closestHits(const WideTreeView& tree, const float* rays, HitWords* hits, si
 }
 
 void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count) {
-    if (count < kFewRays) return anyHitsInTurn(tree, rays, occluded, count);
+    if (count < kMinStreamRays) return anyHitsSequential(tree, rays, occluded, count);
     for (size_t i = 0; i < count; ++i) occluded[i] = 0;
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;

@@ -9,22 +9,22 @@ constexpr uint32_t kStreamSize = 1024;
 template <bool kAny>
 struct StreamRays {
     const WideTreeView& tree;
-    const float* allWords;                  ///< eight of each ray
-    HitWords* best;                         ///< of closest-hit queries, one per ray
+    const float* allRayData;                ///< eight of each ray
+    HitData* best;                          ///< of closest-hit queries, one per ray
     uint8_t* occluded;                      ///< of any-hit queries, one per ray
     alignas(64) float bounds[kStreamSize];  ///< scaled best.t; negative if the ray has been answered
     PackedRay prepared[kStreamSize];
     FastShear shears[kStreamSize];
     bool hasShear[kStreamSize];  ///< or shears[ray] is yet to be set
 
-    RAYSCOPE_INLINE StreamRays(const WideTreeView& t, const float* words, HitWords* b, uint8_t* o)
-        : tree(t), allWords(words), best(b), occluded(o) {}
-    RAYSCOPE_INLINE RayWords words(uint32_t ray) const { return allWords + size_t{8} * ray; }
+    RAYSCOPE_INLINE StreamRays(const WideTreeView& t, const float* words, HitData* b, uint8_t* o)
+        : tree(t), allRayData(words), best(b), occluded(o) {}
+    RAYSCOPE_INLINE RayData rayData(uint32_t ray) const { return allRayData + size_t{8} * ray; }
 
     /// Prepares sixteen rays, or those that are left. Returns a bit for each that suits FastRay and can hit
     /// anything; the others are to be answered by the search for one ray.
     RAYSCOPE_INLINE unsigned prepare(uint32_t first, uint32_t size, Packet& packet) {
-        const float* from = words(first);
+        const float* from = rayData(first);
         float padded[8 * kPacketSize] = {};  // what is no ray does not suit
         if (size < kPacketSize) {
             __builtin_memcpy(padded, from, 8 * size * sizeof(float));
@@ -40,11 +40,11 @@ struct StreamRays {
         __builtin_memset(hasShear + first, 0, kPacketSize);
         return suits;
     }
-    RAYSCOPE_INLINE void answerOne(uint32_t ray) {
+    RAYSCOPE_INLINE void queryOne(uint32_t ray) {
         if constexpr (kAny) {
-            occluded[ray] = anyHit(tree, words(ray));
+            occluded[ray] = anyHit(tree, rayData(ray));
         } else {
-            closestHit(tree, words(ray), best[ray]);
+            closestHit(tree, rayData(ray), best[ray]);
         }
     }
 
@@ -53,7 +53,7 @@ struct StreamRays {
         bounds[ray] = -1.0f;
     }
     /// Takes up a result.
-    RAYSCOPE_INLINE void keep(uint32_t ray, const Search& search) {
+    RAYSCOPE_INLINE void keep(uint32_t ray, const QueryState& search) {
         if constexpr (kAny) {
             occlude(ray);
         } else {
@@ -62,10 +62,10 @@ struct StreamRays {
         }
     }
     RAYSCOPE_INLINE bool isDone(uint32_t ray) const { return kAny && bounds[ray] < 0.0f; }
-    RAYSCOPE_INLINE Search searchOf(uint32_t ray) const {
+    RAYSCOPE_INLINE QueryState stateOf(uint32_t ray) const {
         const PackedRay& fast = prepared[ray];
-        const HitWords none{words(ray)[7], kNoPrimitive, 0.0f, 0.0f};
-        return {words(ray), fast.scale, fast.tMin, bounds[ray], kAny ? none : best[ray]};
+        const HitData none{rayData(ray)[7], kNoPrimitive, 0.0f, 0.0f};
+        return {rayData(ray), fast.scale, fast.tMin, bounds[ray], kAny ? none : best[ray]};
     }
 
     RAYSCOPE_INLINE FastShear& shearOf(uint32_t ray) {
@@ -75,22 +75,22 @@ struct StreamRays {
     }
 
     RAYSCOPE_INLINE void visitSphere(const SphereRecord& sphere, uint32_t ray) {
-        Search search = searchOf(ray);
+        QueryState search = stateOf(ray);
         if (testSphere(sphere, search)) keep(ray, search);
     }
     /// Does what visitLeaf() for one ray does, but takes up the search only where something may be hit: on
     /// long thin triangles that saves 5 % of the time.
     RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
         FastShear& shear = shearOf(ray);
-        shear.prepareOnce(words(ray), prepared[ray].scale);
-        const Candidates found = candidates(block, leaf, shear, prepared[ray].tMin, bounds[ray]);
+        shear.prepareOnce(rayData(ray), prepared[ray].scale);
+        const FilterResult found = filterTriangles(block, leaf, shear, prepared[ray].tMin, bounds[ray]);
         if (found.possible == 0) return;
-        if (kAny && found.sure() != 0) return occlude(ray);
-        testBlock(block, found.possible, ray, BlockRay(words(ray), shear));
+        if (kAny && found.certain() != 0) return occlude(ray);
+        testBlock(block, found.possible, ray, BlockRay(rayData(ray), shear));
     }
     RAYSCOPE_INLINE void testBlock(const TriangleBlock& block, unsigned possible, uint32_t ray,
                                    const BlockRay& exact) {
-        Search search = searchOf(ray);
+        QueryState search = stateOf(ray);
         if (testTriangles<kAny>(block, possible, exact, search)) keep(ray, search);
     }
 
@@ -107,16 +107,16 @@ struct StreamRays {
     }
 
     /// Goes on with each ray by itself.
-    RAYSCOPE_INLINE void visitAlone(ChildRef ref, const uint32_t* list, uint32_t count) {
+    RAYSCOPE_INLINE void traverseSingleRays(ChildRef ref, const uint32_t* list, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = list[i];
             if (isDone(ray)) continue;
-            Search search = searchOf(ray);
+            QueryState search = stateOf(ray);
             const FastBoxLanes lanes(search.ray, prepared[ray].unpacked());
             if constexpr (kAny) {
-                if (walkToAnyHit(tree, ref, lanes, shearOf(ray), search)) keep(ray, search);
+                if (traverseAny(tree, ref, lanes, shearOf(ray), search)) keep(ray, search);
             } else {
-                walkToClosestHit(tree, ref, lanes, shearOf(ray), search);
+                traverseClosest(tree, ref, lanes, shearOf(ray), search);
                 keep(ray, search);
             }
         }

@@ -16,7 +16,7 @@ using kernel::ChildRef;
 using kernel::kWidth;
 
 /// Where a subtree puts its nodes, blocks and spheres.
-using Place = WideCount;
+using Place = WideTreeSize;
 
 constexpr std::uint32_t kParallelNodes = 512;
 
@@ -41,7 +41,7 @@ class Collapser {
         : tree_(tree), input_(input), stop_(stop), plan_(tree, input, stop) {}
 
     WideTree run() {
-        const WideCount& count = plan_.countOf(0);
+        const WideTreeSize& count = plan_.countOf(0);
         if (count.blocks > kernel::kBlockIndexMask || count.spheres > kernel::kSphereIndexMask)
             throw std::length_error(fmt::format(
                 "{} blocks of triangles and {} spheres are more than one tree can hold; split the scene",

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bvh/kernel/ray_setup.h"
-#include "bvh/kernel/wide_tree.h"
+#include "bvh/kernel/wide_layout.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope::bvh {
@@ -40,7 +40,7 @@ std::uint32_t trianglesIn(const BinaryTree& tree, const AccelInput& input, const
         first, first + leaf.count, [&](std::uint32_t p) { return p < input.triangles.size(); }));
 }
 
-WideCount countOfLeaf(std::uint32_t triangles, std::uint32_t spheres) {
+WideTreeSize countOfLeaf(std::uint32_t triangles, std::uint32_t spheres) {
     const std::uint32_t blocks = blocksFor(triangles);
     return {nodesOver(blocks + spheres), blocks, spheres};
 }
@@ -48,7 +48,7 @@ WideCount countOfLeaf(std::uint32_t triangles, std::uint32_t spheres) {
 /// What a subtree costs if it may take up to i + 1 places.
 struct CollapsePlan::Options {
     std::array<float, 8> cost;
-    std::array<WideCount, 8> count;
+    std::array<WideTreeSize, 8> count;
     std::uint32_t triangles;
     bool onlyTriangles;
 };
@@ -92,7 +92,7 @@ CollapsePlan::Options CollapsePlan::plan(std::uint32_t number, int level) {
     options.triangles = left.triangles + right.triangles;
     options.onlyTriangles = left.onlyTriangles && right.onlyTriangles;
 
-    const auto share = [&](int places, std::uint8_t& leftPlaces, WideCount& count) {
+    const auto share = [&](int places, std::uint8_t& leftPlaces, WideTreeSize& count) {
         float cheapest = kernel::kInfinity;
         leftPlaces = 1;
         for (int k = 1; k < places; ++k) {

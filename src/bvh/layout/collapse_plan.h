@@ -8,9 +8,9 @@
 namespace rayscope::bvh {
 
 /// What a subtree of the binary tree needs in the wide one.
-struct WideCount {
+struct WideTreeSize {
     std::uint32_t nodes, blocks, spheres;
-    WideCount operator+(const WideCount& other) const {
+    WideTreeSize operator+(const WideTreeSize& other) const {
         return {nodes + other.nodes, blocks + other.blocks, spheres + other.spheres};
     }
 };
@@ -26,7 +26,7 @@ class CollapsePlan {
     bool isLeaf(std::uint32_t node) const { return plans_[node].leftPlaces[0] == 0; }
 
     /// What a node needs as a child of a wide node, with all that is below.
-    const WideCount& countOf(std::uint32_t node) const { return plans_[node].count; }
+    const WideTreeSize& countOf(std::uint32_t node) const { return plans_[node].count; }
 
     /// The children of the wide node that a node becomes.
     struct Children {
@@ -40,7 +40,7 @@ class CollapsePlan {
         /// At index i − 1, how many of i places the left child gets; 0: i − 1 places are enough. At index 0,
         /// of the eight places of the node's own children; 0: it is a leaf.
         std::array<std::uint8_t, 8> leftPlaces;
-        WideCount count;
+        WideTreeSize count;
     };
     struct Options;
     Options plan(std::uint32_t node, int level);
@@ -58,6 +58,6 @@ class CollapsePlan {
 std::uint32_t trianglesIn(const BinaryTree& tree, const AccelInput& input, const BinaryNode& leaf);
 
 /// What a binary leaf needs that holds more than one block: a hierarchy over its blocks and spheres in order.
-WideCount countOfLeaf(std::uint32_t triangles, std::uint32_t spheres);
+WideTreeSize countOfLeaf(std::uint32_t triangles, std::uint32_t spheres);
 
 }  // namespace rayscope::bvh

@@ -19,14 +19,14 @@ using Block = tbb::blocked_range<std::size_t>;
 
 /// Places of nodes are numbered with 32 bits. n primitives may need 2n − 1 of them, and threads leave some
 /// empty.
-constexpr std::size_t kMostPrimitives = (std::size_t{1} << 31) - (std::size_t{1} << 20);
+constexpr std::size_t kMaxPrimitives = (std::size_t{1} << 31) - (std::size_t{1} << 20);
 
 void checkSize(const AccelInput& input) {
     const std::size_t count = input.triangles.size() + input.spheres.size();
-    if (count > kMostPrimitives)
+    if (count > kMaxPrimitives)
         throw std::length_error(
             fmt::format("{} primitives are more than the {} that one tree can hold; split the scene", count,
-                        kMostPrimitives));
+                        kMaxPrimitives));
 }
 
 /// The number of the first triangle that names a missing vertex, or the number of triangles.
@@ -62,7 +62,7 @@ PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive) {
     return boxOf(input.vertices[corner.x], input.vertices[corner.y], input.vertices[corner.z]);
 }
 
-bool isHittable(const AccelInput& input, std::size_t primitive) {
+bool hasFiniteCoordinates(const AccelInput& input, std::size_t primitive) {
     const auto finite = [](float x) { return std::isfinite(x); };
     if (primitive >= input.triangles.size()) {
         const PrimitiveBox box = boxOfPrimitive(input, primitive);
@@ -77,12 +77,12 @@ bool isHittable(const AccelInput& input, std::size_t primitive) {
     return true;
 }
 
-std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop) {
+std::size_t countNonFinitePrimitives(const AccelInput& input, const std::stop_token& stop) {
     return tbb::parallel_reduce(
         Block(0, input.triangles.size() + input.spheres.size(), kTaskSize), std::size_t{0},
         [&](const Block& block, std::size_t sum) {
             throwIfStopped(stop);
-            for (std::size_t i = block.begin(); i < block.end(); ++i) sum += !isHittable(input, i);
+            for (std::size_t i = block.begin(); i < block.end(); ++i) sum += !hasFiniteCoordinates(input, i);
             return sum;
         },
         std::plus<>{});
@@ -95,7 +95,8 @@ PrimitiveRef makeRef(const AccelInput& input, std::size_t primitive) {
     PrimitiveRef ref{};
     std::copy_n(box.planes, 3, ref.lower);
     std::copy_n(box.planes + 4, 3, ref.upper);
-    ref.primitive = isHittable(input, primitive) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
+    ref.primitive =
+        hasFiniteCoordinates(input, primitive) ? static_cast<std::uint32_t>(primitive) : kNoPrimitive;
     return ref;
 }
 

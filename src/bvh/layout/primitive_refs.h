@@ -24,10 +24,10 @@ PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_toke
 PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive);
 
 /// Whether all coordinates are finite.
-bool isHittable(const AccelInput& input, std::size_t primitive);
+bool hasFiniteCoordinates(const AccelInput& input, std::size_t primitive);
 
 /// How many primitives are not.
-std::size_t countUnhittable(const AccelInput& input, const std::stop_token& stop);
+std::size_t countNonFinitePrimitives(const AccelInput& input, const std::stop_token& stop);
 
 /// Throws std::invalid_argument with the number of the first triangle that names a vertex that does not
 /// exist.

@@ -23,11 +23,11 @@ TreeStatistics statisticsOf(const BinaryTree& tree) {
     result.bytes = tree.nodes.size() * sizeof(BinaryNode) + tree.primitives.size() * sizeof(std::uint32_t);
     result.levels = tree.levels;
     const double rootArea = halfArea(tree.nodes[0]);
-    struct Waiting {
+    struct StackEntry {
         std::uint32_t node;
         std::size_t level;
     };
-    std::vector<Waiting> stack{{0, 0}};
+    std::vector<StackEntry> stack{{0, 0}};
     while (!stack.empty()) {
         const auto [number, level] = stack.back();
         stack.pop_back();

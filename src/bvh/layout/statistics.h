@@ -13,9 +13,10 @@ inline constexpr double kIntersectionCost = 1.0;
 
 /// The shape of a tree in numbers.
 struct TreeStatistics {
-    /// Expected cost of a random line that meets the root's box: the sum over all nodes of the area of their
-    /// box relative to the root's, times kTraversalCost for inner nodes and kIntersectionCost per primitive
-    /// for leaves (Goldsmith, Salmon 1987). If the root has no area, every relative area counts as 1.
+    /// Expected cost of a random line that intersects the root's box: the sum over all nodes of the area of
+    /// their box relative to the root's, times kTraversalCost for inner nodes and kIntersectionCost per
+    /// primitive for leaves (Goldsmith, Salmon 1987). If the root has no area, every relative area counts
+    /// as 1.
     double sahCost = 0.0;
     std::size_t nodes = 0;
     std::size_t leaves = 0;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bvh/binary_tree.h"
-#include "bvh/kernel/wide_tree.h"
+#include "bvh/kernel/wide_layout.h"
 
 namespace rayscope::bvh {
 

@@ -7,17 +7,17 @@ namespace rayscope::bvh {
 /// What can be watched while a ray walks the binary tree. Node numbers index BinaryTree::nodes.
 template <class O>
 concept TraversalObserver = requires(O& o, std::uint32_t node, std::uint32_t primitive, float t, bool hit) {
-    o.entered(node, t);        ///< the box was hit and is searched now; t is the running bound
-    o.skipped(node, t);        ///< the box was hit, but lies behind the closest hit found since
-    o.missed(node);            ///< the box was tested and not hit
-    o.tested(primitive, hit);  ///< a primitive of a leaf was tested
+    o.visit(node, t);        ///< the box was hit and is searched now; t is the running bound
+    o.cull(node, t);         ///< the box was hit, but lies behind the closest hit found since
+    o.miss(node);            ///< the box was tested and not hit
+    o.test(primitive, hit);  ///< a primitive of a leaf was tested
 };
 
 struct NullTraversalObserver {
-    static void entered(std::uint32_t, float) {}
-    static void skipped(std::uint32_t, float) {}
-    static void missed(std::uint32_t) {}
-    static void tested(std::uint32_t, bool) {}
+    static void visit(std::uint32_t, float) {}
+    static void cull(std::uint32_t, float) {}
+    static void miss(std::uint32_t) {}
+    static void test(std::uint32_t, bool) {}
 };
 
 }  // namespace rayscope::bvh

@@ -29,45 +29,45 @@ struct IndexedPrimitives {
 
 /// A box was not hit within the running bound: is it behind a closer hit, or off the ray?
 template <TraversalObserver O>
-void reportRejected(const BinaryTree& tree, std::uint32_t node, const BoxRay& ray, float t, O& observer) {
+void reportMissOrCull(const BinaryTree& tree, std::uint32_t node, const BoxRay& ray, float t, O& observer) {
     float entry;
     if (intersectBox(planes(tree.nodes[node]), ray, ray.tMax, entry)) {
-        observer.skipped(node, t);
+        observer.cull(node, t);
     } else {
-        observer.missed(node);
+        observer.miss(node);
     }
 }
 
 /// The one walk: near child first, the far one waits on a stack that the bounded depth of the tree limits.
 template <class Primitives, TraversalObserver O>
-bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit,
-                      O& observer) {
+bool traverseClosest(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit,
+                     O& observer) {
     hit = Hit{};
     if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
     const RayQuery query(ray);
-    struct Waiting {
+    struct StackEntry {
         std::uint32_t node;
         float entry;
     } stack[kMaxTreeLevel];
-    int waiting = 0;
+    int stackSize = 0;
     Hit best;
     best.t = ray.tMax;
     float bound = query.box.tMax;  // best.t as a distance of the box test
 
     float rootEntry;
     if (!intersectBox(planes(tree.nodes[0]), query.box, bound, rootEntry)) {
-        observer.missed(0);
+        observer.miss(0);
         return false;
     }
     std::uint32_t current = 0;
     while (true) {
         const BinaryNode& node = tree.nodes[current];
-        observer.entered(current, best.t);
+        observer.visit(current, best.t);
         if (node.isLeaf()) {
             for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
                 Hit found;
                 const bool isHit = primitives.hits(query, slot, best.t, found);
-                observer.tested(primitives.number(slot), isHit);
+                observer.test(primitives.number(slot), isHit);
                 if (!isHit) continue;
                 found.primitive = primitives.number(slot);
                 keepCloser(found, best);
@@ -77,11 +77,11 @@ bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, cons
             float entry[2];
             const bool hit0 = intersectBox(planes(tree.nodes[node.first]), query.box, bound, entry[0]);
             const bool hit1 = intersectBox(planes(tree.nodes[node.first + 1]), query.box, bound, entry[1]);
-            if (!hit0) reportRejected(tree, node.first, query.box, best.t, observer);
-            if (!hit1) reportRejected(tree, node.first + 1, query.box, best.t, observer);
+            if (!hit0) reportMissOrCull(tree, node.first, query.box, best.t, observer);
+            if (!hit1) reportMissOrCull(tree, node.first + 1, query.box, best.t, observer);
             if (hit0 && hit1) {
                 const std::uint32_t nearer = entry[1] < entry[0] ? 1 : 0;
-                stack[waiting++] = {node.first + 1 - nearer, entry[1 - nearer]};
+                stack[stackSize++] = {node.first + 1 - nearer, entry[1 - nearer]};
                 current = node.first + nearer;
                 continue;
             }
@@ -90,10 +90,10 @@ bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, cons
                 continue;
             }
         }
-        while (waiting > 0 && stack[waiting - 1].entry > bound)
-            observer.skipped(stack[--waiting].node, best.t);
-        if (waiting == 0) break;
-        current = stack[--waiting].node;
+        while (stackSize > 0 && stack[stackSize - 1].entry > bound)
+            observer.cull(stack[--stackSize].node, best.t);
+        if (stackSize == 0) break;
+        current = stack[--stackSize].node;
     }
     if (best.primitive == kNoPrimitive) return false;
     hit = best;
@@ -103,27 +103,27 @@ bool walkToClosestHit(const BinaryTree& tree, const Primitives& primitives, cons
 /// The walk of Accel::closestHit over the binary tree, watched. Same hit, bit for bit.
 template <TraversalObserver O>
 bool closestHit(const BinaryTree& tree, const AccelInput& input, const Ray& ray, Hit& hit, O& observer) {
-    return walkToClosestHit(tree, IndexedPrimitives{input, tree.primitives}, ray, hit, observer);
+    return traverseClosest(tree, IndexedPrimitives{input, tree.primitives}, ray, hit, observer);
 }
 
 /// Whether any primitive is hit in (tMin, tMax]. The order of the search does not matter here.
 template <class Primitives>
-bool walkToAnyHit(const BinaryTree& tree, const Primitives& primitives, const Ray& ray) {
+bool traverseAny(const BinaryTree& tree, const Primitives& primitives, const Ray& ray) {
     if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
     const RayQuery query(ray);
     std::uint32_t stack[kMaxTreeLevel + 1] = {0};
-    int waiting = 1;
+    int stackSize = 1;
     float entry;
-    while (waiting > 0) {
-        const BinaryNode& node = tree.nodes[stack[--waiting]];
+    while (stackSize > 0) {
+        const BinaryNode& node = tree.nodes[stack[--stackSize]];
         if (!intersectBox(planes(node), query.box, query.box.tMax, entry)) continue;
         if (node.isLeaf()) {
             Hit found;
             for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot)
                 if (primitives.hits(query, slot, ray.tMax, found)) return true;
         } else {
-            stack[waiting++] = node.first + 1;
-            stack[waiting++] = node.first;
+            stack[stackSize++] = node.first + 1;
+            stack[stackSize++] = node.first;
         }
     }
     return false;

@@ -21,7 +21,7 @@ bool looksLikePfm(FileBytes file);
 std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata);
 std::string encodePfm(const RgbImage& image);
 std::string encodeHdr(const RgbImage& image);
-std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, ToneCurve curve);
+std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding curve);
 
 /// The name under which a metadata key stands in a file, so that it is not taken for one of the format's own.
 inline std::string metadataName(const std::string& key) { return "rayscope:" + key; }

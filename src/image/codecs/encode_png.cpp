@@ -56,7 +56,7 @@ constexpr std::size_t kHeaderLength = 8 + 4 + 4 + 13 + 4;
 
 }  // namespace
 
-std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, ToneCurve curve) {
+std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding curve) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(image.pixels.size() * 3);
     for (const Rgb& pixel : image.pixels)
@@ -70,7 +70,7 @@ std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Tone
     stbi_write_png_to_func(append, &file, image.width, image.height, 3, bytes.data(), 3 * image.width);
 
     std::string extra;
-    if (curve == ToneCurve::Srgb) extra += chunk("sRGB", std::string_view("\0", 1));
+    if (curve == Encoding::Srgb) extra += chunk("sRGB", std::string_view("\0", 1));
     for (const auto& [key, value] : metadata) extra += textChunk(metadataName(key), value);
     return file.insert(kHeaderLength, extra);
 }

@@ -30,7 +30,7 @@ std::string checkedSuffix(const std::string& path) {
 }
 
 std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
-                   ToneCurve curve) {
+                   Encoding curve) {
     if (suffix == ".png") return image::encodePng(image, metadata, curve);
     if (suffix == ".exr") return image::encodeExr(image, metadata);
     if (suffix == ".pfm") return image::encodePfm(image);
@@ -40,7 +40,7 @@ std::string encode(const std::string& suffix, const RgbImage& image, const Image
 }  // namespace
 
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
-                ToneCurve curve) {
+                Encoding curve) {
     checkImageDestination(path);
     if (image.empty()) throw InputError("there are no pixels to write", {path});
     base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, curve));

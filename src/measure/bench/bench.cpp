@@ -13,8 +13,8 @@
 #include "bvh/binary_tree.h"
 #include "bvh/build/build.h"
 #include "bvh/layout/statistics.h"
-#include "bvh/traversal/wide_counts.h"
-#include "measure/bench/embree_race.h"
+#include "bvh/traversal/traversal_counts.h"
+#include "measure/bench/embree_baseline.h"
 #include "measure/bench/random_lines.h"
 #include "measure/statistics/statistics.h"
 
@@ -77,7 +77,7 @@ class Track {
                 accel.closestHits(rays, std::span(hits_).subspan(begin, end - begin));
         });
     }
-    double embree(const EmbreeRace& embree, EmbreeQuery query, bool coherent) {
+    double embree(const EmbreeBaseline& embree, EmbreeQuery query, bool coherent) {
         return timed([&](std::size_t begin, std::size_t end) {
             const auto rays = std::span<const Ray>(rays_).subspan(begin, end - begin);
             if (any_)
@@ -107,8 +107,8 @@ class Track {
 
 struct Contestants {
     const Accel& own;
-    const EmbreeRace* fast;
-    const EmbreeRace* robust;
+    const EmbreeBaseline* fast;
+    const EmbreeBaseline* robust;
 };
 
 RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, int rounds) {
@@ -156,7 +156,7 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     return timing;
 }
 
-void setCounts(RayTiming& timing, const bvh::WideCounts& counts) {
+void setCounts(RayTiming& timing, const bvh::TraversalCounts& counts) {
     const auto perRay = [&](std::uint64_t count) {
         return static_cast<double>(count) / static_cast<double>(timing.rays);
     };
@@ -194,15 +194,15 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
     note("build");
     std::vector<double> build, embreeBuild, ratio;
     Accel accel;
-    std::optional<EmbreeRace> fast, robust;
+    std::optional<EmbreeBaseline> fast, robust;
     for (int round = 0; round < std::max(5, options.rounds); ++round) {
         build.push_back(secondsOf([&] { accel = Accel::build(input, options.build); }));
-        if (!EmbreeRace::isAvailable()) continue;
+        if (!EmbreeBaseline::isAvailable()) continue;
         fast.emplace(input, false, options.threads);
         embreeBuild.push_back(fast->buildSeconds());
         ratio.push_back(embreeBuild.back() / build.back());
     }
-    if (EmbreeRace::isAvailable()) robust.emplace(input, true, options.threads);
+    if (EmbreeBaseline::isAvailable()) robust.emplace(input, true, options.threads);
     row.buildSeconds = intervalOf(build);
     row.embreeBuildSeconds = intervalOf(embreeBuild);
     row.buildRatio = intervalOf(ratio);
@@ -213,13 +213,14 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
     describeTree(row, accel, input, options.build);
     for (const BenchRayKind kind : kBenchRayKinds) {
         note(std::string(benchNameOf(kind)));
-        Track track(makeBenchRays(accel, camera, light, kind, options.size), asksAnyHit(kind),
+        Track track(makeBenchRays(accel, camera, light, kind, options.size), isAnyHitKind(kind),
                     options.threads);
         if (track.size() == 0) continue;
         row.rays.push_back(
             race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind, track, options.rounds));
         if (accel.wideTree())
-            setCounts(row.rays.back(), bvh::countSearches(*accel.wideTree(), track.rays(), asksAnyHit(kind)));
+            setCounts(row.rays.back(),
+                      bvh::countTraversals(*accel.wideTree(), track.rays(), isAnyHitKind(kind)));
     }
     return row;
 }

@@ -1,8 +1,8 @@
 #pragma once
 // How fast a scene's hierarchy is built and searched, beside Embree where it is installed.
 #include <rayscope/accel.h>
+#include <rayscope/interval.h>
 #include <rayscope/scene.h>
-#include <rayscope/trade.h>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,7 +29,7 @@ struct RayTiming {
     Interval batchedToSingle;                 ///< own batched queries against Embree's single rays
     Interval batchedToBest;  ///< the same against the fastest of Embree's queries in each round
     Interval batchedToOwnSingle;
-    double nodes = 0.0, leaves = 0.0, primitives = 0.0, exact = 0.0;  ///< per ray, see WideCounts
+    double nodes = 0.0, leaves = 0.0, primitives = 0.0, exact = 0.0;  ///< per ray, see TraversalCounts
     std::size_t mismatches = 0;  ///< rays whose hit or miss differs from Embree's robust mode
 };
 

@@ -70,7 +70,7 @@ std::string_view benchNameOf(BenchRayKind kind) {
     return names[static_cast<int>(kind)];
 }
 
-bool asksAnyHit(BenchRayKind kind) {
+bool isAnyHitKind(BenchRayKind kind) {
     return kind == BenchRayKind::Shadow || kind == BenchRayKind::AmbientOcclusion;
 }
 

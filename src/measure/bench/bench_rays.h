@@ -18,7 +18,7 @@ inline constexpr BenchRayKind kBenchRayKinds[] = {BenchRayKind::Primary, BenchRa
 std::string_view benchNameOf(BenchRayKind kind);
 
 /// Whether the kind asks only if anything is in the way.
-bool asksAnyHit(BenchRayKind kind);
+bool isAnyHitKind(BenchRayKind kind);
 
 /// The same rays for the same arguments. `size` × `size` pixels; the other kinds start where the primary rays
 /// hit, moved towards the viewer by 10^-5 of the size of the scene.

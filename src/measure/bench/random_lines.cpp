@@ -48,7 +48,7 @@ double costOfRandomLines(const bvh::BinaryTree& tree, int lines) {
     std::vector<std::uint32_t> stack;
     for (int line = 0; line < lines; ++line) {
         const Ray ray = source.next();
-        const bvh::BoxRay box(bvh::words(ray));
+        const bvh::BoxRay box(bvh::rayData(ray));
         stack.assign(1, 0);
         while (!stack.empty()) {
             const std::uint32_t number = stack.back();

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "bvh/intersect/ray_words.h"
-#include "math/exact_sum.h"
+#include "bvh/intersect/ray_data.h"
+#include "measure/lab/exact_sum.h"
 
 namespace rayscope::measure {
 
@@ -15,22 +15,22 @@ class ExactRay {
     explicit ExactRay(const Ray& ray)
         : origin_(ray.origin),
           direction_(ray.direction),
-          axes_(bvh::words(ray)),
+          axes_(bvh::rayData(ray)),
           along_(direction_[axes_.kz]) {}
 
     float along() const { return std::abs(along_); }
 
     /// d · ((p − o) × (q − o)), multiplied out; the edge function of sheared p and q times along().
-    math::ExactSum edge(const glm::vec3& p, const glm::vec3& q) const {
-        math::ExactSum sum;
-        math::addDeterminant(sum, direction_, p, q);
-        math::addDeterminant(sum, direction_, origin_, p);
-        math::addDeterminant(sum, direction_, q, origin_);
+    ExactSum edge(const glm::vec3& p, const glm::vec3& q) const {
+        ExactSum sum;
+        addDeterminant(sum, direction_, p, q);
+        addDeterminant(sum, direction_, origin_, p);
+        addDeterminant(sum, direction_, q, origin_);
         return sum;
     }
 
     /// The sign of an edge function, of which ties are decided by the sheared coordinates of its end points.
-    int edgeSign(const math::ExactSum& value, const glm::vec3& p, const glm::vec3& q) const {
+    int edgeSign(const ExactSum& value, const glm::vec3& p, const glm::vec3& q) const {
         if (const int sign = value.sign(); sign != 0) return sign;
         if (const int above = compareSheared(p, q, axes_.ky); above != 0) return above;
         return compareSheared(q, p, axes_.kx);
@@ -39,7 +39,7 @@ class ExactRay {
   private:
     /// The sign of the difference of a sheared coordinate of two points.
     int compareSheared(const glm::vec3& p, const glm::vec3& q, int axis) const {
-        math::ExactSum difference;
+        ExactSum difference;
         difference.add(p[axis], along_);
         difference.subtract(q[axis], along_);
         difference.subtract(direction_[axis], p[axes_.kz]);
@@ -56,8 +56,8 @@ class ExactRay {
 
 ExactCrossing::ExactCrossing(const Ray& ray, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const ExactRay exact(ray);
-    const math::ExactSum eu = exact.edge(c, b), ev = exact.edge(a, c), ew = exact.edge(b, a);
-    math::ExactSum det = eu;
+    const ExactSum eu = exact.edge(c, b), ev = exact.edge(a, c), ew = exact.edge(b, a);
+    ExactSum det = eu;
     det += ev;
     det += ew;
     const auto along = static_cast<long double>(exact.along());
@@ -73,7 +73,7 @@ ExactCrossing::ExactCrossing(const Ray& ray, const glm::vec3& a, const glm::vec3
     u = ev.value() / whole;
     v = ew.value() / whole;
     // The volume of origin and triangle, over that of direction and triangle.
-    t = math::signedVolume(a, c, b, ray.origin).value() / -whole;
+    t = signedVolume(a, c, b, ray.origin).value() / -whole;
 }
 
 }  // namespace rayscope::measure

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "measure/lab/lab_cell.h"
-#include "measure/lab/lab_summary.h"
+#include "measure/lab/summary.h"
+#include "measure/lab/test_point.h"
 #include "measure/statistics/workers.h"
 #include "sampling/hash.h"
 #include "trace/compile.h"
@@ -20,13 +20,13 @@ constexpr LabMethodInfo kMethods[kLabMethods.size()] = {{"rayscope", "as Rayscop
                                                         {"float", "Möller-Trumbore, float"},
                                                         {"epsilon", "Möller-Trumbore, float, 1e-6"},
                                                         {"double", "Möller-Trumbore, double"}};
-constexpr const char* kFaults[] = {"leak", "double hit", "false hit", "lost surface", "inaccurate"};
+constexpr const char* kFailureKinds[] = {"leak", "double hit", "false hit", "lost surface", "inaccurate"};
 
-constexpr std::size_t kFailuresKept = 12;  ///< per cell, method and fault
+constexpr std::size_t kFailuresKept = 12;  ///< per testPoint, method and fault
 constexpr std::size_t kBlock = 256;        ///< rays per task
 
-std::vector<LabPlace> placesOf(bool quick) {
-    std::vector<LabPlace> places;
+std::vector<LabTransform> transformsOf(bool quick) {
+    std::vector<LabTransform> places;
     for (int scale = -40; scale <= 40; scale += quick ? 20 : 10)
         for (const double offset : {0.0, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7})
             if (!quick || offset == 0.0 || offset == 1e2 || offset == 1e4 || offset == 1e7)
@@ -35,7 +35,7 @@ std::vector<LabPlace> placesOf(bool quick) {
 }
 
 /// From the scene as it is outwards, so that an early end leaves what matters most.
-std::vector<std::size_t> orderOf(const std::vector<LabPlace>& places) {
+std::vector<std::size_t> orderOf(const std::vector<LabTransform>& places) {
     std::vector<std::size_t> order(places.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto remoteness = [&](std::size_t i) {
@@ -60,23 +60,24 @@ std::shared_ptr<const trace::World> worldOf(const LabMesh& mesh, const std::vect
     return trace::compile({scene, settings, CameraDescription{}, 1, 1, false}, nullptr, request.stop);
 }
 
-LabTarget targetOf(const LabMesh& mesh, const trace::World& world, const std::vector<glm::vec3>& vertices,
-                   const LabPlace& place, std::uint64_t seed) {
+LabContext contextOf(const LabMesh& mesh, const trace::World& world, const std::vector<glm::vec3>& vertices,
+                     const LabTransform& transform, std::uint64_t seed) {
     glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
     for (const glm::vec3& v : vertices) {
         lower = glm::min(lower, glm::dvec3(v));
         upper = glm::max(upper, glm::dvec3(v));
     }
-    return {mesh, world, vertices, 0.5 * (lower + upper), std::ldexp(mesh.size(), place.scale), seed};
+    return {mesh, world, vertices, 0.5 * (lower + upper), std::ldexp(mesh.size(), transform.scale), seed};
 }
 
-LabTally shootAt(const LabTarget& target, int rays, const std::stop_token& stop) {
-    const auto aimed = static_cast<std::size_t>(rays), total = aimed + aimed / 2;
+LabTally runTestPoint(const LabContext& target, int rays, const std::stop_token& stop) {
+    const auto sharedEdgeRays = static_cast<std::size_t>(rays), total = sharedEdgeRays + sharedEdgeRays / 2;
     std::vector<LabTally> tallies((total + kBlock - 1) / kBlock);
     oneapi::tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t block) {
         for (std::size_t i = block * kBlock; i < std::min(total, (block + 1) * kBlock); ++i) {
             if (stop.stop_requested()) return;
-            i < aimed ? aimAtSeam(target, i, tallies[block]) : leaveSurface(target, i, tallies[block]);
+            i < sharedEdgeRays ? testWatertightness(target, i, tallies[block])
+                               : testSpawnedRay(target, i, tallies[block]);
         }
     });
     if (stop.stop_requested()) throw Stopped();
@@ -86,27 +87,27 @@ LabTally shootAt(const LabTarget& target, int rays, const std::stop_token& stop)
 }
 
 /// Cells by scale, then by offset; failures name them by their new numbers.
-void sortCells(LabResult& result) {
-    std::vector<std::size_t> order(result.cells.size()), number(order.size());
+void sortTestPoints(LabResult& result) {
+    std::vector<std::size_t> order(result.testPoints.size()), number(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        const LabPlace &a = result.cells[i].place, &b = result.cells[j].place;
+        const LabTransform &a = result.testPoints[i].transform, &b = result.testPoints[j].transform;
         return a.scale != b.scale ? a.scale < b.scale : a.offset < b.offset;
     });
-    std::vector<LabCell> cells;
+    std::vector<LabTestPoint> testPoints;
     for (std::size_t i = 0; i < order.size(); ++i) {
         number[order[i]] = i;
-        cells.push_back(result.cells[order[i]]);
+        testPoints.push_back(result.testPoints[order[i]]);
     }
-    result.cells = std::move(cells);
-    for (LabFailure& failure : result.failures) failure.cell = number[failure.cell];
+    result.testPoints = std::move(testPoints);
+    for (LabFailure& failure : result.failures) failure.testPoint = number[failure.testPoint];
     std::stable_sort(result.failures.begin(), result.failures.end(),
-                     [](const LabFailure& a, const LabFailure& b) { return a.cell < b.cell; });
+                     [](const LabFailure& a, const LabFailure& b) { return a.testPoint < b.testPoint; });
 }
 
 }  // namespace
 
-void LabTally::fail(LabMethod method, LabFault fault, const Ray& ray) {
+void LabTally::fail(LabMethod method, LabFailureKind fault, const Ray& ray) {
     const auto kept = std::count_if(failures.begin(), failures.end(), [&](const LabFailure& f) {
         return f.method == method && f.fault == fault;
     });
@@ -117,13 +118,13 @@ void LabTally::add(const LabTally& other) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
         LabCounts& mine = counts[i];
         const LabCounts& theirs = other.counts[i];
-        mine.aimed += theirs.aimed;
+        mine.sharedEdgeRays += theirs.sharedEdgeRays;
         mine.leaks += theirs.leaks;
         mine.doubleHits += theirs.doubleHits;
         mine.spawned += theirs.spawned;
         mine.falseHits += theirs.falseHits;
-        mine.plates += theirs.plates;
-        mine.lost += theirs.lost;
+        mine.offsetSurfaceRays += theirs.offsetSurfaceRays;
+        mine.missedSurfaces += theirs.missedSurfaces;
         mine.tRatio = std::max(mine.tRatio, theirs.tRatio);
         mine.weightRatio = std::max(mine.weightRatio, theirs.weightRatio);
     }
@@ -138,7 +139,7 @@ namespace rayscope {
 using namespace measure;
 
 const LabMethodInfo& infoOf(LabMethod method) { return kMethods[static_cast<int>(method)]; }
-const char* nameOf(LabFault fault) { return kFaults[static_cast<int>(fault)]; }
+const char* nameOf(LabFailureKind fault) { return kFailureKinds[static_cast<int>(fault)]; }
 
 LabResult runLab(const LabRequest& request) {
     using Clock = std::chrono::steady_clock;
@@ -157,9 +158,9 @@ LabResult runLab(const LabRequest& request) {
     result.size = mesh.size();
     result.center = mesh.center();
     result.offset = glm::length(mesh.center()) / mesh.size();
-    result.raysPerCell = request.raysPerCell;
+    result.raysPerTestPoint = request.raysPerTestPoint;
 
-    const std::vector<LabPlace> places = placesOf(request.quick);
+    const std::vector<LabTransform> places = transformsOf(request.quick);
     Workers workers(request.threads);
     std::size_t done = 0;
     try {
@@ -171,12 +172,14 @@ LabResult runLab(const LabRequest& request) {
             if (request.stop.stop_requested()) throw Stopped();
             const std::vector<glm::vec3> vertices = mesh.verticesAt(places[i]);
             const auto world = workers.run([&] { return worldOf(mesh, vertices, request); });
-            const LabTarget target =
-                targetOf(mesh, *world, vertices, places[i], sampling::hashPair(request.seed, i));
-            LabTally tally = workers.run([&] { return shootAt(target, request.raysPerCell, request.stop); });
-            result.cells.push_back({places[i], tally.counts, mesh.collapsed(vertices), tally.undecided});
+            const LabContext target =
+                contextOf(mesh, *world, vertices, places[i], sampling::hashPair(request.seed, i));
+            LabTally tally =
+                workers.run([&] { return runTestPoint(target, request.raysPerTestPoint, request.stop); });
+            result.testPoints.push_back(
+                {places[i], tally.counts, mesh.degenerate(vertices), tally.undecided});
             for (LabFailure& failure : tally.failures) {
-                failure.cell = done;
+                failure.testPoint = done;
                 result.failures.push_back(failure);
             }
             ++done;
@@ -185,7 +188,7 @@ LabResult runLab(const LabRequest& request) {
         result.interrupted = true;
     }
     result.seconds = elapsed();
-    sortCells(result);
+    sortTestPoints(result);
     summarize(result);
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // What can be said from few noisy measurements, and with what confidence. No figure leaves this room without
 // its interval.
-#include <rayscope/trade.h>
+#include <rayscope/interval.h>
 #include <span>
 #include <vector>
 

@@ -57,7 +57,7 @@ double relativeStandardError(const PixelTotals& errors, const PixelTotals& sprea
 /// errors are skewed; their logarithm is less so. What a few pixels hold is not trusted; but that must show
 /// in their samples, too, since any single difference may happen to be large.
 ErrorEstimate estimatePart(const RgbImage& a, const RgbImage& b, const PixelBounds& part, ErrorMetric metric,
-                           double quantile, const SpreadImage* spread) {
+                           double quantile, const VarianceImage* spread) {
     PixelTotals errors, spreads;
     for (int y = part.y0; y < part.y1; ++y) {
         for (int x = part.x0; x < part.x1; ++x) {
@@ -85,7 +85,7 @@ ErrorEstimate estimatePart(const RgbImage& a, const RgbImage& b, const PixelBoun
 }  // namespace
 
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
-                            const ErrorTarget& target, const SpreadImage* spread) {
+                            const ErrorTarget& target, const VarianceImage* spread) {
     constexpr double kNormal = std::numeric_limits<double>::infinity();
     if (!target.worstTile)
         return estimatePart(halfA, halfB, region, target.metric,

@@ -7,8 +7,8 @@
 
 #include "measure/statistics/workers.h"
 #include "measure/target/error_trend.h"
-#include "measure/target/halves.h"
-#include "measure/target/tile_shares.h"
+#include "measure/target/film_pair.h"
+#include "measure/target/sample_allocation.h"
 #include "render/crash_report.h"
 #include "render/pass_plan.h"
 #include "render/render_pass.h"
@@ -22,10 +22,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Samples per pixel and half before the first look, and before a look may end the rendering.
-constexpr int kFirstLook = 4, kFirstStop = 8;
+constexpr int kFirstEstimate = 4, kFirstStop = 8;
 constexpr int kPilotSamples = 8;
 /// Fewer pixels say too little about their own spread.
-constexpr int kFewestPixels = 256;
+constexpr int kMinPixels = 256;
 /// The rendering is planned to end where the bound should be so far below the target that it mostly is.
 constexpr double kPlannedFor = 0.95;
 /// A rendering does not end at a look whose own bound is so many times above the target, whatever the looks
@@ -53,7 +53,7 @@ class TargetRender {
     const ErrorTargetRequest& request_;
     measure::Workers workers_;
     PixelBounds region_;
-    std::unique_ptr<measure::Halves> halves_;
+    std::unique_ptr<measure::FilmPair> halves_;
     render::RenderCounters counters_;
     measure::ErrorTrend trend_;  ///< over samples per pixel and half
     int planned_ = 0;            ///< samples per half before which it does not end; 0: no plan yet
@@ -74,10 +74,9 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
         throw InputError(
             fmt::format("the error '{}' cannot be promised: expected rmse or relmse", nameOf(metric)));
     const int pixels = (region_.x1 - region_.x0) * (region_.y1 - region_.y0);
-    if (pixels < kFewestPixels)
-        throw InputError(
-            fmt::format("an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels,
-                        kFewestPixels));
+    if (pixels < kMinPixels)
+        throw InputError(fmt::format(
+            "an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels, kMinPixels));
     render::describeForCrashReport(render);
     limit_ =
         std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
@@ -87,14 +86,14 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with a target");
     result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });
-    halves_ = std::make_unique<measure::Halves>(render.width, render.height, region_);
+    halves_ = std::make_unique<measure::FilmPair>(render.width, render.height, region_);
 }
 
 ErrorTargetResult TargetRender::run() {
     if (request_.adaptive) pilot();
     timed_.emplace_back(0.0, elapsed());
-    for (int samples = kFirstLook;; samples = measure::sampleStepFrom(samples + 1)) {
-        const int most = std::max(kFirstLook, request_.mostSamples / 2);
+    for (int samples = kFirstEstimate;; samples = measure::roundUpSampleCount(samples + 1)) {
+        const int most = std::max(kFirstEstimate, request_.maxSamples / 2);
         samples = std::min(samples, most);
         if (!extendTo(samples)) {
             finish(request_.stop.stop_requested() ? StopReason::Interrupted : StopReason::TimeLimit);
@@ -123,8 +122,8 @@ void TargetRender::pilot() {
                                   counters_);
     });
     if (complete)
-        halves_->share(measure::tileShares(film, request_.target.metric == ErrorMetric::RelMse,
-                                           request_.target.worstTile));
+        halves_->share(measure::allocateSamples(film, request_.target.metric == ErrorMetric::RelMse,
+                                                request_.target.worstTile));
 }
 
 /// Brings both halves to `samples` per pixel on average. False if it was stopped.
@@ -169,7 +168,7 @@ int TargetRender::expectedEnd() const {
     if (planned_ > trend_.samples()) return planned_;
     const double more =
         std::max(trend_.samples() + 1.0, trend_.samplesFor(kPlannedFor * request_.target.error));
-    return std::max(kFirstStop, measure::sampleStepFrom(more));
+    return std::max(kFirstStop, measure::roundUpSampleCount(more));
 }
 
 /// By the later half of the samples: what was loaded and compiled before them, and what else the machine did

@@ -9,7 +9,7 @@ namespace {
 
 /// The usual slope counts as much as looks whose logarithms of samples have this sum of squared distances
 /// from their mean: a dozen looks over four doublings.
-constexpr double kWeightOfUsual = 8.0;
+constexpr double kPriorWeight = 8.0;
 /// Looks within three doublings of the last, and those a rounding error below, are taken together.
 const double kTogether = std::log(8.0) + 1e-9;
 
@@ -17,24 +17,24 @@ const double kTogether = std::log(8.0) + 1e-9;
 
 ErrorTrend::ErrorTrend(ErrorMetric metric, SamplePattern sampler)
     : power_(metric == ErrorMetric::RelMse ? 2.0 : 1.0),
-      usualSlope_(sampler == SamplePattern::Independent ? 0.5 : 0.8) {}
+      priorSlope_(sampler == SamplePattern::Independent ? 0.5 : 0.8) {}
 
 double ErrorTrend::rootOf(double value) const { return std::log(value) / power_; }
 
 void ErrorTrend::add(double samples, const ErrorEstimate& look) {
     samples_ = samples;
     latest_ = look;
-    if (look.error > 0.0) looks_.push_back({std::log(samples), rootOf(look.error), rootOf(look.upper)});
+    if (look.error > 0.0) estimates_.push_back({std::log(samples), rootOf(look.error), rootOf(look.upper)});
 }
 
 double ErrorTrend::slope() const {
     double x = 0.0, y = 0.0;
-    for (const Look& look : looks_) {
-        x += look.samples / static_cast<double>(looks_.size());
-        y += look.upper / static_cast<double>(looks_.size());
+    for (const LogEstimate& look : estimates_) {
+        x += look.samples / static_cast<double>(estimates_.size());
+        y += look.upper / static_cast<double>(estimates_.size());
     }
-    double xx = kWeightOfUsual, xy = -kWeightOfUsual * usualSlope_;
-    for (const Look& look : looks_) {
+    double xx = kPriorWeight, xy = -kPriorWeight * priorSlope_;
+    for (const LogEstimate& look : estimates_) {
         xx += (look.samples - x) * (look.samples - x);
         xy += (look.samples - x) * (look.upper - y);
     }
@@ -46,7 +46,7 @@ ErrorEstimate ErrorTrend::smoothed() const {
     if (!(latest_.error > 0.0)) return result;
     const double now = std::log(samples_), falls = slope();
     double error = 0.0, upper = 0.0, count = 0.0;
-    for (const Look& look : looks_) {
+    for (const LogEstimate& look : estimates_) {
         if (look.samples < now - kTogether) continue;
         const double fallen = falls * (now - look.samples);
         error += look.error - fallen;

@@ -35,16 +35,16 @@ class ErrorTrend {
 
   private:
     /// Logarithms of samples, and of the roots of the squared error and of its bound.
-    struct Look {
+    struct LogEstimate {
         double samples, error, upper;
     };
     double rootOf(double value) const;
 
     double power_;  ///< of the root of the squared error that is the metric
-    double usualSlope_;
+    double priorSlope_;
     double samples_ = 0.0;
     ErrorEstimate latest_;
-    std::vector<Look> looks_;  ///< those that saw an error
+    std::vector<LogEstimate> estimates_;  ///< those that saw an error
 };
 
 }  // namespace rayscope::measure

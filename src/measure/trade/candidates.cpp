@@ -20,17 +20,17 @@ TradePoint candidate(TradeRole role, const Settings& base, const Settings& setti
     TradePoint point;
     point.role = role;
     point.settings = settings;
-    point.name = name.empty() ? differenceInWords(base, settings) : std::move(name);
+    point.name = name.empty() ? differenceText(base, settings) : std::move(name);
     return point;
 }
 
-void addKnobs(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, const Settings& base) {
-    for (const Knob& knob : knobs) {
+void addParameters(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs, const Settings& base) {
+    for (const Parameter& knob : knobs) {
         for (const std::string& level : knob.levels) {
             Settings settings = base;
             assign(settings, knob.key, level);
             if (settings == base) continue;
-            TradePoint point = candidate(TradeRole::Knob, base, settings);
+            TradePoint point = candidate(TradeRole::Parameter, base, settings);
             point.knob = knob.key;
             point.level = level;
             list.push_back(std::move(point));
@@ -49,9 +49,10 @@ void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, c
     }
 }
 
-void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& asked, bool blurred) {
+void addPresets(std::vector<TradePoint>& list, const Settings& base, const Settings& userSettings,
+                bool blurred) {
     for (const Preset& preset : presets()) {
-        Settings settings = asked;
+        Settings settings = userSettings;
         applyPreset(settings, preset, blurred);
         TradePoint point = candidate(TradeRole::Preset, base, settings, "preset " + std::string(preset.name));
         point.level = preset.name;
@@ -60,7 +61,7 @@ void addPresets(std::vector<TradePoint>& list, const Settings& base, const Setti
 }
 
 /// Every combination of samples per pixel with splits of a few sizes, and with shallow reflections.
-void addJoint(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, const Settings& base) {
+void addJoint(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs, const Settings& base) {
     std::vector<Settings> variants{base};
     const auto multiply = [&](const std::string& key, const std::vector<std::string>& levels) {
         std::vector<Settings> more;
@@ -73,8 +74,9 @@ void addJoint(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, con
         }
         variants = std::move(more);
     };
-    const auto splits = std::count_if(knobs.begin(), knobs.end(), [](const Knob& k) { return k.splits; });
-    for (const Knob& knob : knobs) {
+    const auto splits =
+        std::count_if(knobs.begin(), knobs.end(), [](const Parameter& k) { return k.splits; });
+    for (const Parameter& knob : knobs) {
         const std::string present = textOf(base, knob.key);
         if (knob.splits && splits == 1) multiply(knob.key, {"1", "2", "4", present});
         if (knob.splits && splits > 1) multiply(knob.key, {"1", present});
@@ -86,12 +88,12 @@ void addJoint(std::vector<TradePoint>& list, const std::vector<Knob>& knobs, con
                            [&](const TradePoint& p) { return p.settings == settings; });
     };
     for (const Settings& settings : variants)
-        if (!known(settings)) list.push_back(candidate(TradeRole::Joint, base, settings));
+        if (!known(settings)) list.push_back(candidate(TradeRole::Combination, base, settings));
 }
 
 }  // namespace
 
-std::string differenceInWords(const Settings& base, const Settings& settings) {
+std::string differenceText(const Settings& base, const Settings& settings) {
     std::string words;
     for (const std::string_view key : settingKeys()) {
         const std::string value = textOf(settings, key);
@@ -103,12 +105,12 @@ std::string differenceInWords(const Settings& base, const Settings& settings) {
 
 std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Settings& base,
                                       const TradeRequest& request) {
-    const std::vector<Knob> knobs = knobsOf(scene, base);
+    const std::vector<Parameter> knobs = parametersOf(scene, base);
     std::vector<TradePoint> list{candidate(TradeRole::Base, base, base),
                                  candidate(TradeRole::Control, base, base, "base once more")};
     for (const auto& [name, settings] : request.extra)
         list.push_back(candidate(TradeRole::Extra, base, settings, name));
-    const auto cheapFirst = [&](std::size_t from) {
+    const auto sortByCost = [&](std::size_t from) {
         std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(from), list.end(),
                          [](const TradePoint& a, const TradePoint& b) {
                              return nominalCost(a.settings) < nominalCost(b.settings);
@@ -117,13 +119,13 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
     const std::size_t first = list.size();
     addPresets(list, base, request.render.settings, blursPixels(scene, request.render.camera));
     if (request.render.settings != base)
-        list.push_back(candidate(TradeRole::Yours, base, request.render.settings));
+        list.push_back(candidate(TradeRole::UserSettings, base, request.render.settings));
     addEffects(list, scene, base);
-    addKnobs(list, knobs, base);
-    cheapFirst(first);
+    addParameters(list, knobs, base);
+    sortByCost(first);
     const std::size_t joint = list.size();
     addJoint(list, knobs, base);
-    cheapFirst(joint);
+    sortByCost(joint);
     return list;
 }
 

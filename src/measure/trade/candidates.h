@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/trade.h>
 
-#include "measure/trade/knobs.h"
+#include "measure/trade/parameters.h"
 
 namespace rayscope::measure {
 
@@ -12,6 +12,6 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
                                       const TradeRequest& request);
 
 /// "spp 16, max_depth 2": in what `settings` differ from the base.
-std::string differenceInWords(const Settings& base, const Settings& settings);
+std::string differenceText(const Settings& base, const Settings& settings);
 
 }  // namespace rayscope::measure

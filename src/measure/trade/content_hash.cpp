@@ -116,8 +116,8 @@ void addBehaviour(Hasher& hash, const trace::World& world) {
     trace::NullObserver silent;
     for (int i = 0; i < 64; ++i) {
         const auto place = sampling::hashPair(0, static_cast<std::uint64_t>(i));
-        const SampleName name{static_cast<int>(place % static_cast<std::uint64_t>(world.width)),
-                              static_cast<int>((place >> 32) % static_cast<std::uint64_t>(world.height)), i};
+        const SampleId name{static_cast<int>(place % static_cast<std::uint64_t>(world.width)),
+                            static_cast<int>((place >> 32) % static_cast<std::uint64_t>(world.height)), i};
         const RgbSum radiance = rayscope::trace::radiance(world, 0, name, silent).radiance;
         hash.bytes(&radiance, sizeof radiance);
     }

@@ -22,7 +22,7 @@ namespace {
 constexpr double kPartOfBudget = 0.01;
 /// The base takes less, since some fifty candidates in seven blocks take about as long.
 constexpr double kPartOfBase = 0.0015;
-constexpr int kMostBlocks = 32, kFewestBlocks = 7;
+constexpr int kMaxBlocks = 32, kMinBlocks = 7;
 /// FLIP takes longer than many a picture: only these blocks look at it, and not the first, which finds out
 /// what a block takes.
 constexpr int kFirstWithFlip = 1, kLastWithFlip = 3;
@@ -49,7 +49,7 @@ bool buildsAnew(const TradePoint& point, const Settings& base) {
 Experiment::Experiment(const TradeRequest& request)
     : request_(request), workers_(request.threads), start_(std::chrono::steady_clock::now()) {
     result_.scene = request.render.scene->path;
-    result_.asked = request.render.settings;
+    result_.userSettings = request.render.settings;
     result_.width = request.render.width;
     result_.height = request.render.height;
     result_.threads = workers_.count();
@@ -73,7 +73,7 @@ void Experiment::report(const std::string& phase) const {
 TradeResult Experiment::run() {
     const SceneRequirements needs = requirementsOf(*request_.render.scene);
     for (const std::string_view key : settingKeys())
-        if (!withoutEffectOn(needs, key).empty()) result_.withoutEffect.emplace_back(key);
+        if (!inactiveReason(needs, key).empty()) result_.withoutEffect.emplace_back(key);
     if (pilot()) {
         buildReference();
         result_.points = candidatesFor(needs, base_, request_);
@@ -95,14 +95,14 @@ bool Experiment::pilot() {
     report("pilot");
     base_ = request_.render.settings;
     base_.spp = 1;
-    mostSeconds_ = kPartOfBudget * request_.budgetSeconds;
+    maxSeconds_ = kPartOfBudget * request_.budgetSeconds;
     world_ = workers_.run([&] { return trace::compile(compileRequest(base_), nullptr, request_.stop); });
     std::optional<Trial> trial;
     for (int warmUp = 0; warmUp < 2 && !stopped(); ++warmUp)
         trial = runTrial(workers_, compileRequest(base_), world_.get(), kFirstSeed,
                          0.25 * request_.budgetSeconds, request_.stop);
     if (stopped()) return false;
-    if (!trial || trial->seconds > 4.0 * mostSeconds_) {
+    if (!trial || trial->seconds > 4.0 * maxSeconds_) {
         const double needed = trial ? trial->seconds / (4.0 * kPartOfBudget) : request_.budgetSeconds;
         result_.remarks.push_back(
             fmt::format("the budget is too short to measure anything: one sample per pixel takes {} {:.2g} "
@@ -116,7 +116,7 @@ bool Experiment::pilot() {
            2.0 * base_.spp * trial->seconds < kPartOfBase * request_.budgetSeconds)
         base_.spp *= 2;
     // Twice as long is still tried: what a knob costs is not known before.
-    mostSeconds_ = std::max(mostSeconds_, 2.0 * trial->seconds);
+    maxSeconds_ = std::max(maxSeconds_, 2.0 * trial->seconds);
     return true;
 }
 
@@ -168,16 +168,16 @@ void Experiment::buildReference() {
 
 /// Goes through the candidates from cheap to dear and finds out which the budget can afford.
 void Experiment::firstBlock() {
-    const double begin = elapsed(), afford = (request_.budgetSeconds - begin) / (kFewestBlocks + 1);
-    int tooDear = 0;
+    const double begin = elapsed(), afford = (request_.budgetSeconds - begin) / (kMinBlocks + 1);
+    int tooExpensive = 0;
     for (std::size_t i = 0; i < runs_.size() && !stopped(); ++i) {
         report("first block");
         const TradeRole role = result_.points[i].role;
-        const bool joint = role == TradeRole::Joint;
+        const bool joint = role == TradeRole::Combination;
         const bool wanted = role == TradeRole::Base || role == TradeRole::Control || role == TradeRole::Extra;
-        const bool skipped = !wanted && (elapsed() - begin > afford || (joint && tooDear >= 3));
-        runs_[i].dropped = skipped || !measure(i, 0, wanted ? 1e9 : 2.0 * mostSeconds_);
-        if (joint && runs_[i].dropped) ++tooDear;
+        const bool skipped = !wanted && (elapsed() - begin > afford || (joint && tooExpensive >= 3));
+        runs_[i].dropped = skipped || !measure(i, 0, wanted ? 1e9 : 2.0 * maxSeconds_);
+        if (joint && runs_[i].dropped) ++tooExpensive;
         if (runs_[i].dropped && !stopped()) result_.notMeasured.push_back(result_.points[i].name);
     }
     result_.blocks = 1;
@@ -188,7 +188,7 @@ void Experiment::laterBlocks() {
     for (std::size_t i = 0; i < runs_.size(); ++i)
         if (!runs_[i].dropped) order.push_back(i);
     std::mt19937_64 random(1);
-    for (int block = 1; block < kMostBlocks && !stopped(); ++block) {
+    for (int block = 1; block < kMaxBlocks && !stopped(); ++block) {
         std::shuffle(order.begin(), order.end(), random);
         for (const std::size_t i : order) {
             report(fmt::format("block {}", block + 1));
@@ -199,13 +199,13 @@ void Experiment::laterBlocks() {
     }
 }
 
-bool Experiment::measure(std::size_t index, int block, double mostSeconds) {
+bool Experiment::measure(std::size_t index, int block, double maxSeconds) {
     const TradePoint& point = result_.points[index];
     CandidateRuns& runs = runs_[index];
     const trace::World* lender = buildsAnew(point, base_) ? nullptr : world_.get();
     const std::optional<Trial> trial =
         runTrial(workers_, compileRequest(point.settings), lender,
-                 kFirstSeed + static_cast<std::uint64_t>(block), mostSeconds, request_.stop);
+                 kFirstSeed + static_cast<std::uint64_t>(block), maxSeconds, request_.stop);
     if (!trial) return false;
     runs.seconds.push_back(request_.secondsOfRays ? request_.secondsOfRays(trial->rays) : trial->seconds);
     runs.buildSeconds.push_back(trial->buildSeconds);
@@ -241,7 +241,7 @@ void Experiment::judge(const Trial& trial, CandidateRuns& runs, int block) {
     const double common = commonSquaredError(trial.image, runs.previous, halfA_, halfB_);
     const std::size_t last = runs.squaredErrors.size() - 1;
     runs.common.push_back(common);
-    runs.unshared.push_back(0.5 * (runs.squaredErrors[last - 1] + runs.squaredErrors[last]) - common);
+    runs.squaredNoise.push_back(0.5 * (runs.squaredErrors[last - 1] + runs.squaredErrors[last]) - common);
     runs.previous = {};
 }
 

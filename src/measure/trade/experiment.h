@@ -12,9 +12,9 @@ namespace rayscope::measure {
 /// What was measured of one candidate; entry b of each list is of block b.
 struct CandidateRuns {
     std::vector<double> seconds, buildSeconds, squaredErrors, flips;
-    std::vector<double> common, unshared;  ///< of blocks (0, 1), (2, 3) …: squared bias, squared noise
-    std::vector<std::uint64_t> pictures;   ///< hash of each picture
-    RgbImage previous;                     ///< of the block before, until its pair is there
+    std::vector<double> common, squaredNoise;  ///< of blocks (0, 1), (2, 3) …: squared bias, squared noise
+    std::vector<std::uint64_t> pictures;       ///< hash of each picture
+    RgbImage previous;                         ///< of the block before, until its pair is there
     TradeWork work;
     bool dropped = false;
 };
@@ -32,7 +32,7 @@ class Experiment {
     void buildReference();
     void firstBlock();
     void laterBlocks();
-    bool measure(std::size_t index, int block, double mostSeconds);
+    bool measure(std::size_t index, int block, double maxSeconds);
     TradeWork workOf(const Trial& trial) const;
     void judge(const Trial& trial, CandidateRuns& runs, int block);
     trace::CompileRequest compileRequest(const Settings& settings) const;
@@ -47,7 +47,7 @@ class Experiment {
     std::unique_ptr<Reference> reference_;
     RgbImage halfA_, halfB_, mean_;
     Settings base_;
-    double mostSeconds_ = 0.0;  ///< of one picture, so that the reference stays far ahead of it
+    double maxSeconds_ = 0.0;  ///< of one picture, so that the reference stays far ahead of it
     std::vector<CandidateRuns> runs_;
     TradeResult result_;
 };

@@ -28,7 +28,7 @@ bool betterBeyondDoubt(const TradePoint& a, const TradePoint& b, double noise) {
 
 }  // namespace
 
-std::vector<std::size_t> markFront(std::vector<TradePoint>& points, double noise) {
+std::vector<std::size_t> markParetoFront(std::vector<TradePoint>& points, double noise) {
     std::vector<std::size_t> order, front;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (counts(points[i])) order.push_back(i);
@@ -37,8 +37,8 @@ std::vector<std::size_t> markFront(std::vector<TradePoint>& points, double noise
     });
     for (const std::size_t i : order) {
         TradePoint& point = points[i];
-        point.onFront = front.empty() || point.error.value < points[front.back()].error.value;
-        if (point.onFront) front.push_back(i);
+        point.onParetoFront = front.empty() || point.error.value < points[front.back()].error.value;
+        if (point.onParetoFront) front.push_back(i);
         const TradePoint* best = nullptr;
         for (const std::size_t j : order)
             if (betterBeyondDoubt(points[j], point, noise) &&
@@ -49,8 +49,8 @@ std::vector<std::size_t> markFront(std::vector<TradePoint>& points, double noise
     return front;
 }
 
-double excessOverFront(const std::vector<TradePoint>& points, const std::vector<std::size_t>& front,
-                       const TradePoint& point) {
+double excessOverParetoFront(const std::vector<TradePoint>& points, const std::vector<std::size_t>& front,
+                             const TradePoint& point) {
     const double error = point.error.value;
     for (std::size_t k = 0; k < front.size(); ++k) {
         const TradePoint& next = points[front[k]];
@@ -91,10 +91,10 @@ std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
 namespace rayscope {
 
 double excessTime(const TradeResult& result, std::size_t point) {
-    return measure::excessOverFront(result.points, result.front, result.points[point]);
+    return measure::excessOverParetoFront(result.points, result.front, result.points[point]);
 }
 
-std::string excessInWords(const TradeResult& result, const TradeDial& dial) {
+std::string excessText(const TradeResult& result, const TradePreset& dial) {
     const std::string percent = fmt::format("{:.0f} %", 100.0 * dial.excess);
     const bool doubtful = percent != "0 %" && result.points[dial.point].dominatedBy.empty();
     return doubtful ? percent + ", not beyond doubt" : percent;

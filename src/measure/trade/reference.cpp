@@ -6,7 +6,7 @@
 
 #include "measure/trade/content_hash.h"
 #include "measure/trade/film_file.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "render/render_pass.h"
 
 namespace rayscope::measure {

@@ -2,17 +2,17 @@
 
 #include <rayscope/diagnostics.h>
 
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "render/pass_plan.h"
 #include "render/render_pass.h"
 
 namespace rayscope::measure {
 
 std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& request,
-                              const trace::World* previous, std::uint64_t seed, double mostSeconds,
+                              const trace::World* previous, std::uint64_t seed, double maxSeconds,
                               const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
-    const Deadline deadline(mostSeconds, stop);
+    const Deadline deadline(maxSeconds, stop);
     return workers.run([&]() -> std::optional<Trial> {
         std::shared_ptr<const trace::World> world;
         try {

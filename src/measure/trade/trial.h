@@ -18,9 +18,9 @@ struct Trial {
 };
 
 /// Renders `request.settings.spp` samples per pixel as `rayscope render` would. Nothing is returned if it
-/// takes longer than `mostSeconds` or a stop is requested.
+/// takes longer than `maxSeconds` or a stop is requested.
 std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& request,
-                              const trace::World* previous, std::uint64_t seed, double mostSeconds,
+                              const trace::World* previous, std::uint64_t seed, double maxSeconds,
                               const std::stop_token& stop);
 
 }  // namespace rayscope::measure

@@ -24,7 +24,7 @@ constexpr int kFramesAfterEvent = 4;
 
 Application::Application(const ViewerOptions& options, LoadedScene first)
     : window_(options.width, options.height),
-      workspace_(openingState(std::move(*first.scene), options.settings, options.camera, options.preset),
+      workspace_(initialState(std::move(*first.scene), options.settings, options.camera, options.preset),
                  std::move(first.notes), options.threads) {
     workspace_.recent.add(first.path);
     setScale(window_.contentScale());
@@ -36,10 +36,10 @@ void Application::run() {
     };
     Clock::time_point before = Clock::now();
     while (!window_.shouldClose()) {
-        const double pause = patience();
+        const double pause = frameInterval();
         if (window_.handleEvents(std::max(0.0, pause - secondsSince(before))))
-            liveFrames_ = kFramesAfterEvent;
-        liveFrames_ = std::max(0, liveFrames_ - 1);
+            framesToDraw_ = kFramesAfterEvent;
+        framesToDraw_ = std::max(0, framesToDraw_ - 1);
         const double seconds = secondsSince(before);
         before = Clock::now();
         if (pause < kQuietSeconds) workspace_.frameTimes.add(seconds);
@@ -47,17 +47,17 @@ void Application::run() {
     }
 }
 
-double Application::patience() const {
-    if (liveFrames_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
+double Application::frameInterval() const {
+    if (framesToDraw_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
     const bool job = workspace_.job && workspace_.job->running();
     const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
                          job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy() ||
                          workspace_.trade.busy() || workspace_.comparison.busy();
-    return working || rayWanted_ ? kRefineSeconds : kQuietSeconds;
+    return working || recordRequested_ ? kRefineSeconds : kQuietSeconds;
 }
 
 void Application::frame(double seconds) {
-    takeFiles();
+    openDroppedFiles();
     if (appliedScale_ != workspace_.view.scale) {
         appliedScale_ = workspace_.view.scale;
         window_.applyScale(appliedScale_);
@@ -74,18 +74,18 @@ void Application::frame(double seconds) {
     drawStatisticsWindow(workspace_);
     openDialog_.draw(workspace_);
     renderDialog_.draw(workspace_);
-    drawErrorBox(workspace_);
+    drawErrorDialog(workspace_);
     workspace_.closeDialogs = false;
-    for (const Command command : std::exchange(workspace_.commands, {})) carryOut(command);
+    for (const Command command : std::exchange(workspace_.commands, {})) execute(command);
     drawPicture(parts, seconds);
-    carryOutAtCursor();
-    settleHistory();
+    executeAtCursor();
+    commitUndoStep();
     // The picture lies over the status bar and reaches the left edge.
     const int lowest =
         static_cast<int>(std::lround(static_cast<double>(parts.statusHeight) *
                                      static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.y)));
     const auto saveIfWanted = [&] {
-        if (std::exchange(screenshotWanted_, false)) saveScreenshotNow();
+        if (std::exchange(screenshotRequested_, false)) saveScreenshotNow();
     };
     window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfWanted);
 
@@ -130,10 +130,10 @@ void Application::drawSidePanel(const Layout& parts) {
 
         ViewState& view = workspace_.view;
         const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-        if (choiceButton("Rasterised", !view.traced, half)) view.traced = false;
+        if (toggleButton("Rasterised", !view.traced, half)) view.traced = false;
         tooltip("Drawn by OpenGL: quick, without shadows and reflections (Tab).");
         ImGui::SameLine();
-        if (choiceButton("Ray-traced", view.traced, half)) view.traced = true;
+        if (toggleButton("Ray-traced", view.traced, half)) view.traced = true;
         tooltip("Traced on the CPU, refining as long as nothing changes (Tab).");
         ImGui::Spacing();
         if (ImGui::BeginTabBar("##tabs")) {
@@ -172,13 +172,13 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     input_.update(workspace_, window_, glm::dvec2(parts.pictureOrigin), unit, seconds);
 
     const glm::ivec2 image = workspace_.imageSize();
-    workspace_.render.update(
-        {workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced, workspace_.goal});
+    workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced,
+                              workspace_.stopCriteria});
     updateInspectors();
-    picture_.update(workspace_, input_.hoveredGrip(), input_.moving());
+    picture_.update(workspace_, input_.hoveredHandlePart(), input_.moving());
     updateComparison();
     drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
-    drawDetailNote(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
+    drawDetailNotice(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
     updateCursorRadiance();
 }
 
@@ -191,26 +191,27 @@ void Application::updateComparison() {
 
 /// What is looked at in detail is prepared beside the window, and only if something of it is seen.
 void Application::updateInspectors() {
-    const bool bvhSeen = std::exchange(workspace_.bvhSeen, false) || workspace_.bvh.shown.any();
+    const bool bvhPanelOpen = std::exchange(workspace_.bvhPanelOpen, false) || workspace_.bvh.shown.any();
     const std::shared_ptr<const trace::World> world = workspace_.render.session().world();
     const bool isPresent = world && world->description == workspace_.edit.scene;
-    if (bvhSeen && isPresent) workspace_.bvh.update(world);
+    if (bvhPanelOpen && isPresent) workspace_.bvh.update(world);
 
     // While the picture still refines, the map would only take its time.
     const bool quiet = !workspace_.render.busy() && !input_.moving();
     const auto film = workspace_.render.session().film();
     if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
-        workspace_.heat.update(workspace_.render.settledWorld(), film, workspace_.render.threads());
+        workspace_.heat.update(workspace_.render.currentWorld(), film, workspace_.render.threads());
 
     workspace_.lab.update();
     workspace_.trade.update();
 
     DebugRays& rays = workspace_.rays;
-    rays.updateSearch();
+    rays.updateTraversal();
     const bool settled =
-        workspace_.render.settledWorld() && workspace_.render.status().state == RenderState::Done;
-    if (film && settled && workspace_.view.traced && !rays.staleFor(workspace_.edit, workspace_.imageSize()))
-        rays.verifyAgain(*film);
+        workspace_.render.currentWorld() && workspace_.render.status().state == RenderState::Done;
+    if (film && settled && workspace_.view.traced &&
+        !rays.isStaleFor(workspace_.edit, workspace_.imageSize()))
+        rays.updateReplay(*film);
 }
 
 void Application::updateCursorRadiance() {
@@ -221,7 +222,7 @@ void Application::updateCursorRadiance() {
     if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
 }
 
-void Application::takeFiles() {
+void Application::openDroppedFiles() {
     for (const std::string& path : window_.takeDroppedFiles()) workspace_.open(path);
     if (auto loaded = workspace_.loader.poll()) workspace_.show(std::move(*loaded));
 }
@@ -234,12 +235,12 @@ void Application::takeKeys() {
         if (*command == Command::Cancel && popup) workspace_.closeDialogs = true;
         // Keys belong to the field or dialog that is open.
         if (ImGui::GetIO().WantTextInput || popup) continue;
-        carryOut(*command);
+        execute(*command);
     }
 }
 
 /// A gesture that has ended becomes one step of the history.
-void Application::settleHistory() {
+void Application::commitUndoStep() {
     if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving())
         workspace_.history.record(workspace_.edit);
 }

@@ -25,22 +25,22 @@ class Application {
         glm::vec2 pictureOrigin{0.0f}, pictureSize{1.0f};
     };
 
-    double patience() const;
+    double frameInterval() const;
     void frame(double seconds);
     Layout layout() const;
     void drawSidePanel(const Layout& layout);
     void drawPicture(const Layout& layout, double seconds);
-    void takeFiles();
+    void openDroppedFiles();
     void takeKeys();
-    void settleHistory();
+    void commitUndoStep();
     void updateInspectors();
     void updateCursorRadiance();
     void updateComparison();
 
-    void carryOut(Command command);
-    void carryOutDebugging(Command command);
-    void carryOutAtCursor();
-    void shootRay();
+    void execute(Command command);
+    void executeDebugCommand(Command command);
+    void executeAtCursor();
+    void recordRays();
     void copyRays();
     void exportRays();
     void saveImage();
@@ -57,9 +57,9 @@ class Application {
     RenderDialog renderDialog_;
     float panelWidth_ = 336.0f;  ///< in units at scale 1
     float appliedScale_ = 0.0f;
-    bool screenshotWanted_ = false, rayWanted_ = false;
+    bool screenshotRequested_ = false, recordRequested_ = false;
     std::vector<Command> cursorCommands_;  ///< that wait for the cursor's place
-    int liveFrames_ = 3;                   ///< frames to draw before the loop may wait for events
+    int framesToDraw_ = 3;                 ///< frames to draw before the loop may wait for events
     std::string title_;
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "render/film.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
@@ -12,7 +12,7 @@
 
 namespace rayscope::viewer {
 
-void Application::carryOut(Command command) {
+void Application::execute(Command command) {
     ViewState& view = workspace_.view;
     CameraDescription& camera = workspace_.edit.camera;
     const glm::ivec2 size = workspace_.viewSize;
@@ -27,7 +27,7 @@ void Application::carryOut(Command command) {
             saveImage();
             break;
         case Command::SaveScreenshot:
-            screenshotWanted_ = true;
+            screenshotRequested_ = true;
             break;
         case Command::RenderToFile:
             workspace_.renderDialogRequested = true;
@@ -46,13 +46,13 @@ void Application::carryOut(Command command) {
             break;
         case Command::CopyCamera:
             window_.copyText(toOptions(camera));
-            workspace_.tell("Copied: " + toOptions(camera));
+            workspace_.notify("Copied: " + toOptions(camera));
             break;
         case Command::SwitchView:
             view.traced = !view.traced;
             break;
-        case Command::ShootRay:
-            rayWanted_ = true;
+        case Command::RecordRays:
+            recordRequested_ = true;
             break;
         case Command::ClearRays:
             workspace_.rays.clear();
@@ -69,20 +69,20 @@ void Application::carryOut(Command command) {
         case Command::ToggleFullScreen:
             window_.toggleFullScreen();
             break;
-        case Command::LargerScale:
+        case Command::IncreaseUiScale:
             setScale(view.scale + 0.25f);
             break;
-        case Command::SmallerScale:
+        case Command::DecreaseUiScale:
             setScale(view.scale - 0.25f);
             break;
-        case Command::DefaultScale:
+        case Command::ResetUiScale:
             setScale(window_.contentScale());
             break;
         case Command::PauseOrResume:
             workspace_.render.togglePause();
             break;
         case Command::ResetCamera:
-            camera = openingState(*workspace_.edit.scene, {}, {}).camera;
+            camera = initialState(*workspace_.edit.scene, {}, {}).camera;
             break;
         case Command::FrameAll:
             frameAll(camera, picture_.sceneBounds(), static_cast<double>(size.x) / size.y);
@@ -116,26 +116,27 @@ void Application::carryOut(Command command) {
                 workspace_.rays.clear();
             break;
         default:
-            carryOutDebugging(command);
+            executeDebugCommand(command);
             break;
     }
 }
 
-/// As soon as the world of what is shown is compiled; until then the wish stays.
-void Application::shootRay() {
+/// As soon as the world of what is shown is compiled; until then the viewRequest stays.
+void Application::recordRays() {
     if (!workspace_.cursor || workspace_.render.status().state == RenderState::Failed) {
-        rayWanted_ = false;
+        recordRequested_ = false;
         return;
     }
-    const auto world = workspace_.render.settledWorld();
+    const auto world = workspace_.render.currentWorld();
     if (!world || input_.moving()) return;
-    rayWanted_ = false;
+    recordRequested_ = false;
     const glm::ivec2 pixel = workspace_.cursor->pixel;
     // A live ray has to keep up with the hand: it is neither verified nor replayed in full.
     const bool live = workspace_.view.liveRay;
     const auto film = workspace_.view.traced && !live ? workspace_.render.session().film() : nullptr;
-    workspace_.rays.mostSamples = live ? DebugRays::kMostLiveSamples : DebugRays::kMostSamples;
-    workspace_.rays.shoot(world, workspace_.edit, workspace_.imageSize(), {pixel.x, pixel.y, 0}, film.get());
+    workspace_.rays.maxSamples = live ? DebugRays::kMaxLiveSamples : DebugRays::kMaxSamples;
+    workspace_.rays.recordPixel(world, workspace_.edit, workspace_.imageSize(), {pixel.x, pixel.y, 0},
+                                film.get());
     workspace_.view.overlay = true;
 }
 
@@ -150,8 +151,8 @@ void Application::saveImage() {
             writeImage(path, post::develop(film->mean(), settings, post::isDisplayFormat(path)), metadata,
                        settings.tone);
         else
-            writeImage(path, picture_.rasterImage(workspace_), metadata, ToneCurve::Srgb);
-        workspace_.tell("Saved " + path);
+            writeImage(path, picture_.rasterImage(workspace_), metadata, Encoding::Srgb);
+        workspace_.notify("Saved " + path);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();
     }
@@ -164,8 +165,8 @@ void Application::saveScreenshotNow() {
     if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
         metadata["drawn"] = lacking;
     try {
-        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadata, ToneCurve::Srgb);
-        workspace_.tell("Saved " + path);
+        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadata, Encoding::Srgb);
+        workspace_.notify("Saved " + path);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();
     }
@@ -180,7 +181,7 @@ void Application::copyPixel() {
     if (!cursor.object.empty()) words += "  " + cursor.object;
     if (cursor.triangle >= 0) words += fmt::format(", triangle {}", cursor.triangle);
     window_.copyText(words);
-    workspace_.tell("Copied: " + words);
+    workspace_.notify("Copied: " + words);
 }
 
 void Application::setScale(float scale) { workspace_.view.scale = std::clamp(scale, 1.0f, 4.0f); }

@@ -8,17 +8,17 @@
 
 namespace rayscope::viewer {
 
-void Application::carryOutDebugging(Command command) {
+void Application::executeDebugCommand(Command command) {
     BvhInspector& bvh = workspace_.bvh;
     DebugRays& rays = workspace_.rays;
     switch (command) {
         case Command::ToggleBvhLevels:
             bvh.shown.levels = !bvh.shown.levels;
             break;
-        case Command::DeeperLevel:
+        case Command::NextLevel:
             bvh.stepLevel(1);
             break;
-        case Command::HigherLevel:
+        case Command::PreviousLevel:
             bvh.stepLevel(-1);
             break;
         case Command::NextLeaf:
@@ -30,8 +30,8 @@ void Application::carryOutDebugging(Command command) {
         case Command::LeafUnderCursor:
             cursorCommands_.push_back(command);
             break;
-        case Command::ToggleSearch:
-            rays.search.shown = !rays.search.shown;
+        case Command::ToggleTraversal:
+            rays.traversal.shown = !rays.traversal.shown;
             break;
         case Command::StepForward:
             rays.step(1);
@@ -39,13 +39,13 @@ void Application::carryOutDebugging(Command command) {
         case Command::StepBack:
             rays.step(-1);
             break;
-        case Command::LeapForward:
+        case Command::JumpForward:
             rays.step(10);
             break;
-        case Command::LeapBack:
+        case Command::JumpBack:
             rays.step(-10);
             break;
-        case Command::LiveRay:
+        case Command::ToggleLiveRay:
             workspace_.view.liveRay = !workspace_.view.liveRay;
             break;
         case Command::ToggleHeatMap:
@@ -87,54 +87,56 @@ void Application::carryOutDebugging(Command command) {
 void Application::keepPicture() {
     const RgbImage& image = picture_.shownImage();
     const bool whole = glm::ivec2(image.width, image.height) == workspace_.imageSize();
-    if (!workspace_.view.traced || !whole || !workspace_.render.settledWorld()) {
-        workspace_.tell("There is no traced picture to keep yet", Severity::Warning);
+    if (!workspace_.view.traced || !whole || !workspace_.render.currentWorld()) {
+        workspace_.notify("There is no traced picture to keep yet", Severity::Warning);
         return;
     }
     const int samples = workspace_.render.status().samples;
     workspace_.comparison.keep(workspace_.edit, image, samples);
     workspace_.comparison.view.shown = true;
-    workspace_.tell(fmt::format("Kept as A: {} samples per pixel", samples));
+    workspace_.notify(fmt::format("Kept as A: {} samples per pixel", samples));
 }
 
 void Application::copyRays() {
-    const DebugRays::Shot* shot = workspace_.rays.shot();
-    if (shot == nullptr) return;
-    window_.copyText(toJson(shot->tree(), *shot->world));
-    workspace_.tell(
-        fmt::format("Copied {} rays as JSON", shot->tree().nodes.size() + shot->tree().shadowRays.size()));
+    const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+    if (recording == nullptr) return;
+    window_.copyText(toJson(recording->tree(), *recording->world));
+    workspace_.notify(fmt::format("Copied {} rays as JSON",
+                                  recording->tree().nodes.size() + recording->tree().shadowRays.size()));
 }
 
 void Application::exportRays() {
-    const DebugRays::Shot* shot = workspace_.rays.shot();
-    if (shot == nullptr) return;
+    const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+    if (recording == nullptr) return;
     const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
     const SceneBounds& bounds = picture_.sceneBounds();
     try {
-        base::writeFileAtomically(lines, toObj(shot->tree(), glm::distance(bounds.lower, bounds.upper)));
-        base::writeFileAtomically(tree, toJson(shot->tree(), *shot->world));
-        workspace_.tell("Saved " + lines + " and " + tree);
+        base::writeFileAtomically(lines, toObj(recording->tree(), glm::distance(bounds.lower, bounds.upper)));
+        base::writeFileAtomically(tree, toJson(recording->tree(), *recording->world));
+        workspace_.notify("Saved " + lines + " and " + tree);
     } catch (const InputError& error) {
         workspace_.errorMessage = error.what();
     }
 }
 
 /// Once it is known what the cursor is on: it may have moved in the same frame in which the key went down.
-void Application::carryOutAtCursor() {
+void Application::executeAtCursor() {
     for (const Command command : std::exchange(cursorCommands_, {})) {
         if (!workspace_.cursor) continue;
         const CursorInfo& cursor = *workspace_.cursor;
         if (command == Command::LeafUnderCursor && cursor.primitive != kNoPrimitive)
-            workspace_.bvh.selectLeafOf(workspace_.render.session().world()->nameOf(cursor.primitive).inBody);
+            workspace_.bvh.selectLeafOf(
+                workspace_.render.session().world()->nameOf(cursor.primitive).inGroup);
     }
     const std::optional<CursorInfo>& cursor = workspace_.cursor;
     if (workspace_.view.liveRay && cursor && !input_.moving()) {
-        const DebugRays::Shot* shot = workspace_.rays.shot();
-        const bool same = shot && glm::ivec2(shot->tree().name.x, shot->tree().name.y) == cursor->pixel &&
-                          !workspace_.rays.staleFor(workspace_.edit, workspace_.imageSize());
-        rayWanted_ |= !same;
+        const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+        const bool same = recording &&
+                          glm::ivec2(recording->tree().name.x, recording->tree().name.y) == cursor->pixel &&
+                          !workspace_.rays.isStaleFor(workspace_.edit, workspace_.imageSize());
+        recordRequested_ |= !same;
     }
-    if (rayWanted_) shootRay();
+    if (recordRequested_) recordRays();
 }
 
 }  // namespace rayscope::viewer

@@ -45,7 +45,7 @@ void LineBatch::upload(const OverlayLines& lines) {
                  instances.data(), GL_DYNAMIC_DRAW);
 }
 
-void LineBatch::draw(const LineLook& look) {
+void LineBatch::draw(const LineDrawOptions& look) {
     if (count_ == 0) return;
     shader_.use();
     shader_.set("viewProjection", look.viewProjection);

@@ -8,7 +8,7 @@
 namespace rayscope::viewer {
 
 /// How lines are drawn.
-struct LineLook {
+struct LineDrawOptions {
     glm::mat4 viewProjection{1.0f};
     glm::vec2 viewport{1.0f};    ///< in pixels
     float scale = 1.0f;          ///< multiplies widths
@@ -26,7 +26,7 @@ class LineBatch {
     LineBatch& operator=(const LineBatch&) = delete;
 
     void upload(const OverlayLines& lines);
-    void draw(const LineLook& look);
+    void draw(const LineDrawOptions& look);
 
   private:
     Shader shader_{"line"};

@@ -19,7 +19,7 @@ constexpr double kClickPixels = 4.0;     // a hand trembles that much between pr
 constexpr double kWheelFactor = 0.88;    // of the distance, per notch
 constexpr double kSettleSeconds = 0.18;  // after the last notch or key the motion is over
 
-/// The world that holds the geometry of the present scene, whatever camera it was compiled for.
+/// The world that holds the geometry of the current scene, whatever camera it was compiled for.
 std::shared_ptr<const trace::World> worldOf(Workspace& workspace) {
     std::shared_ptr<const trace::World> world = workspace.render.session().world();
     return world && world->description == workspace.edit.scene ? world : nullptr;
@@ -68,12 +68,13 @@ void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
         drag_ = Drag::Look;
     } else if (!left) {
         drag_ = Drag::Pan;
-    } else if (grip_) {
+    } else if (handlePart_) {
         const Light& light =
             workspace.edit.scene->lights[static_cast<std::size_t>(workspace.view.selectedLight)];
         drag_ = Drag::Handle;
-        grabFrame_ = frame;
-        handleStart_ = glm::dvec3(handlesOf(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
+        dragFrame_ = frame;
+        handleStart_ =
+            glm::dvec3(handlePositions(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
     } else {
         drag_ = Drag::Orbit;
     }
@@ -96,7 +97,7 @@ void ViewInput::dragTo(Workspace& workspace, const ViewFrame& frame) {
     if (drag_ == Drag::Handle && workspace.view.selectedLight >= 0) {
         std::vector<Light> lights = workspace.edit.scene->lights;
         Light& light = lights[static_cast<std::size_t>(workspace.view.selectedLight)];
-        const glm::dvec3 place = dragged(grabFrame_, handleStart_, *grip_, pressed_, cursor_);
+        const glm::dvec3 place = dragged(dragFrame_, handleStart_, *handlePart_, pressed_, cursor_);
         light = withHandleMoved(light, workspace.view.selectedHandle, glm::vec3(place));
         workspace.setLights(std::move(lights));
     }
@@ -109,7 +110,7 @@ void ViewInput::release(Workspace& workspace, const ViewFrame& frame) {
     clicked_ = false;
     if (!click) return;
     if (ImGui::GetIO().KeyCtrl) {
-        workspace.commands.push_back(Command::ShootRay);
+        workspace.commands.push_back(Command::RecordRays);
         return;
     }
     if (!workspace.view.overlay) return;
@@ -123,11 +124,11 @@ void ViewInput::release(Workspace& workspace, const ViewFrame& frame) {
 /// A click on a recorded ray selects it, a click beside all rays lets go of it.
 void ViewInput::pickDebugRay(Workspace& workspace, const ViewFrame& frame) {
     constexpr double kReach = 6.0;
-    const DebugRays::Shot* shot = workspace.rays.shot();
-    if (shot == nullptr) return;
+    const DebugRays::PixelRecording* recording = workspace.rays.recording();
+    if (recording == nullptr) return;
     const SceneBounds bounds = boundsOf(*workspace.edit.scene);
     const double reach = kReach * static_cast<double>(workspace.view.scale);
-    workspace.rays.select(pickRay(shot->tree(), workspace.rays.filter, frame, cursor_, reach,
+    workspace.rays.select(pickRay(recording->tree(), workspace.rays.filter, frame, cursor_, reach,
                                   glm::distance(bounds.lower, bounds.upper)));
 }
 
@@ -174,7 +175,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
     if (const auto world = worldOf(workspace)) {
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
-            const trace::PrimitiveName name = world->nameOf(surface->hit.primitive);
+            const trace::PrimitiveLocation name = world->nameOf(surface->hit.primitive);
             info.primitive = surface->hit.primitive;
             info.object = probe::objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
@@ -193,13 +194,13 @@ void ViewInput::update(Workspace& workspace, const Window& window, glm::dvec2 or
     ViewFrame frame = viewFrame(workspace.edit.camera, size.x, size.y);
 
     if (drag_ != Drag::Handle) {
-        grip_.reset();
+        handlePart_.reset();
         const int selected = workspace.view.selectedLight;
         if (free && drag_ == Drag::None && selected >= 0 && workspace.view.overlay) {
             const Light& light = workspace.edit.scene->lights[static_cast<std::size_t>(selected)];
             const glm::dvec3 center(
-                handlesOf(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
-            grip_ = pickGrip(frame, center, cursor_, handleSize(workspace.view.scale));
+                handlePositions(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
+            handlePart_ = pickHandlePart(frame, center, cursor_, handleSize(workspace.view.scale));
         }
     }
     if (drag_ == Drag::Divider || (free && drag_ == Drag::None && onDivider(workspace, frame)))

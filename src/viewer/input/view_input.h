@@ -18,7 +18,7 @@ class ViewInput {
     /// Camera or light are in motion; a coarse picture that follows is better than a fine one that lags.
     bool moving() const;
     bool dragging() const { return drag_ != Drag::None; }
-    std::optional<Grip> hoveredGrip() const { return grip_; }
+    std::optional<HandlePart> hoveredHandlePart() const { return handlePart_; }
 
   private:
     enum class Drag { None, Orbit, Pan, Look, Handle, Divider };
@@ -34,11 +34,11 @@ class ViewInput {
     void updateCursor(Workspace& workspace, const ViewFrame& frame, bool inside);
 
     Drag drag_ = Drag::None;
-    std::optional<Grip> grip_;
+    std::optional<HandlePart> handlePart_;
     glm::dvec2 cursor_{0.0}, pressed_{0.0}, last_{0.0};  ///< pixels of the picture
     bool clicked_ = false;  ///< the button went down and the cursor has hardly moved since
     glm::dvec3 handleStart_{0.0};
-    ViewFrame grabFrame_;
+    ViewFrame dragFrame_;
     Clock::time_point lastWheel_{}, lastFlight_{};
 };
 

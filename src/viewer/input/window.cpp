@@ -36,14 +36,14 @@ int letterOf(int key, int scancode) {
 /// A monitor of so many pixels per inch is not read at scale 1, even if nobody has told the desktop so. What
 /// is not plausible (projectors, televisions and virtual displays make up their size) does not count.
 float scaleOfPixels(GLFWmonitor* monitor) {
-    constexpr float kFewest = 144.0f, kMost = 400.0f, kSmallest = 150.0f;
+    constexpr float kFewest = 144.0f, kMaxCount = 400.0f, kSmallest = 150.0f;
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     int width = 0, height = 0;
     if (mode == nullptr) return 1.0f;
     glfwGetMonitorPhysicalSize(monitor, &width, &height);
     if (static_cast<float>(width) < kSmallest) return 1.0f;
     const float perInch = 25.4f * static_cast<float>(mode->width) / static_cast<float>(width);
-    return perInch >= kFewest && perInch <= kMost ? 2.0f : 1.0f;
+    return perInch >= kFewest && perInch <= kMaxCount ? 2.0f : 1.0f;
 }
 
 Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
@@ -93,7 +93,7 @@ Window::~Window() {
 /// Every event keeps the loop awake and goes on to Dear ImGui.
 void Window::installCallbacks() {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-        ownerOf(w).takeKey(key, scancode, action, modifiers);
+        ownerOf(w).onKey(key, scancode, action, modifiers);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
         ownerOf(w).anyEvent_ = true;
@@ -126,7 +126,7 @@ void Window::installCallbacks() {
 
 /// Dear ImGui looks at the state of keys once per frame; a key that goes up again before that must still be
 /// seen, so its release waits for the next frame.
-void Window::takeKey(int key, int scancode, int action, int modifiers) {
+void Window::onKey(int key, int scancode, int action, int modifiers) {
     anyEvent_ = true;
     const KeyPress press{letterOf(key, scancode), modifiers};
     if (action == GLFW_RELEASE && std::count(downSinceFrame_.begin(), downSinceFrame_.end(), key) > 0) {

@@ -54,7 +54,7 @@ class Window {
 
   private:
     void installCallbacks();
-    void takeKey(int key, int scancode, int action, int modifiers);
+    void onKey(int key, int scancode, int action, int modifiers);
 
     GLFWwindow* window_ = nullptr;
     std::vector<KeyPress> keys_;

@@ -8,41 +8,41 @@ namespace rayscope::viewer {
 
 namespace {
 
-using Inspected = BvhInspector::Inspected;
+using InspectedTree = BvhInspector::InspectedTree;
 
-Inspected inspect(Inspected inspected) {
+InspectedTree inspect(InspectedTree inspected) {
     inspected.index = probe::indexTree(inspected.tree());
     inspected.statistics = bvh::statisticsOf(inspected.tree());
     return inspected;
 }
 
-Inspected buildRival(Inspected rival, BuildSettings settings) {
-    rival.builder = settings.builder;
-    rival.ownTree =
-        std::make_shared<const bvh::BinaryTree>(bvh::buildBinaryTree(rival.geometry->input, settings));
-    return inspect(std::move(rival));
+InspectedTree buildReferenceTree(InspectedTree referenceTree, BuildSettings settings) {
+    referenceTree.builder = settings.builder;
+    referenceTree.ownedTree = std::make_shared<const bvh::BinaryTree>(
+        bvh::buildBinaryTree(referenceTree.geometry->input, settings));
+    return inspect(std::move(referenceTree));
 }
 
 /// A tree without what is known about it, kept alive.
-struct BareTree {
+struct TreeHandle {
     std::shared_ptr<const trace::Geometry> geometry;
     std::shared_ptr<const Accel> accel;
-    std::shared_ptr<const bvh::BinaryTree> ownTree;
+    std::shared_ptr<const bvh::BinaryTree> ownedTree;
 
-    explicit BareTree(const Inspected& whole)
-        : geometry(whole.geometry), accel(whole.accel), ownTree(whole.ownTree) {}
-    const bvh::BinaryTree& tree() const { return ownTree ? *ownTree : *accel->binaryTree(); }
+    explicit TreeHandle(const InspectedTree& whole)
+        : geometry(whole.geometry), accel(whole.accel), ownedTree(whole.ownedTree) {}
+    const bvh::BinaryTree& tree() const { return ownedTree ? *ownedTree : *accel->binaryTree(); }
     const AccelInput& input() const { return geometry->input; }
 };
 
 /// Over the rays of some hundred pixels of the view.
-BvhInspector::Costs countCosts(std::shared_ptr<const trace::World> world, std::size_t body, BareTree own,
-                               BareTree rival) {
+BvhInspector::Costs countCosts(std::shared_ptr<const trace::World> world, std::size_t motionGroup,
+                               TreeHandle own, TreeHandle referenceTree) {
     constexpr int kColumns = 32, kRows = 24;
     constexpr std::uint64_t kSeed = 0;  // the window renders with this one
-    const probe::ViewRays rays = probe::raysOfView(*world, kSeed, body, kColumns, kRows);
-    return {rays.count(), probe::searchCosts(own.tree(), own.input(), rays),
-            probe::searchCosts(rival.tree(), rival.input(), rays)};
+    const probe::ViewRays rays = probe::raysOfView(*world, kSeed, motionGroup, kColumns, kRows);
+    return {rays.count(), probe::traversalCosts(own.tree(), own.input(), rays),
+            probe::traversalCosts(referenceTree.tree(), referenceTree.input(), rays)};
 }
 
 template <class T>
@@ -52,116 +52,119 @@ bool isReady(const std::future<T>& future) {
 
 }  // namespace
 
-BvhInspector::~BvhInspector() { stopRival_.request_stop(); }
+BvhInspector::~BvhInspector() { stopReference_.request_stop(); }
 
 void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
-    if (isReady(coming_)) {
-        inspected_ = coming_.get();
+    if (isReady(pending_)) {
+        inspected_ = pending_.get();
         ++version_;
-        keepInRange();
+        clampSelection();
     }
     if (!world) return;
-    body = std::min(body, world->bodies.empty() ? 0 : world->bodies.size() - 1);
-    const bool hasTree = !world->bodies.empty() && world->settings.bvh && world->bodies[body].accel &&
-                         world->bodies[body].accel->binaryTree() != nullptr;
+    motionGroup = std::min(motionGroup, world->motionGroups.empty() ? 0 : world->motionGroups.size() - 1);
+    const bool hasTree = !world->motionGroups.empty() && world->settings.bvh &&
+                         world->motionGroups[motionGroup].accel &&
+                         world->motionGroups[motionGroup].accel->binaryTree() != nullptr;
     if (!hasTree) {
         if (inspected_) ++version_;
         inspected_.reset();
-        rival_.reset();
+        referenceTree_.reset();
         return;
     }
-    const trace::Body& wanted = world->bodies[body];
+    const trace::MotionGroup& wanted = world->motionGroups[motionGroup];
     const bool isKnown = inspected_ && inspected_->accel == wanted.accel;
-    if (!isKnown && !coming_.valid()) {
-        Inspected fresh;
+    if (!isKnown && !pending_.valid()) {
+        InspectedTree fresh;
         fresh.geometry = wanted.geometry;
         fresh.accel = wanted.accel;
         fresh.builder = world->settings.bvhBuilder;
-        rival_.reset();
-        stopRival_.request_stop();
-        coming_ = std::async(std::launch::async, inspect, std::move(fresh));
+        referenceTree_.reset();
+        stopReference_.request_stop();
+        pending_ = std::async(std::launch::async, inspect, std::move(fresh));
     }
-    if (isKnown) updateRival(world);
+    if (isKnown) updateReferenceTree(world);
     if (isKnown) updateCosts(world);
 }
 
-BvhInspector::Recipe BvhInspector::recipeOf(const Settings& settings) {
+BvhInspector::BuilderSettings BvhInspector::builderSettingsOf(const Settings& settings) {
     return {settings.bvhBuilder, settings.bvhBins, settings.bvhLeafSize, settings.bvhMaxLevel};
 }
 
-/// The heuristic's rival is the median split, and the other way round.
-BvhInspector::Recipe BvhInspector::rivalRecipe(const Settings& settings) const {
-    if (wantedRival) return *wantedRival;
-    Recipe recipe = recipeOf(settings);
-    recipe.builder = recipe.builder == BvhBuilder::Median ? BvhBuilder::SahBinned : BvhBuilder::Median;
-    return recipe;
+/// The heuristic's referenceTree is the median split, and the other way round.
+BvhInspector::BuilderSettings BvhInspector::referenceBuild(const Settings& settings) const {
+    if (compareWith) return *compareWith;
+    BuilderSettings builderSettings = builderSettingsOf(settings);
+    builderSettings.builder =
+        builderSettings.builder == BvhBuilder::Median ? BvhBuilder::SahBinned : BvhBuilder::Median;
+    return builderSettings;
 }
 
-void BvhInspector::updateRival(const std::shared_ptr<const trace::World>& world) {
-    const Recipe recipe = rivalRecipe(world->settings);
-    const bool isWanted = recipe == rivalRecipe_;
-    if (isReady(comingRival_)) {
+void BvhInspector::updateReferenceTree(const std::shared_ptr<const trace::World>& world) {
+    const BuilderSettings builderSettings = referenceBuild(world->settings);
+    const bool isWanted = builderSettings == referenceBuild_;
+    if (isReady(pendingReference_)) {
         try {
-            rival_ = comingRival_.get();
+            referenceTree_ = pendingReference_.get();
             ++version_;
         } catch (const Stopped&) {
             // Another one is wanted by now.
         }
     }
-    if (!shown.savings || (rival() != nullptr && isWanted)) return;
-    if (comingRival_.valid()) {
-        if (!isWanted) stopRival_.request_stop();
+    if (!shown.showReference || (referenceTree() != nullptr && isWanted)) return;
+    if (pendingReference_.valid()) {
+        if (!isWanted) stopReference_.request_stop();
         return;
     }
-    rival_.reset();
-    rivalRecipe_ = recipe;
-    Inspected fresh;
+    referenceTree_.reset();
+    referenceBuild_ = builderSettings;
+    InspectedTree fresh;
     fresh.geometry = inspected_->geometry;
     fresh.accel = inspected_->accel;
-    stopRival_ = std::stop_source{};
-    comingRival_ = std::async(std::launch::async, buildRival, std::move(fresh),
-                              BuildSettings{.builder = recipe.builder,
-                                            .bins = recipe.bins,
-                                            .maxLevel = recipe.maxLevel,
-                                            .leafSize = recipe.leafSize,
-                                            .stop = stopRival_.get_token()});
+    stopReference_ = std::stop_source{};
+    pendingReference_ = std::async(std::launch::async, buildReferenceTree, std::move(fresh),
+                                   BuildSettings{.builder = builderSettings.builder,
+                                                 .bins = builderSettings.bins,
+                                                 .maxLevel = builderSettings.maxLevel,
+                                                 .leafSize = builderSettings.leafSize,
+                                                 .stop = stopReference_.get_token()});
 }
 
 void BvhInspector::updateCosts(const std::shared_ptr<const trace::World>& world) {
-    const bool isKnown = countedWorld_.lock() == world && countedVersion_ == version_;
-    if (isReady(comingCosts_)) {
-        const Costs counted = comingCosts_.get();
-        if (countedVersion_ == version_) costs_ = counted;
+    const bool isKnown = costsWorld_.lock() == world && costsVersion_ == version_;
+    if (isReady(pendingCosts_)) {
+        const Costs counted = pendingCosts_.get();
+        if (costsVersion_ == version_) costs_ = counted;
     }
-    if (!shown.savings || rival() == nullptr || isKnown || comingCosts_.valid()) return;
-    if (countedVersion_ != version_) costs_.reset();
-    countedWorld_ = world;
-    countedVersion_ = version_;
-    comingCosts_ =
-        std::async(std::launch::async, countCosts, world, body, BareTree(*inspected_), BareTree(*rival_));
+    if (!shown.showReference || referenceTree() == nullptr || isKnown || pendingCosts_.valid()) return;
+    if (costsVersion_ != version_) costs_.reset();
+    costsWorld_ = world;
+    costsVersion_ = version_;
+    pendingCosts_ = std::async(std::launch::async, countCosts, world, motionGroup, TreeHandle(*inspected_),
+                               TreeHandle(*referenceTree_));
 }
 
 const probe::SplitCurve* BvhInspector::curve(int bins) {
-    if (isReady(comingCurve_)) {
-        curve_ = comingCurve_.get();
-        curveOf_ = comingCurveOf_;
+    if (isReady(pendingCurve_)) {
+        curve_ = pendingCurve_.get();
+        curveKey_ = pendingCurveKey_;
     }
     const std::uint32_t node = shown.node == bvh::kNoNode ? 0 : shown.node;
     const std::tuple wanted{inspected_->accel.get(), node, bins};
-    if (wanted != curveOf_ && !comingCurve_.valid()) {
-        comingCurveOf_ = wanted;
-        comingCurve_ = std::async(std::launch::async, [tree = BareTree(*inspected_), node, bins] {
+    if (wanted != curveKey_ && !pendingCurve_.valid()) {
+        pendingCurveKey_ = wanted;
+        pendingCurve_ = std::async(std::launch::async, [tree = TreeHandle(*inspected_), node, bins] {
             return probe::splitCurve(tree.tree(), tree.input(), node, bins);
         });
     }
-    return wanted == curveOf_ ? &curve_ : nullptr;
+    return wanted == curveKey_ ? &curve_ : nullptr;
 }
 
-const BvhInspector::Inspected* BvhInspector::rival() const {
-    return rival_ && inspected_ && rival_->accel == inspected_->accel ? &*rival_ : nullptr;
+const BvhInspector::InspectedTree* BvhInspector::referenceTree() const {
+    return referenceTree_ && inspected_ && referenceTree_->accel == inspected_->accel ? &*referenceTree_
+                                                                                      : nullptr;
 }
 
-void BvhInspector::keepInRange() {
+void BvhInspector::clampSelection() {
     const int leaves = static_cast<int>(inspected_->index.leaves.size());
     shown.leafNumber = std::clamp(shown.leafNumber, 0, std::max(0, leaves - 1));
     shown.level = std::clamp(shown.level, 0, std::max(0, inspected_->tree().levels - 1));
@@ -179,7 +182,7 @@ void BvhInspector::stepLeaf(int by) {
 }
 
 void BvhInspector::stepLevel(int by) {
-    if (!inspected_ || !(shown.levels || shown.savings)) {
+    if (!inspected_ || !(shown.levels || shown.showReference)) {
         shown.levels = true;
         return;
     }

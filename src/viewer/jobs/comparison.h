@@ -9,7 +9,7 @@ namespace rayscope::viewer {
 
 enum class CompareMode { Wipe, Flip, Difference };
 
-/// A picture that was kept, A, beside the present one, B. Both have the same random numbers, so where they
+/// A picture that was kept, A, beside the current one, B. Both have the same random numbers, so where they
 /// differ is due to the settings.
 class Comparison {
   public:
@@ -31,7 +31,7 @@ class Comparison {
         int samples = 0;
     };
     void keep(EditState state, RgbImage image, int samples);
-    void forget();
+    void discard();
     const Kept* a() const { return kept_ ? &*kept_ : nullptr; }
     /// Whether something of A is to be drawn over the traced picture.
     bool visible() const { return kept_ && view.shown; }
@@ -39,24 +39,24 @@ class Comparison {
     /// Measures beside the window how far B is from A, if either has changed. `revision` tells pictures B
     /// apart. While B is not `complete`, now and then.
     void update(const RgbImage& b, int revision, bool complete, float exposure);
-    bool busy() const { return coming_.valid(); }
+    bool busy() const { return pending_.valid(); }
     /// Of B against A; null until measured, or if the pictures differ in size.
-    const ErrorMeasures* figures() const { return figures_ ? &*figures_ : nullptr; }
-    /// Whether figures() is of a picture B that was complete and is still shown.
-    bool figuresAreFinal() const { return figures_ && final_; }
+    const ErrorMeasures* metrics() const { return metrics_ ? &*metrics_ : nullptr; }
+    /// Whether metrics() is of a picture B that was complete and is still shown.
+    bool metricsAreFinal() const { return metrics_ && final_; }
 
   private:
     using Clock = std::chrono::steady_clock;
 
     std::optional<Kept> kept_;
-    std::future<ErrorMeasures> coming_;
-    std::optional<ErrorMeasures> figures_;
+    std::future<ErrorMeasures> pending_;
+    std::optional<ErrorMeasures> metrics_;
     struct Pair {
         int version = -1, revision = -1;  ///< of A, and of B
         float exposure = 0.0f;
         bool operator==(const Pair&) const = default;
     };
-    Pair measuring_, measured_;  ///< what the figures to come, and those that are there, belong to
+    Pair measuring_, measured_;  ///< what the metrics to come, and those that are there, belong to
     bool final_ = false;
     Clock::time_point measuredAt_{};
 };

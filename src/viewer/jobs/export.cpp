@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "image/srgb.h"
-#include "post/develop.h"
+#include "post/display_transform.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"

@@ -41,7 +41,7 @@ HeatStatistics heatStatistics(const RgbImage& values) {
     return s;
 }
 
-RgbImage colored(const RgbImage& values, post::ColorMap map, double from, double to) {
+RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to) {
     // The path through Oklab is looked up: a picture has a million pixels.
     constexpr int kSteps = 1024;
     std::vector<Rgb> table;
@@ -60,10 +60,10 @@ RgbImage colored(const RgbImage& values, post::ColorMap map, double from, double
 
 void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
                      int threads) {
-    if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    if (pending_.valid() && pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
         try {
-            values_ = coming_.get();
-            computed_ = underway_;
+            values_ = pending_.get();
+            computedSource_ = pendingSource_;
             statistics_ = heatStatistics(*values_);
             if (fitRange) {
                 from = static_cast<float>(std::min(statistics_.lowest, 0.0));
@@ -79,20 +79,20 @@ void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<
     const bool ofFilm = aov >= probe::Aov::Samples;
     const Source wanted{world, ofFilm ? film : nullptr, aov, samples,
                         ofFilm && film ? film->completeSamples() : 0};
-    if (wanted == computed_) return;
-    if (coming_.valid()) {
-        if (wanted.world != underway_.world || wanted.aov != underway_.aov) stop_.request_stop();
+    if (wanted == computedSource_) return;
+    if (pending_.valid()) {
+        if (wanted.world != pendingSource_.world || wanted.aov != pendingSource_.aov) stop_.request_stop();
         return;
     }
-    underway_ = wanted;
+    pendingSource_ = wanted;
     stop_ = std::stop_source{};
-    coming_ = std::async(std::launch::async, compute, std::move(world), wanted.film, aov, samples, threads,
-                         stop_.get_token());
+    pending_ = std::async(std::launch::async, compute, std::move(world), wanted.film, aov, samples, threads,
+                          stop_.get_token());
 }
 
 void HeatMap::recolor() {
     if (!values_) return;
-    image_ = colored(*values_, map, static_cast<double>(from), static_cast<double>(to));
+    image_ = applyColorMap(*values_, map, static_cast<double>(from), static_cast<double>(to));
     ++version_;
 }
 

@@ -18,7 +18,7 @@ struct HeatStatistics {
 HeatStatistics heatStatistics(const RgbImage& values);
 
 /// The image as colours: `from` and below has the first, `to` and above the last.
-RgbImage colored(const RgbImage& values, post::ColorMap map, double from, double to);
+RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to);
 
 /// A picture of what pixels cost or how certain they are, in place of the traced one.
 class HeatMap {
@@ -32,10 +32,10 @@ class HeatMap {
     bool fitRange = true;          ///< to the values, anew for each picture
     int samples = 1;               ///< per pixel, that are counted
 
-    /// Computes beside the window what is to be shown. `film` is the one of the present picture.
+    /// Computes beside the window what is to be shown. `film` is the one of the current picture.
     void update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
                 int threads);
-    bool busy() const { return coming_.valid(); }
+    bool busy() const { return pending_.valid(); }
     /// Null until there is one.
     const RgbImage* image() const { return shown && values_ ? &image_ : nullptr; }
     const RgbImage* values() const { return values_ ? &*values_ : nullptr; }
@@ -53,8 +53,8 @@ class HeatMap {
         int samples = 0, filmSamples = 0;
         bool operator==(const Source&) const = default;
     };
-    Source computed_, underway_;
-    std::future<RgbImage> coming_;
+    Source computedSource_, pendingSource_;
+    std::future<RgbImage> pending_;
     std::stop_source stop_;
     std::optional<RgbImage> values_;
     RgbImage image_;

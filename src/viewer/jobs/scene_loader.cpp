@@ -20,21 +20,21 @@ LoadedScene loadWithNotes(const std::string& path, bool reload) {
 }
 
 void SceneLoader::start(const std::string& path, bool reload) {
-    if (running_.valid()) {
-        next_ = Wish{path, reload};
+    if (pending_.valid()) {
+        next_ = LoadRequest{path, reload};
         return;
     }
     path_ = path;
-    running_ = std::async(std::launch::async, loadWithNotes, path, reload);
+    pending_ = std::async(std::launch::async, loadWithNotes, path, reload);
 }
 
 std::optional<LoadedScene> SceneLoader::poll() {
-    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    if (!pending_.valid() || pending_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return std::nullopt;
-    LoadedScene loaded = running_.get();
+    LoadedScene loaded = pending_.get();
     if (!next_) return loaded;
-    const Wish wish = *std::exchange(next_, std::nullopt);
-    start(wish.path, wish.reload);
+    const LoadRequest loadRequest = *std::exchange(next_, std::nullopt);
+    start(loadRequest.path, loadRequest.reload);
     return std::nullopt;
 }
 

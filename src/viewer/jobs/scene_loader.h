@@ -25,16 +25,16 @@ class SceneLoader {
     void start(const std::string& path, bool reload);
     /// The result, once, as soon as there is one.
     std::optional<LoadedScene> poll();
-    bool busy() const { return running_.valid(); }
+    bool busy() const { return pending_.valid(); }
     const std::string& path() const { return path_; }
 
   private:
-    struct Wish {
+    struct LoadRequest {
         std::string path;
         bool reload;
     };
-    std::future<LoadedScene> running_;
-    std::optional<Wish> next_;
+    std::future<LoadedScene> pending_;
+    std::optional<LoadRequest> next_;
     std::string path_;
 };
 

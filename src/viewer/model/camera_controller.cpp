@@ -115,7 +115,7 @@ void viewAlong(CameraDescription& camera, glm::dvec3 from) {
     camera.lookFrom = glm::vec3(target + direction * distance);
 }
 
-double walkingSpeed(const SceneBounds& bounds) {
+double defaultFlySpeed(const SceneBounds& bounds) {
     constexpr double kSecondsAcross = 8.0;
     return glm::length(glm::dvec3(bounds.upper) - glm::dvec3(bounds.lower)) / kSecondsAcross;
 }

@@ -34,6 +34,6 @@ void frameAll(CameraDescription& camera, const SceneBounds& bounds, double aspec
 void viewAlong(CameraDescription& camera, glm::dvec3 from);
 
 /// A speed that crosses the scene in some seconds.
-double walkingSpeed(const SceneBounds& bounds);
+double defaultFlySpeed(const SceneBounds& bounds);
 
 }  // namespace rayscope::viewer

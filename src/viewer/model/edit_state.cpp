@@ -30,7 +30,7 @@ CameraDescription chooseCamera(const SceneDescription& scene, const std::string&
 
 }  // namespace
 
-EditState openingState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
+EditState initialState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
                        const CameraOverrides& overrides, const std::string& preset) {
     EditState state;
     state.camera = chooseCamera(scene, overrides.name);

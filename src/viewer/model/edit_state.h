@@ -19,7 +19,7 @@ struct EditState {
 /// The state in which a scene opens: its own settings, then the preset (if any) and the given settings, and
 /// its first camera unless `camera` says otherwise. Throws InputError if a setting is wrong or there is no
 /// preset or camera of that name.
-EditState openingState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
+EditState initialState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
                        const CameraOverrides& camera, const std::string& preset = {});
 
 /// The same scene with other lights.

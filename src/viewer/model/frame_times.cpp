@@ -6,7 +6,7 @@
 namespace rayscope::viewer {
 
 void FrameTimes::add(double seconds) {
-    if (seconds_.size() == kMost) seconds_.erase(seconds_.begin());
+    if (seconds_.size() == kMaxCount) seconds_.erase(seconds_.begin());
     seconds_.push_back(static_cast<float>(seconds));
 }
 

@@ -14,7 +14,7 @@ class FrameTimes {
     void clear() { seconds_.clear(); }
     const std::vector<float>& latest() const { return seconds_; }
 
-    static constexpr std::size_t kMost = 240;
+    static constexpr std::size_t kMaxCount = 240;
 
   private:
     std::vector<float> seconds_;

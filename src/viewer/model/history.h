@@ -12,22 +12,22 @@ class History {
   public:
     explicit History(EditState first) : states_{std::move(first)} {}
 
-    /// Records `state` as a new step unless it is the present one. What was undone is forgotten.
+    /// Records `state` as a new step unless it is the current one. What was undone is forgotten.
     void record(const EditState& state);
 
-    bool canUndo() const { return present_ > 0; }
-    bool canRedo() const { return present_ + 1 < states_.size(); }
-    /// The state before or after the present one, which becomes the present one; only if canUndo(),
+    bool canUndo() const { return current_ > 0; }
+    bool canRedo() const { return current_ + 1 < states_.size(); }
+    /// The state before or after the current one, which becomes the current one; only if canUndo(),
     /// canRedo().
-    const EditState& undo() { return states_[--present_]; }
-    const EditState& redo() { return states_[++present_]; }
-    const EditState& present() const { return states_[present_]; }
+    const EditState& undo() { return states_[--current_]; }
+    const EditState& redo() { return states_[++current_]; }
+    const EditState& current() const { return states_[current_]; }
 
-    static constexpr std::size_t kMostStates = 500;
+    static constexpr std::size_t kMaxStates = 500;
 
   private:
     std::vector<EditState> states_;
-    std::size_t present_ = 0;
+    std::size_t current_ = 0;
 };
 
 }  // namespace rayscope::viewer

@@ -71,13 +71,13 @@ std::optional<double> nearestOnAxis(glm::dvec3 center, glm::dvec3 axis, glm::dve
 
 }  // namespace
 
-std::vector<glm::vec3> handlesOf(const Light& light) {
+std::vector<glm::vec3> handlePositions(const Light& light) {
     return std::visit([](const auto& shape) { return handles(shape); }, light.shape);
 }
 
 Light withHandleMoved(const Light& light, int handle, glm::vec3 newPosition) {
     Light moved = light;
-    const glm::vec3 delta = newPosition - handlesOf(light)[static_cast<std::size_t>(handle)];
+    const glm::vec3 delta = newPosition - handlePositions(light)[static_cast<std::size_t>(handle)];
     std::visit([&](auto& shape) { move(shape, handle, delta); }, moved.shape);
     return moved;
 }
@@ -88,37 +88,37 @@ const char* handleName(const Light& light, int handle) {
     return handle == 1 ? "corner" : handle == 2 ? "end of edge 0" : "end of edge 1";
 }
 
-glm::dvec3 axisEnd(const ViewFrame& frame, glm::dvec3 center, Grip grip, const HandleSize& size) {
-    return center + axisOf(grip) * (size.axis * frame.unitsPerPixelAt(center));
+glm::dvec3 axisEnd(const ViewFrame& frame, glm::dvec3 center, HandlePart handlePart, const HandleSize& size) {
+    return center + axisOf(handlePart) * (size.axis * frame.unitsPerPixelAt(center));
 }
 
-std::optional<Grip> pickGrip(const ViewFrame& frame, glm::dvec3 center, glm::dvec2 cursor,
-                             const HandleSize& size) {
+std::optional<HandlePart> pickHandlePart(const ViewFrame& frame, glm::dvec3 center, glm::dvec2 cursor,
+                                         const HandleSize& size) {
     const auto middle = frame.project(center);
     if (!middle) return std::nullopt;
-    if (glm::length(cursor - *middle) <= size.reach) return Grip::Free;
-    std::optional<Grip> nearest;
+    if (glm::length(cursor - *middle) <= size.reach) return HandlePart::Free;
+    std::optional<HandlePart> nearest;
     double nearestDistance = size.reach;
-    for (const Grip grip : {Grip::X, Grip::Y, Grip::Z}) {
-        const auto end = frame.project(axisEnd(frame, center, grip, size));
+    for (const HandlePart handlePart : {HandlePart::X, HandlePart::Y, HandlePart::Z}) {
+        const auto end = frame.project(axisEnd(frame, center, handlePart, size));
         if (!end) continue;
         const double distance = distanceToSegment(cursor, *middle, *end);
         if (distance > nearestDistance) continue;
         nearestDistance = distance;
-        nearest = grip;
+        nearest = handlePart;
     }
     return nearest;
 }
 
-glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, Grip grip, glm::dvec2 grabbed,
+glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, HandlePart handlePart, glm::dvec2 grabbed,
                    glm::dvec2 cursor) {
     const glm::dvec3 before = frame.directionThrough(grabbed), now = frame.directionThrough(cursor);
-    if (grip == Grip::Free) {
+    if (handlePart == HandlePart::Free) {
         const double depth = glm::dot(center - frame.eye, frame.forward);
         return center +
                depth * (now / glm::dot(now, frame.forward) - before / glm::dot(before, frame.forward));
     }
-    const glm::dvec3 axis = axisOf(grip);
+    const glm::dvec3 axis = axisOf(handlePart);
     const auto from = nearestOnAxis(center, axis, frame.eye, before);
     const auto to = nearestOnAxis(center, axis, frame.eye, now);
     return from && to ? center + axis * (*to - *from) : center;
@@ -134,7 +134,7 @@ std::optional<LightPick> pickLight(const ViewFrame& frame, const std::vector<Lig
         nearest = LightPick{static_cast<int>(light), static_cast<int>(handle)};
     };
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        const std::vector<glm::vec3> points = handlesOf(lights[i]);
+        const std::vector<glm::vec3> points = handlePositions(lights[i]);
         for (std::size_t handle = 0; handle < points.size(); ++handle)
             if (const auto place = frame.project(glm::dvec3(points[handle])))
                 consider(i, handle, glm::length(*place - cursor));

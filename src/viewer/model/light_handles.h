@@ -10,14 +10,15 @@ namespace rayscope::viewer {
 
 /// Handle 0 moves the whole light; a segment has its two ends after it, a parallelogram its corner and the
 /// two ends of its edges.
-std::vector<glm::vec3> handlesOf(const Light& light);
+std::vector<glm::vec3> handlePositions(const Light& light);
 Light withHandleMoved(const Light& light, int handle, glm::vec3 newPosition);
 const char* handleName(const Light& light, int handle);
 
 /// Which part of the three-axis handle the cursor is on.
-enum class Grip { X, Y, Z, Free };
-constexpr glm::dvec3 axisOf(Grip grip) {
-    return {grip == Grip::X ? 1.0 : 0.0, grip == Grip::Y ? 1.0 : 0.0, grip == Grip::Z ? 1.0 : 0.0};
+enum class HandlePart { X, Y, Z, Free };
+constexpr glm::dvec3 axisOf(HandlePart handlePart) {
+    return {handlePart == HandlePart::X ? 1.0 : 0.0, handlePart == HandlePart::Y ? 1.0 : 0.0,
+            handlePart == HandlePart::Z ? 1.0 : 0.0};
 }
 
 /// Lengths in pixels of the picture.
@@ -27,16 +28,16 @@ struct HandleSize {
 };
 
 /// The end of an axis that is `size.axis` pixels long where it is not foreshortened.
-glm::dvec3 axisEnd(const ViewFrame& frame, glm::dvec3 center, Grip grip, const HandleSize& size);
+glm::dvec3 axisEnd(const ViewFrame& frame, glm::dvec3 center, HandlePart handlePart, const HandleSize& size);
 
 /// The part under the cursor, the nearest one if several are within reach.
-std::optional<Grip> pickGrip(const ViewFrame& frame, glm::dvec3 center, glm::dvec2 cursor,
-                             const HandleSize& size);
+std::optional<HandlePart> pickHandlePart(const ViewFrame& frame, glm::dvec3 center, glm::dvec2 cursor,
+                                         const HandleSize& size);
 
 /// A drag that began with `center` under the cursor at `grabbed`: where the centre is when the cursor is at
 /// `cursor`. Along an axis it is the point of the axis that is nearest to the ray through the cursor, freely
 /// it moves in the plane that faces the viewer.
-glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, Grip grip, glm::dvec2 grabbed,
+glm::dvec3 dragged(const ViewFrame& frame, glm::dvec3 center, HandlePart handlePart, glm::dvec2 grabbed,
                    glm::dvec2 cursor);
 
 /// The handle that appears within `reach` pixels of the cursor, or else the light whose outline does.

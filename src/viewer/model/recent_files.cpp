@@ -8,7 +8,7 @@ namespace rayscope::viewer {
 
 RecentFiles::RecentFiles(std::filesystem::path file) : file_(std::move(file)) {
     std::ifstream stream(file_);
-    for (std::string line; paths_.size() < kMost && std::getline(stream, line);)
+    for (std::string line; paths_.size() < kMaxCount && std::getline(stream, line);)
         if (!line.empty()) paths_.push_back(line);
 }
 
@@ -17,7 +17,7 @@ void RecentFiles::add(const std::string& scene) {
     const std::string path = isFile ? std::filesystem::absolute(scene).lexically_normal().string() : scene;
     std::erase(paths_, path);
     paths_.insert(paths_.begin(), path);
-    if (paths_.size() > kMost) paths_.resize(kMost);
+    if (paths_.size() > kMaxCount) paths_.resize(kMaxCount);
     if (file_.empty()) return;
     std::error_code ignored;
     std::filesystem::create_directories(file_.parent_path(), ignored);

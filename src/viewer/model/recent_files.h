@@ -13,7 +13,7 @@ class RecentFiles {
     void add(const std::string& scene);
     const std::vector<std::string>& paths() const { return paths_; }
 
-    static constexpr std::size_t kMost = 10;
+    static constexpr std::size_t kMaxCount = 10;
 
   private:
     std::filesystem::path file_;

@@ -71,24 +71,24 @@ std::vector<VisibleBox> visibleBoxes(const OverlayBoxes& boxes, const ViewFrame&
 }
 
 /// The size from which on boxes are drawn whole.
-double smallestWhole(const std::vector<VisibleBox>& visible, std::size_t mostWhole) {
+double minWholeSize(const std::vector<VisibleBox>& visible, std::size_t maxWholeBoxes) {
     std::vector<double> sizes;
     for (const VisibleBox& box : visible)
         if (box.size >= kSmallestBox) sizes.push_back(box.size);
-    if (sizes.size() <= mostWhole) return kSmallestBox;
-    const auto limit = sizes.begin() + static_cast<std::ptrdiff_t>(mostWhole);
+    if (sizes.size() <= maxWholeBoxes) return kSmallestBox;
+    const auto limit = sizes.begin() + static_cast<std::ptrdiff_t>(maxWholeBoxes);
     std::nth_element(sizes.begin(), limit, sizes.end(), std::greater<>());
     return std::nextafter(*limit, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
 
-BoxChoice chooseBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole) {
-    BoxChoice drawn;
+BoxSelection selectBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t maxWholeBoxes) {
+    BoxSelection drawn;
     Spots spots(frame);
     const std::vector<VisibleBox> visible = visibleBoxes(boxes, frame);
-    const double whole = smallestWhole(visible, mostWhole);
-    drawn.whole.reserve(std::min(visible.size(), mostWhole));
+    const double whole = minWholeSize(visible, maxWholeBoxes);
+    drawn.whole.reserve(std::min(visible.size(), maxWholeBoxes));
     for (const auto& [box, pixel, size] : visible) {
         if (size >= kSmallestBox) ++drawn.large;
         if (size >= whole) {

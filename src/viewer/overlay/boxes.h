@@ -13,16 +13,17 @@ struct OverlayBox {
 };
 using OverlayBoxes = std::vector<OverlayBox>;
 
-struct BoxChoice {
+struct BoxSelection {
     OverlayBoxes whole;     ///< of which all edges are drawn
     OverlayLines strokes;   ///< that stand for small boxes
     std::size_t large = 0;  ///< boxes of some pixels in the picture, whether drawn whole or not
 };
 
 /// Boxes as they can be told apart from where the camera stands, with the pixels that `frame` has: those of
-/// some pixels have twelve edges, but no more than the `mostWhole` largest; of the others one per spot of the
-/// picture is drawn, as a stroke; those outside the picture are left out. So the number of lines is bounded,
-/// whatever the number of boxes.
-BoxChoice chooseBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t mostWhole = 20000);
+/// some pixels have twelve edges, but no more than the `maxWholeBoxes` largest; of the others one per spot of
+/// the picture is drawn, as a stroke; those outside the picture are left out. So the number of lines is
+/// bounded, whatever the number of boxes.
+BoxSelection selectBoxes(const OverlayBoxes& boxes, const ViewFrame& frame,
+                         std::size_t maxWholeBoxes = 20000);
 
 }  // namespace rayscope::viewer

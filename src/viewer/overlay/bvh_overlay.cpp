@@ -24,23 +24,25 @@ void appendCircle(OverlayLines& lines, glm::vec3 center, glm::vec3 a, glm::vec3 
         lines.push_back({point(i), point(i + 1), color, LineStyle::Solid, width});
 }
 
-bool hasLeaf(const IndexedTree& own, const BvhChoice& choice) {
+bool hasLeaf(const IndexedTree& own, const BvhOverlayOptions& choice) {
     return choice.leaf && static_cast<std::size_t>(choice.leafNumber) < own.index.leaves.size();
 }
 
-std::uint32_t leafNode(const IndexedTree& own, const BvhChoice& choice) {
+std::uint32_t leafNode(const IndexedTree& own, const BvhOverlayOptions& choice) {
     return own.index.leaves[static_cast<std::size_t>(choice.leafNumber)];
 }
 
 }  // namespace
 
-OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* rival, const BvhChoice& choice) {
+OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* referenceTree,
+                        const BvhOverlayOptions& choice) {
     OverlayBoxes boxes;
-    if (choice.savings && rival != nullptr)
+    if (choice.showReference && referenceTree != nullptr)
         for (const std::uint32_t node :
-             probe::nodesAtLevel(rival->tree, rival->index, choice.level, choice.leavesAbove))
-            boxes.push_back(boxOf(rival->tree.nodes[node], palette::kRivalBox, LineStyle::Solid, 2.5f));
-    if (choice.levels || choice.savings)
+             probe::nodesAtLevel(referenceTree->tree, referenceTree->index, choice.level, choice.leavesAbove))
+            boxes.push_back(
+                boxOf(referenceTree->tree.nodes[node], palette::kReferenceBox, LineStyle::Solid, 2.5f));
+    if (choice.levels || choice.showReference)
         for (const std::uint32_t node :
              probe::nodesAtLevel(own.tree, own.index, choice.level, choice.leavesAbove))
             boxes.push_back(boxOf(own.tree.nodes[node], palette::kLevelBox, LineStyle::Solid, 1.2f));
@@ -78,12 +80,12 @@ OverlayLines primitiveLines(const AccelInput& input, std::span<const std::uint32
     return lines;
 }
 
-OverlayBoxes leafBoxes(const IndexedTree& own, const BvhChoice& choice) {
+OverlayBoxes leafBoxes(const IndexedTree& own, const BvhOverlayOptions& choice) {
     if (!hasLeaf(own, choice)) return {};
     return {boxOf(own.tree.nodes[leafNode(own, choice)], palette::kLeaf, LineStyle::Solid, 3.0f)};
 }
 
-OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhChoice& choice) {
+OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhOverlayOptions& choice) {
     if (!hasLeaf(own, choice)) return {};
     return primitiveLines(input, probe::primitivesOfLeaf(own.tree, leafNode(own, choice)),
                           palette::kLeafPrimitive, 3.0f);

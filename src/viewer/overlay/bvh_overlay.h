@@ -7,16 +7,16 @@
 namespace rayscope::viewer {
 
 /// What is drawn of a bounding volume hierarchy.
-struct BvhChoice {
+struct BvhOverlayOptions {
     bool levels = false;                ///< boxes of one level …
     int level = 0;                      ///< … this one
     bool leavesAbove = false;           ///< and the leaves that end above it
-    bool savings = false;               ///< the boxes of the rival tree on the same level below them
+    bool showReference = false;         ///< the boxes of the referenceTree tree on the same level below them
     bool leaf = false;                  ///< one leaf with its primitives …
     int leafNumber = 0;                 ///< … by its place in preorder
     std::uint32_t node = bvh::kNoNode;  ///< the selected node
-    bool any() const { return levels || savings || leaf || node != bvh::kNoNode; }
-    bool operator==(const BvhChoice&) const = default;
+    bool any() const { return levels || showReference || leaf || node != bvh::kNoNode; }
+    bool operator==(const BvhOverlayOptions&) const = default;
 };
 
 /// A tree with what is known about it.
@@ -25,9 +25,10 @@ struct IndexedTree {
     const probe::TreeIndex& index;
 };
 
-/// The boxes of the chosen level. Those of the `rival` (may be null) come first and are wider and red, so
-/// that red shows only where the tree has saved space.
-OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* rival, const BvhChoice& choice);
+/// The boxes of the chosen level. Those of the `referenceTree` (may be null) come first and are wider and
+/// red, so that red shows only where the tree has saved space.
+OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* referenceTree,
+                        const BvhOverlayOptions& choice);
 
 /// The box of a node, and the boxes of its children dashed.
 OverlayBoxes nodeBoxes(const bvh::BinaryTree& tree, std::uint32_t node);
@@ -37,7 +38,7 @@ OverlayLines primitiveLines(const AccelInput& input, std::span<const std::uint32
                             glm::vec4 color, float width);
 
 /// The chosen leaf: its box and its primitives.
-OverlayBoxes leafBoxes(const IndexedTree& own, const BvhChoice& choice);
-OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhChoice& choice);
+OverlayBoxes leafBoxes(const IndexedTree& own, const BvhOverlayOptions& choice);
+OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhOverlayOptions& choice);
 
 }  // namespace rayscope::viewer

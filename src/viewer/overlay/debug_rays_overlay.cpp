@@ -13,7 +13,7 @@ struct Look {
     LineStyle style;
 };
 Look lookOf(const RayNode& node) {
-    if (node.end == RayEnd::BelowSurface) return {palette::kRejectedRay, LineStyle::Dotted};
+    if (node.end == RayEnd::BelowSurface) return {palette::kBelowSurfaceRay, LineStyle::Dotted};
     if (!node.hit) return {palette::kMissedRay, LineStyle::Dashed};
     switch (node.kind) {
         case RayKind::Camera:
@@ -44,15 +44,15 @@ bool kindIsShown(const RayNode& node, const DebugRayFilter& filter) {
     return filter.transparent;
 }
 
-bool verdictIsShown(Visibility visibility, const DebugRayFilter& filter) {
-    if (visibility == Visibility::Blocked) return filter.shadowBlocked;
-    return visibility == Visibility::FacingAway ? filter.shadowAway : filter.shadowVisible;
+bool visibilityIsShown(Visibility visibility, const DebugRayFilter& filter) {
+    if (visibility == Visibility::Occluded) return filter.shadowOccluded;
+    return visibility == Visibility::FacingAway ? filter.shadowBehindSurface : filter.shadowVisible;
 }
 
 bool addsEnough(const RgbSum& contribution, const DebugRayFilter& filter) {
-    if (filter.leastContribution <= 0.0f) return true;
+    if (filter.minContribution <= 0.0f) return true;
     return std::max({contribution.x, contribution.y, contribution.z}) >=
-           static_cast<double>(filter.leastContribution);
+           static_cast<double>(filter.minContribution);
 }
 
 bool isOnTheWayTo(const RayTree& tree, int node, int target) {
@@ -82,7 +82,7 @@ OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors c
     OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
     const bool seesEnvironment = !node.hit && node.contribution != RgbSum(0.0);
     if (!seesEnvironment && (colors == RayColors::Kind || !node.hit)) return line;
-    if (colors == RayColors::Arriving) {
+    if (colors == RayColors::IncomingRadiance) {
         line.color = {displayColor(Rgb(arriving)), 1.0f};
     } else {
         // A pane of glass is drawn as thin as it is.
@@ -95,10 +95,10 @@ OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors c
 
 OverlayLine shadowLine(const ShadowRay& ray) {
     switch (ray.visibility) {
-        case Visibility::Blocked:
-            return {ray.from, ray.to, palette::kBlockedRay, LineStyle::Dotted, 1.5f};
+        case Visibility::Occluded:
+            return {ray.from, ray.to, palette::kOccludedRay, LineStyle::Dotted, 1.5f};
         case Visibility::FacingAway:
-            return {ray.from, ray.to, palette::kAwayRay, LineStyle::Dotted, 1.0f};
+            return {ray.from, ray.to, palette::kBehindSurfaceRay, LineStyle::Dotted, 1.0f};
         case Visibility::Attenuated:
             return {ray.from, ray.to, glm::vec4(displayColor(ray.color), 0.9f), LineStyle::Dashed, 1.5f};
         case Visibility::Visible:
@@ -129,7 +129,7 @@ bool isShown(const RayTree& tree, RaySelection ray, const DebugRayFilter& filter
         ray.shadow >= 0 ? &tree.shadowRays[static_cast<std::size_t>(ray.shadow)] : nullptr;
     const RayNode& node = tree.nodes[static_cast<std::size_t>(shadow ? shadow->node : ray.node)];
     if (node.depth > filter.maxDepth) return false;
-    if (shadow ? !verdictIsShown(shadow->visibility, filter) : !kindIsShown(node, filter)) return false;
+    if (shadow ? !visibilityIsShown(shadow->visibility, filter) : !kindIsShown(node, filter)) return false;
     if (shadow && filter.light >= 0 && shadow->light != filter.light) return false;
     if (!addsEnough(shadow ? shadow->contribution : node.contribution, filter)) return false;
     if (filter.isolated && !filter.selected.empty() && !belongsToSelected(tree, ray, filter.selected))
@@ -151,8 +151,9 @@ std::vector<RaySelection> shownRays(const RayTree& tree, const DebugRayFilter& f
 
 OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize) {
     OverlayLines lines;
-    const std::vector<RgbSum> arriving =
-        filter.colors == RayColors::Arriving ? radianceAlong(tree) : std::vector<RgbSum>(tree.nodes.size());
+    const std::vector<RgbSum> arriving = filter.colors == RayColors::IncomingRadiance
+                                             ? radianceAlong(tree)
+                                             : std::vector<RgbSum>(tree.nodes.size());
     for (const RaySelection ray : shownRays(tree, filter)) {
         const auto index = static_cast<std::size_t>(std::max(ray.node, ray.shadow));
         OverlayLine line = ray.node >= 0
@@ -190,17 +191,18 @@ RaySelection pickRay(const RayTree& tree, const DebugRayFilter& filter, const Vi
 
 std::vector<RayLegendEntry> debugRayLegend() {
     using F = DebugRayFilter;
-    return {{"camera ray", palette::kCameraRay, LineStyle::Solid, &F::camera},
-            {"mirror reflection", palette::kReflectedRay, LineStyle::Solid, &F::reflections},
-            {"glossy reflection", palette::kReflectedRay, LineStyle::Dashed, &F::glossy},
-            {"glossy, below the surface", palette::kRejectedRay, LineStyle::Dotted, &F::rejected},
-            {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
-            {"misses everything", palette::kMissedRay, LineStyle::Dashed, &F::missed},
-            {"light visible: in its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
-            {"light blocked", palette::kBlockedRay, LineStyle::Dotted, &F::shadowBlocked},
-            {"light behind the surface", palette::kAwayRay, LineStyle::Dotted, &F::shadowAway},
-            {"shading normal", palette::kNormal, LineStyle::Solid, &F::normals},
-            {"normals of the vertices", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
+    return {
+        {"camera ray", palette::kCameraRay, LineStyle::Solid, &F::camera},
+        {"mirror reflection", palette::kReflectedRay, LineStyle::Solid, &F::reflections},
+        {"glossy reflection", palette::kReflectedRay, LineStyle::Dashed, &F::glossy},
+        {"glossy, below the surface", palette::kBelowSurfaceRay, LineStyle::Dotted, &F::rejected},
+        {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
+        {"misses everything", palette::kMissedRay, LineStyle::Dashed, &F::missed},
+        {"light visible: in its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
+        {"light blocked", palette::kOccludedRay, LineStyle::Dotted, &F::shadowOccluded},
+        {"light behind the surface", palette::kBehindSurfaceRay, LineStyle::Dotted, &F::shadowBehindSurface},
+        {"shading normal", palette::kNormal, LineStyle::Solid, &F::normals},
+        {"normals of the vertices", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
 }
 
 }  // namespace rayscope::viewer

@@ -14,19 +14,19 @@ struct RaySelection {
 };
 
 enum class RayColors {
-    Kind,     ///< what the ray is
-    Surface,  ///< what the surface that it meets shows of its own
-    Arriving  ///< the radiance that comes along it
+    Kind,             ///< what the ray is
+    Surface,          ///< what the surface that it meets shows of its own
+    IncomingRadiance  ///< the radiance that comes along it
 };
 
 /// Which of the recorded rays are drawn, and how. A row of the legend switches one of the kinds.
 struct DebugRayFilter {
     bool camera = true, reflections = true, glossy = true, transparent = true, missed = true, rejected = true;
-    bool shadowVisible = true, shadowBlocked = true, shadowAway = true;
+    bool shadowVisible = true, shadowOccluded = true, shadowBehindSurface = true;
     bool normals = true, vertexNormals = false;
-    int maxDepth = 16;               ///< reflections before a ray
-    int light = -1;                  ///< only shadow rays to this light; -1: all
-    float leastContribution = 0.0f;  ///< of the largest channel of what a vertex or shadow ray adds
+    int maxDepth = 16;             ///< reflections before a ray
+    int light = -1;                ///< only shadow rays to this light; -1: all
+    float minContribution = 0.0f;  ///< of the largest channel of what a vertex or shadow ray adds
     RayColors colors = RayColors::Kind;
     bool allSamples = false;  ///< the rays of every sample of the pixel
     bool isolated = false;    ///< only the selected ray, the rays before it and its shadow rays

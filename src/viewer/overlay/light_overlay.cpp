@@ -64,15 +64,15 @@ OverlayLines lightLines(const std::vector<Light>& lights, int selected, const Vi
     return lines;
 }
 
-OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optional<Grip> hovered,
+OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optional<HandlePart> hovered,
                          const HandleSize& size) {
     constexpr glm::vec4 kColors[] = {
         {0.93f, 0.33f, 0.31f, 1.0f}, {0.45f, 0.80f, 0.33f, 1.0f}, {0.33f, 0.56f, 0.96f, 1.0f}};
     constexpr glm::vec4 kHovered{1.0f, 0.92f, 0.45f, 1.0f};
     OverlayLines lines;
-    for (const Grip grip : {Grip::X, Grip::Y, Grip::Z}) {
-        const glm::vec4 color = hovered == grip ? kHovered : kColors[static_cast<int>(grip)];
-        const glm::dvec3 end = axisEnd(frame, center, grip, size);
+    for (const HandlePart handlePart : {HandlePart::X, HandlePart::Y, HandlePart::Z}) {
+        const glm::vec4 color = hovered == handlePart ? kHovered : kColors[static_cast<int>(handlePart)];
+        const glm::dvec3 end = axisEnd(frame, center, handlePart, size);
         lines.push_back({glm::vec3(center), glm::vec3(end), color, LineStyle::Solid, 3.0f});
         // An arrow head of two strokes that face the viewer.
         const glm::dvec3 along = (end - center) * 0.16;
@@ -82,7 +82,7 @@ OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optiona
         lines.push_back({glm::vec3(end), glm::vec3(end - along + wing), color, LineStyle::Solid, 3.0f});
         lines.push_back({glm::vec3(end), glm::vec3(end - along - wing), color, LineStyle::Solid, 3.0f});
     }
-    const glm::vec4 color = hovered == Grip::Free ? kHovered : glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
+    const glm::vec4 color = hovered == HandlePart::Free ? kHovered : glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
     const double half = 0.6 * size.reach * frame.unitsPerPixelAt(center);
     const glm::dvec3 r = frame.right * half, u = frame.up * half;
     const glm::dvec3 corners[] = {center - r - u, center + r - u, center + r + u, center - r + u};

@@ -10,7 +10,7 @@ namespace rayscope::viewer {
 OverlayLines lightLines(const std::vector<Light>& lights, int selected, const ViewFrame& frame, double scale);
 
 /// The three-axis handle at `center`: x red, y green, z blue, the part under the cursor bright.
-OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optional<Grip> hovered,
+OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optional<HandlePart> hovered,
                          const HandleSize& size);
 
 }  // namespace rayscope::viewer

@@ -26,7 +26,7 @@ struct Ink {
     float period, on;                      // pixels, and the share that is drawn; solid if the period is 0
 };
 
-Ink inkOf(const glm::vec4& color, LineStyle style, const PaintLook& look) {
+Ink inkOf(const glm::vec4& color, LineStyle style, const PaintOptions& look) {
     const auto level = [](float value, float most) {
         return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * most + 0.5f);
     };
@@ -52,7 +52,7 @@ class Painter {
     struct Rows {
         int begin, end;
     };
-    Painter(PaintCanvas& canvas, const PaintLook& look, Rows rows)
+    Painter(PaintCanvas& canvas, const PaintOptions& look, Rows rows)
         : canvas_(canvas),
           look_(look),
           rows_(rows),
@@ -184,7 +184,7 @@ class Painter {
     }
 
     PaintCanvas& canvas_;
-    const PaintLook& look_;
+    const PaintOptions& look_;
     Rows rows_;
     glm::vec2 size_;
     bool hides_;
@@ -192,7 +192,7 @@ class Painter {
 
 /// Each thread paints all lines on rows of its own, so every pixel has its lines in their order.
 template <class Work>
-void inBands(PaintCanvas& canvas, const PaintLook& look, Work&& work) {
+void inBands(PaintCanvas& canvas, const PaintOptions& look, Work&& work) {
     if (canvas.pixels.empty()) return;
     const int bands = std::min({tbb::this_task_arena::max_concurrency(), canvas.height, 8});
     tbb::parallel_for(0, bands, [&](int band) {
@@ -203,13 +203,13 @@ void inBands(PaintCanvas& canvas, const PaintLook& look, Work&& work) {
 
 }  // namespace
 
-void paintLines(PaintCanvas& canvas, const OverlayLines& lines, const PaintLook& look) {
+void paintLines(PaintCanvas& canvas, const OverlayLines& lines, const PaintOptions& look) {
     inBands(canvas, look, [&lines](Painter& painter) {
         for (const OverlayLine& line : lines) painter.paint(line);
     });
 }
 
-void paintBoxes(PaintCanvas& canvas, const OverlayBoxes& boxes, const PaintLook& look) {
+void paintBoxes(PaintCanvas& canvas, const OverlayBoxes& boxes, const PaintOptions& look) {
     inBands(canvas, look, [&boxes](Painter& painter) {
         for (const OverlayBox& box : boxes) painter.paint(box);
     });

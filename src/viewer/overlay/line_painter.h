@@ -14,7 +14,7 @@ struct PaintCanvas {
     std::vector<float> depth;  ///< 0 … 1 from the near to the far plane; empty: nothing hides lines
 };
 
-struct PaintLook {
+struct PaintOptions {
     glm::mat4 viewProjection{1.0f};  ///< to OpenGL clip coordinates
     float unit = 1.0f;               ///< pixels of the canvas per unit of the patterns of dashes and dots
     float hiddenOpacity = 1.0f;      ///< multiplies the opacity of what lies behind surfaces
@@ -23,7 +23,7 @@ struct PaintLook {
 /// Paints lines, then boxes, in the order of the lists, all of them one pixel wide, without softened edges.
 /// Patterns and what is hidden are as in shaders/line.frag. Parts outside the view and coordinates that are
 /// not finite leave no trace. The canvas has at most 16384 pixels to a side.
-void paintLines(PaintCanvas& canvas, const OverlayLines& lines, const PaintLook& look);
-void paintBoxes(PaintCanvas& canvas, const OverlayBoxes& boxes, const PaintLook& look);
+void paintLines(PaintCanvas& canvas, const OverlayLines& lines, const PaintOptions& look);
+void paintBoxes(PaintCanvas& canvas, const OverlayBoxes& boxes, const PaintOptions& look);
 
 }  // namespace rayscope::viewer

@@ -5,9 +5,9 @@
 namespace rayscope::viewer {
 
 /// What is drawn of how surfaces and the camera are sampled.
-struct SurfaceChoice {
+struct SurfaceOverlayOptions {
     bool glossySquare = true, environment = true, lens = true;
-    bool operator==(const SurfaceChoice&) const = default;
+    bool operator==(const SurfaceOverlayOptions&) const = default;
 };
 
 /// The edges of the triangle and the normals of its vertices, `length` long.

@@ -29,12 +29,12 @@ std::vector<Fate> fatesOf(const probe::TraversalLog& log, std::size_t steps) {
 
 }  // namespace
 
-std::size_t shownSteps(const probe::TraversalLog& log, const TraversalChoice& choice) {
+std::size_t shownSteps(const probe::TraversalLog& log, const TraversalOverlayOptions& choice) {
     if (!choice.stepping) return log.steps.size();
     return std::min(static_cast<std::size_t>(std::max(choice.step, 0)), log.steps.size());
 }
 
-OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalChoice& choice) {
+OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalOverlayOptions& choice) {
     OverlayBoxes boxes;
     if (!choice.shown) return boxes;
     const std::size_t steps = shownSteps(log, choice);
@@ -49,11 +49,11 @@ OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalChoic
             case probe::TraversalEvent::Missed:
                 if (choice.missed) add(i, palette::kMissedBox, LineStyle::Dotted, 1.0f);
                 break;
-            case probe::TraversalEvent::Behind:
-                if (choice.skipped) add(i, palette::kSkippedBox, LineStyle::Dashed, 1.5f);
+            case probe::TraversalEvent::Culled:
+                if (choice.culled) add(i, palette::kCulledBox, LineStyle::Dashed, 1.5f);
                 break;
-            case probe::TraversalEvent::Waits:
-                add(i, palette::kWaitingBox, LineStyle::Dashed, 1.5f);
+            case probe::TraversalEvent::Pushed:
+                add(i, palette::kPushedBox, LineStyle::Dashed, 1.5f);
                 break;
             default:
                 add(i, palette::kVisitedBox, LineStyle::Solid, 1.3f);
@@ -66,7 +66,7 @@ OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalChoic
 }
 
 OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& input,
-                            const TraversalChoice& choice, float sceneSize) {
+                            const TraversalOverlayOptions& choice, float sceneSize) {
     OverlayLines lines;
     if (!choice.shown) return lines;
     const std::size_t steps = shownSteps(log, choice);
@@ -80,7 +80,7 @@ OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& in
         }
     };
     if (choice.stepping && steps > 0 && isTest(log.steps[steps - 1].event))
-        outline(log.steps[steps - 1].number, palette::kWaitingBox, 2.5f);
+        outline(log.steps[steps - 1].number, palette::kPushedBox, 2.5f);
     if (state.closest != kNoPrimitive) outline(state.closest, palette::kHitPrimitive, 4.0f);
     if (choice.stepping) {
         const float speed = glm::length(log.ray.direction);

@@ -12,7 +12,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-using Inspected = BvhInspector::Inspected;
+using InspectedTree = BvhInspector::InspectedTree;
 
 constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
 
@@ -35,8 +35,8 @@ int steppedSlider(const char* label, int& value, int highest, std::string_view h
     return step;
 }
 
-void drawLevels(BvhInspector& bvh, const Inspected& seen) {
-    BvhChoice& shown = bvh.shown;
+void drawLevels(BvhInspector& bvh, const InspectedTree& seen) {
+    BvhOverlayOptions& shown = bvh.shown;
     ImGui::Checkbox("Boxes of a level (B)", &shown.levels);
     ImGui::SameLine();
     ImGui::Checkbox("Leaves above", &shown.leavesAbove);
@@ -46,7 +46,7 @@ void drawLevels(BvhInspector& bvh, const Inspected& seen) {
     if (step != 0) bvh.stepLevel(step);
 }
 
-void drawLeaf(BvhInspector& bvh, const Inspected& seen) {
+void drawLeaf(BvhInspector& bvh, const InspectedTree& seen) {
     ImGui::Checkbox("One leaf and its primitives", &bvh.shown.leaf);
     const int leaves = static_cast<int>(seen.index.leaves.size());
     const int step = steppedSlider("Leaf", bvh.shown.leafNumber, leaves - 1,
@@ -66,7 +66,7 @@ void drawLeaf(BvhInspector& bvh, const Inspected& seen) {
     ImGui::PopStyleColor();
 }
 
-void drawBuild(Workspace& workspace, const Inspected& seen) {
+void drawBuild(Workspace& workspace, const InspectedTree& seen) {
     Settings& settings = workspace.edit.settings;
     labelledRow("Max level", settings.bvhMaxLevel != Settings{}.bvhMaxLevel,
                 "The deepest level that is built (setting bvh_max_level); moving it builds anew.");
@@ -84,7 +84,7 @@ bool isAncestor(const probe::TreeIndex& index, std::uint32_t node, std::uint32_t
 }
 
 /// A node and, where it is unfolded, everything below it.
-void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bool reveal) {
+void drawNode(BvhInspector& bvh, const InspectedTree& seen, std::uint32_t number, bool reveal) {
     const bvh::BinaryNode& node = seen.tree().nodes[number];
     ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
     if (node.isLeaf()) flags |= ImGuiTreeNodeFlags_Leaf;
@@ -105,7 +105,7 @@ void drawNode(BvhInspector& bvh, const Inspected& seen, std::uint32_t number, bo
     ImGui::TreePop();
 }
 
-void drawSelected(const Inspected& seen, std::uint32_t number) {
+void drawSelected(const InspectedTree& seen, std::uint32_t number) {
     if (number >= seen.tree().nodes.size()) return dimText("Click a node to see it in the picture.");
     const bvh::BinaryNode& node = seen.tree().nodes[number];
     const double rootArea = bvh::halfArea(seen.tree().nodes[0]);
@@ -121,7 +121,7 @@ void drawSelected(const Inspected& seen, std::uint32_t number) {
                  fmt::format("both children: {:.3g} %", 100.0 * probe::childOverlap(seen.tree(), number)));
 }
 
-void drawTree(BvhInspector& bvh, const Inspected& seen) {
+void drawTree(BvhInspector& bvh, const InspectedTree& seen) {
     static std::uint32_t revealed = bvh::kNoNode;
     const bool reveal = bvh.shown.node != revealed && bvh.shown.node != bvh::kNoNode;
     revealed = bvh.shown.node;
@@ -152,21 +152,21 @@ void drawHistogram(const char* title, const char* unit, const std::vector<std::s
 }  // namespace
 
 void drawBvhPanel(Workspace& workspace) {
-    workspace.bvhSeen = true;
+    workspace.bvhPanelOpen = true;
     BvhInspector& bvh = workspace.bvh;
-    const Inspected* seen = bvh.inspected();
+    const InspectedTree* seen = bvh.inspected();
     if (seen == nullptr) {
         wrappedText(workspace.edit.settings.bvh ? "There is nothing to search, or it is being prepared."
                                                 : "The BVH is off: every ray tests every primitive.");
         return;
     }
     const auto world = workspace.render.session().world();
-    if (world && world->bodies.size() > 1) {
-        int body = static_cast<int>(bvh.body);
-        const int step = steppedSlider("Body", body, static_cast<int>(world->bodies.size()) - 1,
+    if (world && world->motionGroups.size() > 1) {
+        int motionGroup = static_cast<int>(bvh.motionGroup);
+        const int step = steppedSlider("Body", motionGroup, static_cast<int>(world->motionGroups.size()) - 1,
                                        "Things that move alike share a hierarchy; body 0 is at rest.");
-        const int last = static_cast<int>(world->bodies.size()) - 1;
-        bvh.body = static_cast<std::size_t>(std::clamp(body + step, 0, last));
+        const int last = static_cast<int>(world->motionGroups.size()) - 1;
+        bvh.motionGroup = static_cast<std::size_t>(std::clamp(motionGroup + step, 0, last));
     }
     const auto section = [](const char* name) {
         return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
@@ -174,13 +174,13 @@ void drawBvhPanel(Workspace& workspace) {
     if (section("Boxes")) {
         drawLevels(bvh, *seen);
         drawLeaf(bvh, *seen);
-        ImGui::Checkbox("Savings against another build", &bvh.shown.savings);
+        ImGui::Checkbox("Savings against another build", &bvh.shown.showReference);
         tooltip(
             "Below the boxes of the level, in red, those of the build that it is compared with: where red "
             "shows, space is saved.");
     }
     if (section("Build")) drawBuild(workspace, *seen);
-    if (bvh.shown.savings && section("Against another build")) drawRival(workspace, *seen);
+    if (bvh.shown.showReference && section("Against another build")) drawReferenceTree(workspace, *seen);
     if (section("Nodes")) drawTree(bvh, *seen);
     if (section("Splits of the node")) drawSplitCurve(bvh, workspace.edit.settings.bvhBins);
     if (section("Leaves")) {

@@ -9,7 +9,7 @@ namespace rayscope::viewer {
 std::string_view nameOf(BvhBuilder builder);
 
 /// Another build of the same primitives: how it is built, and what the two cost.
-void drawRival(Workspace& workspace, const BvhInspector::Inspected& seen);
+void drawReferenceTree(Workspace& workspace, const BvhInspector::InspectedTree& seen);
 
 /// What it would cost to split the selected node elsewhere.
 void drawSplitCurve(BvhInspector& bvh, int bins);

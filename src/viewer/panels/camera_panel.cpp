@@ -59,20 +59,20 @@ void drawCameraText(Workspace& workspace) {
         ImGui::OpenPopup("cameraText");
     }
     if (!ImGui::BeginPopup("cameraText")) return;
-    static std::string problem;
+    static std::string errorMessage;
     text("Camera as options of the command line:");
     ImGui::SetNextItemWidth(scaled(560.0f));
     const bool entered = ImGui::InputText("##options", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
     if (entered || ImGui::Button("Set")) {
         try {
             workspace.edit.camera = withOptions(workspace.edit.camera, typed);
-            problem.clear();
+            errorMessage.clear();
             ImGui::CloseCurrentPopup();
         } catch (const InputError& error) {
-            problem = error.what();
+            errorMessage = error.what();
         }
     }
-    if (!problem.empty()) coloredText(kErrorText, problem);
+    if (!errorMessage.empty()) coloredText(kErrorText, errorMessage);
     ImGui::EndPopup();
 }
 

@@ -1,4 +1,4 @@
-// A picture that was kept beside the present one.
+// A picture that was kept beside the current one.
 #include <fmt/format.h>
 
 #include "viewer/panels/panels.h"
@@ -12,7 +12,7 @@ namespace {
 void drawModes(Comparison::View& view) {
     const float third = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
     const auto button = [&](const char* label, CompareMode mode, const char* help) {
-        if (choiceButton(label, view.mode == mode, third)) view.mode = mode;
+        if (toggleButton(label, view.mode == mode, third)) view.mode = mode;
         tooltip(help);
     };
     button("Wipe", CompareMode::Wipe, "A on the left of a line that can be dragged, B on its right.");
@@ -26,9 +26,9 @@ void drawModes(Comparison::View& view) {
     } else if (view.mode == CompareMode::Flip) {
         labelledRow("Shown (X)");
         const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-        if (choiceButton("A", view.flipped, half)) view.flipped = true;
+        if (toggleButton("A", view.flipped, half)) view.flipped = true;
         ImGui::SameLine();
-        if (choiceButton("B", !view.flipped, half)) view.flipped = false;
+        if (toggleButton("B", !view.flipped, half)) view.flipped = false;
     } else {
         labelledRow("Times", false, "What differences are multiplied with.");
         ImGui::SliderFloat("##brightness", &view.brightness, 0.1f, 1000.0f, "%.3g",
@@ -36,19 +36,19 @@ void drawModes(Comparison::View& view) {
     }
 }
 
-void drawFigures(const Comparison& comparison) {
-    const ErrorMeasures* figures = comparison.figures();
-    if (figures == nullptr)
+void drawMetrics(const Comparison& comparison) {
+    const ErrorMeasures* metrics = comparison.metrics();
+    if (metrics == nullptr)
         return dimText(comparison.busy() ? "measuring ..." : "pictures of different sizes: no figures");
-    valueRow("RMSE", fmt::format("{:.6g}", figures->rmse), "Root of the mean squared difference, linear.");
+    valueRow("RMSE", fmt::format("{:.6g}", metrics->rmse), "Root of the mean squared difference, linear.");
     valueRow("Largest",
-             fmt::format("{:.4g} at {}, {}", figures->maximum, figures->maximumX, figures->maximumY),
+             fmt::format("{:.4g} at {}, {}", metrics->maximum, metrics->maximumX, metrics->maximumY),
              "Largest difference of a channel, linear.");
-    valueRow("SSIM", fmt::format("{:.6f}", figures->ssim),
+    valueRow("SSIM", fmt::format("{:.6f}", metrics->ssim),
              "Structural similarity of the luminance on a display; 1 for equal pictures.");
-    valueRow("FLIP", fmt::format("{:.6f}", figures->flip),
+    valueRow("FLIP", fmt::format("{:.6f}", metrics->flip),
              "Mean difference that a person would see on a display; 0 for equal pictures.");
-    if (comparison.figuresAreFinal())
+    if (comparison.metricsAreFinal())
         dimText("of the complete picture B against A");
     else
         dimText(comparison.busy() ? "so far; measuring ..." : "so far; B is not complete yet");
@@ -63,7 +63,7 @@ void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
     if (ImGui::Button("Back to A's settings", {half, 0.0f})) workspace.edit.settings = a.state.settings;
     tooltip("B gets the settings of A; undo takes it back.");
     ImGui::SameLine();
-    if (ImGui::Button("Forget A", {half, 0.0f})) workspace.comparison.forget();
+    if (ImGui::Button("Forget A", {half, 0.0f})) workspace.comparison.discard();
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ void drawComparisonPanel(Workspace& workspace) {
     ImGui::Checkbox("Compare A with B (V)", &comparison.view.shown);
     if (comparison.view.shown) {
         drawModes(comparison.view);
-        drawFigures(comparison);
+        drawMetrics(comparison);
     }
     ImGui::Separator();
     drawSettingsOf(workspace, *comparison.a());

@@ -87,15 +87,15 @@ void drawStatisticsWindow(Workspace& workspace) {
                          workspace.render.raysPerSecond() * 1e-6));
         text(fmt::format("preparing the scene: {:.3f} s, of it {:.3f} s for the BVH", status.compileSeconds,
                          status.buildSeconds));
-        if (status.treeGrowth != 1.0)
+        if (status.sahCostGrowth != 1.0)
             text(fmt::format("refitted BVH: {:.3f} times as dear as when built, by the SAH",
-                             status.treeGrowth));
+                             status.sahCostGrowth));
         if (ImGui::Button("Start anew")) workspace.frameTimes.clear();
     }
     ImGui::End();
 }
 
-void drawErrorBox(Workspace& workspace) {
+void drawErrorDialog(Workspace& workspace) {
     constexpr const char* kTitle = "That did not work";
     if (!workspace.errorMessage.empty() && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 display = ImGui::GetIO().DisplaySize;

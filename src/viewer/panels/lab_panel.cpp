@@ -7,7 +7,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-void drawStart(Workspace& workspace, LabRun& lab) {
+void drawStart(Workspace& workspace, LabJob& lab) {
     if (lab.busy()) {
         if (stoppableProgress(lab.fraction())) lab.stop();
         return;
@@ -20,20 +20,21 @@ void drawStart(Workspace& workspace, LabRun& lab) {
     ImGui::Checkbox("Coarse steps", &lab.quick);
 }
 
-/// Failing cells of a method as a map: scales down, offsets to the right.
+/// Failing testPoints of a method as a map: scales down, offsets to the right.
 void drawMap(const LabResult& result, LabMethod method) {
-    if (result.cells.empty()) return;
+    if (result.testPoints.empty()) return;
     const float side = scaled(11.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     int row = -1, column = 0, columns = 0, scale = 1 << 20;
-    for (const LabCell& cell : result.cells) {
-        if (cell.place.scale != scale) {
-            scale = cell.place.scale;
+    for (const LabTestPoint& testPoint : result.testPoints) {
+        if (testPoint.transform.scale != scale) {
+            scale = testPoint.transform.scale;
             column = 0;
             ++row;
         }
-        const ImU32 color = cell.of(method).sound() ? IM_COL32(60, 150, 90, 255) : IM_COL32(215, 65, 45, 255);
+        const ImU32 color =
+            testPoint.of(method).passed() ? IM_COL32(60, 150, 90, 255) : IM_COL32(215, 65, 45, 255);
         const ImVec2 corner(at.x + side * static_cast<float>(column++),
                             at.y + side * static_cast<float>(row));
         draw.AddRectFilled(corner, {corner.x + side - 1.0f, corner.y + side - 1.0f}, color);
@@ -48,10 +49,10 @@ void drawMethod(const LabResult& result, LabMethod method) {
     const LabCounts sum = result.total(method);
     text(infoOf(method).label);
     drawMap(result, method);
-    dimText(fmt::format("{} of {} cells fail", range.failingCells, result.cells.size()));
+    dimText(fmt::format("{} of {} cells fail", range.failingTestPoints, result.testPoints.size()));
     dimText(fmt::format("{} leaks, {} double hits,\n{} false hits, {} lost surfaces", sum.leaks,
-                        sum.doubleHits, sum.falseHits, sum.lost));
-    if (range.soundAsItIs)
+                        sum.doubleHits, sum.falseHits, sum.missedSurfaces));
+    if (range.soundUntransformed)
         dimText(fmt::format("sound from 2^{} to 2^{} times its size,\nand to {:g} sizes from the origin",
                             range.lowestScale, range.highestScale, range.largestOffset));
     else
@@ -59,7 +60,7 @@ void drawMethod(const LabResult& result, LabMethod method) {
     ImGui::Spacing();
 }
 
-void drawOverlayChoice(LabRun& lab) {
+void drawOverlayChoice(LabJob& lab) {
     ImGui::Checkbox("Draw the rays that went wrong", &lab.overlay);
     labelledRow("Of", false, "Rays are brought back from the scale and place where they went wrong.");
     if (ImGui::BeginCombo("##method", infoOf(lab.shownMethod).label)) {
@@ -72,9 +73,9 @@ void drawOverlayChoice(LabRun& lab) {
 }  // namespace
 
 void drawLabPanel(Workspace& workspace) {
-    LabRun& lab = workspace.lab;
+    LabJob& lab = workspace.lab;
     drawStart(workspace, lab);
-    if (!lab.problem().empty()) wrappedText(lab.problem());
+    if (!lab.errorMessage().empty()) wrappedText(lab.errorMessage());
     const LabResult* result = lab.result();
     if (!result) return;
     if (lab.scene() != workspace.edit.scene.get()) dimText("The scene has changed since.");

@@ -89,7 +89,7 @@ void drawSelected(Workspace& workspace) {
 
     labelledRow("Handle");
     if (ImGui::BeginCombo("##handle", handleName(light, workspace.view.selectedHandle))) {
-        for (int handle = 0; handle < static_cast<int>(handlesOf(light).size()); ++handle)
+        for (int handle = 0; handle < static_cast<int>(handlePositions(light).size()); ++handle)
             if (ImGui::Selectable(handleName(light, handle), handle == workspace.view.selectedHandle))
                 workspace.view.selectedHandle = handle;
         ImGui::EndCombo();

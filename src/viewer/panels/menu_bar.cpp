@@ -16,7 +16,7 @@ bool isEnabled(const Workspace& workspace, Command command) {
     if (command == Command::HideRay || command == Command::IsolateRay) return hasSelection;
     if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays ||
         command == Command::PinPixel)
-        return workspace.rays.shot() != nullptr;
+        return workspace.rays.recording() != nullptr;
     if (command == Command::ComparePictures || command == Command::FlipPictures)
         return workspace.comparison.a() != nullptr;
     return true;
@@ -37,14 +37,14 @@ bool isTicked(const Workspace& workspace, Command command) {
             return view.flying;
         case Command::PauseOrResume:
             return workspace.render.paused();
-        case Command::LiveRay:
+        case Command::ToggleLiveRay:
             return view.liveRay;
         case Command::ToggleHeatMap:
             return workspace.heat.shown;
         case Command::ComparePictures:
             return workspace.comparison.visible();
-        case Command::ToggleSearch:
-            return workspace.rays.search.shown;
+        case Command::ToggleTraversal:
+            return workspace.rays.traversal.shown;
         case Command::IsolateRay:
             return workspace.rays.filter.isolated;
         case Command::ToggleBvhLevels:

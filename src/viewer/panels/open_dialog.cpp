@@ -28,10 +28,10 @@ void OpenDialog::enter(const std::filesystem::path& folder) {
     std::error_code failed;
     std::filesystem::directory_iterator list(folder, failed);
     if (failed) {
-        problem_ = fmt::format("cannot read {}: {}", folder.string(), failed.message());
+        errorMessage_ = fmt::format("cannot read {}: {}", folder.string(), failed.message());
         return;
     }
-    problem_.clear();
+    errorMessage_.clear();
     folder_ = folder;
     typed_ = folder.string();
     entries_.clear();
@@ -87,10 +87,10 @@ void OpenDialog::draw(Workspace& workspace) {
     bool open = ImGui::InputText("##path", &typed_,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     open |= drawEntries();
-    if (problem_.empty())
+    if (errorMessage_.empty())
         dimText("A scene (.toml), a mesh (.obj) or builtin:NAME; double-click opens.");
     else
-        coloredText(kErrorText, problem_);
+        coloredText(kErrorText, errorMessage_);
     open |= ImGui::Button("Open", {scaled(90.0f), 0.0f});
     ImGui::SameLine();
     const bool cancel = ImGui::Button("Cancel", {scaled(90.0f), 0.0f}) || workspace.closeDialogs;

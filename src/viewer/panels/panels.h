@@ -14,7 +14,7 @@ void drawMenuBar(Workspace& workspace);
 void drawStatusBar(Workspace& workspace, float height);
 void drawKeysWindow(Workspace& workspace);
 void drawStatisticsWindow(Workspace& workspace);
-void drawErrorBox(Workspace& workspace);
+void drawErrorDialog(Workspace& workspace);
 
 // Groups of the side panel.
 void drawScenePanel(Workspace& workspace);
@@ -27,13 +27,13 @@ void drawHeatPanel(Workspace& workspace);
 void drawLabPanel(Workspace& workspace);
 void drawTradePanel(Workspace& workspace);
 void drawComparisonPanel(Workspace& workspace);
-void drawGoalPanel(Workspace& workspace);
+void drawQualityPanel(Workspace& workspace);
 
 /// The divider and the names of compared pictures, over the picture.
 void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 size);
 
 /// What the picture lacks while it moves, in its lower left corner.
-void drawDetailNote(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size);
+void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size);
 
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {
@@ -51,7 +51,7 @@ class OpenDialog {
 
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
-    std::string typed_, problem_;
+    std::string typed_, errorMessage_;
 };
 
 /// Size, samples and name of a render to a file, then its progress.
@@ -66,7 +66,7 @@ class RenderDialog {
     int size_[2] = {800, 800};
     int samples_ = 64;
     std::string path_ = "render.png";
-    std::string problem_;
+    std::string errorMessage_;
 };
 
 }  // namespace rayscope::viewer

@@ -16,7 +16,7 @@ namespace {
 ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
 
 /// So many samples can be told apart; of more, only the chosen one is outlined.
-constexpr std::size_t kMostCircles = 256;
+constexpr std::size_t kMaxCircles = 256;
 
 void drawDot(ImDrawList& draw, ImVec2 center, ImU32 color, bool chosen, bool amongMany) {
     const float radius = scaled(chosen ? 4.5f : 3.0f), half = scaled(1.0f);
@@ -28,12 +28,12 @@ void drawDot(ImDrawList& draw, ImVec2 center, ImU32 color, bool chosen, bool amo
 }
 
 /// The pixel as a square with a dot per sample in its colour; over the grid that jittered samples keep to.
-void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
+void drawGrid(DebugRays& rays, const DebugRays::PixelRecording& recording, float side) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ImGui::InvisibleButton("##pixel", {side, side});
     draw.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(20, 22, 26, 255));
-    const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(shot.samples))));
+    const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(recording.samples))));
     for (int i = 0; i <= cells && cells <= 64; ++i) {
         const float offset = side * static_cast<float>(i) / static_cast<float>(cells);
         const ImU32 color = IM_COL32(70, 74, 82, 255);
@@ -42,12 +42,12 @@ void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
     }
     int nearest = -1;
     float reach = scaled(6.0f);
-    for (std::size_t i = 0; i < shot.pixel.positions.size(); ++i) {
-        const glm::vec2 place = glm::vec2(shot.pixel.positions[i]) * side;
+    for (std::size_t i = 0; i < recording.pixel.positions.size(); ++i) {
+        const glm::vec2 place = glm::vec2(recording.pixel.positions[i]) * side;
         const ImVec2 center{at.x + place.x, at.y + place.y};
-        const bool chosen = static_cast<int>(i) == shot.tree().name.index;
-        drawDot(draw, center, toU32(displayColor(Rgb(shot.pixel.values[i]))), chosen,
-                shot.pixel.positions.size() > kMostCircles);
+        const bool chosen = static_cast<int>(i) == recording.tree().name.index;
+        drawDot(draw, center, toU32(displayColor(Rgb(recording.pixel.values[i]))), chosen,
+                recording.pixel.positions.size() > kMaxCircles);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const float distance = std::hypot(mouse.x - center.x, mouse.y - center.y);
         if (distance < reach) {
@@ -58,12 +58,12 @@ void drawGrid(DebugRays& rays, const DebugRays::Shot& shot, float side) {
     if (!ImGui::IsItemHovered()) return;
     ImGui::SetTooltip("%s", nearest >= 0 ? fmt::format("sample {}", nearest).c_str()
                                          : "the pixel, and where its samples lie");
-    if (nearest >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.chooseSample(nearest);
+    if (nearest >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.selectSample(nearest);
 }
 
 /// A bar per sample, outliers in orange, and the running mean as a line. A click chooses a sample.
-void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float height) {
-    const probe::SampleStatistics& s = shot.statistics;
+void drawStrip(DebugRays& rays, const DebugRays::PixelRecording& recording, float width, float height) {
+    const probe::SampleStatistics& s = recording.statistics;
     const auto count = static_cast<int>(s.luminance.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -85,7 +85,7 @@ void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float 
             if (!(s.luminance[static_cast<std::size_t>(other)] <= s.luminance[static_cast<std::size_t>(i)]))
                 i = other;
         const double value = s.luminance[static_cast<std::size_t>(i)];
-        ImU32 color = toU32(displayColor(Rgb(shot.pixel.values[static_cast<std::size_t>(i)])));
+        ImU32 color = toU32(displayColor(Rgb(recording.pixel.values[static_cast<std::size_t>(i)])));
         if (!std::isfinite(value)) color = IM_COL32(255, 0, 255, 255);
         draw.AddRectFilled({xOf(i), yOf(value)}, {std::max(xOf(i + 1) - 1.0f, xOf(i) + 1.0f), at.y + height},
                            color);
@@ -103,18 +103,18 @@ void drawStrip(DebugRays& rays, const DebugRays::Shot& shot, float width, float 
                    0, count - 1);
     ImGui::SetTooltip(
         "%s", fmt::format("sample {}: {:.5g}", under, s.luminance[static_cast<std::size_t>(under)]).c_str());
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.chooseSample(under);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.selectSample(under);
 }
 
 }  // namespace
 
-void drawPixelSamples(Workspace& workspace, const DebugRays::Shot& shot) {
-    const probe::SampleStatistics& s = shot.statistics;
+void drawPixelSamples(Workspace& workspace, const DebugRays::PixelRecording& recording) {
+    const probe::SampleStatistics& s = recording.statistics;
     const float side = scaled(96.0f), gap = ImGui::GetStyle().ItemSpacing.x;
-    drawGrid(workspace.rays, shot, side);
+    drawGrid(workspace.rays, recording, side);
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();
-    drawStrip(workspace.rays, shot, ImGui::GetContentRegionAvail().x,
+    drawStrip(workspace.rays, recording, ImGui::GetContentRegionAvail().x,
               side - 2.0f * ImGui::GetTextLineHeightWithSpacing());
     text(fmt::format("mean {:.4g} +- {:.2g}", s.mean, s.errorOfMean()));
     tooltip("Luminance of the pixel, and the standard error of that mean.");

@@ -48,7 +48,7 @@ void drawNode(const trace::World& world, const RayNode& node) {
     valueRow("Origin", vectorText(node.ray.origin));
     valueRow("Direction", vectorText(node.ray.direction));
     if (node.hit) {
-        const trace::PrimitiveName name = world.nameOf(node.primitiveHit.primitive);
+        const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
         valueRow("Hit", probe::objectName(world, node.object));
         valueRow(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
         valueRow("t", fmt::format("{:.9g}", node.primitiveHit.t));
@@ -96,9 +96,9 @@ void drawActions(Workspace& workspace) {
 
 }  // namespace
 
-void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
+void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recording) {
     DebugRays& rays = workspace.rays;
-    const RayTree& tree = shot.tree();
+    const RayTree& tree = recording.tree();
     const std::vector<RaySelection> shown = shownRays(tree, rays.filter);
     dimText(fmt::format("{} of {} rays shown", shown.size(), tree.nodes.size() + tree.shadowRays.size()));
     static RaySelection revealed;
@@ -117,7 +117,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
         while (clipper.Step())
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
                 const RaySelection ray = shown[static_cast<std::size_t>(i)];
-                const Row words = rowOf(*shot.world, tree, ray);
+                const Row words = rowOf(*recording.world, tree, ray);
                 ImGui::TableNextRow();
                 ImGui::TableNextColumn();
                 ImGui::PushID(i);
@@ -138,7 +138,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::Shot& shot) {
     }
     drawActions(workspace);
     const RaySelection selected = rays.selection();
-    if (selected.node >= 0) drawNode(*shot.world, tree.nodes[static_cast<std::size_t>(selected.node)]);
+    if (selected.node >= 0) drawNode(*recording.world, tree.nodes[static_cast<std::size_t>(selected.node)]);
     if (selected.shadow >= 0) drawShadowRay(tree.shadowRays[static_cast<std::size_t>(selected.shadow)]);
     if (selected.empty()) dimText("Click a ray for everything about it.");
 }

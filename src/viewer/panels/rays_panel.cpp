@@ -51,8 +51,7 @@ void drawFilter(Workspace& workspace) {
     filter.light = std::min(filter.light, lights - 1);
     ImGui::SliderInt("##light", &filter.light, -1, lights - 1, filter.light < 0 ? "all" : "%d", kClamp);
     labelledRow("Adds at least", false, "Hides what adds less than this to the radiance of the sample.");
-    ImGui::SliderFloat("##least", &filter.leastContribution, 0.0f, 1.0f, "%.3g",
-                       ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("##least", &filter.minContribution, 0.0f, 1.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
     labelledRow(
         "Colour", false,
         "By kind as in the legend; in what the surface at the end of the ray shows of its own, thin where "
@@ -68,7 +67,7 @@ void drawFilter(Workspace& workspace) {
 std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
 
 /// The proof that the rays shown are those of the picture.
-void drawVerdict(const ReplayVerdict& verdict) {
+void drawVerdict(const ReplayResult& verdict) {
     if (verdict.samples == 0) return;
     coloredText(verdict.good() ? kGoodText : kErrorText,
                 verdict.good() ? fmt::format("[x] replay of {} samples: same bits", verdict.samples)
@@ -81,21 +80,21 @@ void drawVerdict(const ReplayVerdict& verdict) {
         text(fmt::format("picture {} {} {}", verdict.film.r, verdict.film.g, verdict.film.b));
         text(fmt::format("replay  {} {} {}", verdict.replayed.r, verdict.replayed.g, verdict.replayed.b));
     }
-    if (!verdict.addsUp) text("the contributions of a tree do not add up to its radiance");
+    if (!verdict.sumMatches) text("the contributions of a tree do not add up to its radiance");
 }
 
-void drawSamples(DebugRays& rays, const DebugRays::Shot& shot) {
-    int sample = shot.tree().name.index;
+void drawSamples(DebugRays& rays, const DebugRays::PixelRecording& recording) {
+    int sample = recording.tree().name.index;
     labelledRow("Sample");
-    if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, shot.samples - 1), "%d", kClamp))
-        rays.chooseSample(sample);
+    if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, recording.samples - 1), "%d", kClamp))
+        rays.selectSample(sample);
     tooltip("Which sample of the pixel the table lists.");
     bool all = rays.filter.allSamples;
     if (ImGui::Checkbox("Draw all samples", &all)) rays.showAllSamples(all);
     if (!all) return;
-    const std::string words = fmt::format("{} of {} shown", shot.trees.size(), shot.samples);
+    const std::string words = fmt::format("{} of {} shown", recording.trees.size(), recording.samples);
     ImGui::SameLine();
-    if (static_cast<int>(shot.trees.size()) < shot.samples)
+    if (static_cast<int>(recording.trees.size()) < recording.samples)
         coloredText(kWarningText, words);
     else
         dimText(words);
@@ -107,26 +106,26 @@ void drawSamples(DebugRays& rays, const DebugRays::Shot& shot) {
     }
 }
 
-void drawShot(Workspace& workspace, const DebugRays::Shot& shot) {
+void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& recording) {
     DebugRays& rays = workspace.rays;
-    const RayTree& tree = shot.tree();
+    const RayTree& tree = recording.tree();
     text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
                      tree.shadowRays.size()));
-    if (rays.staleFor(workspace.edit, workspace.imageSize()))
+    if (rays.isStaleFor(workspace.edit, workspace.imageSize()))
         coloredText(kWarningText, "Stale: something has changed since");
-    if (shot.verdict) drawVerdict(*shot.verdict);
+    if (recording.verdict) drawVerdict(*recording.verdict);
     valueRow("Radiance", rgbText(tree.radiance));
-    drawPixelSamples(workspace, shot);
-    drawSamples(rays, shot);
-    drawRayTable(workspace, shot);
+    drawPixelSamples(workspace, recording);
+    drawSamples(rays, recording);
+    drawRayTable(workspace, recording);
 }
 
 /// Sentences about the pixel; a click goes to a ray that they rest on.
-void drawExplanations(DebugRays& rays) {
-    const std::vector<probe::Explanation> all = rays.explain();
+void drawDiagnosis(DebugRays& rays) {
+    const std::vector<probe::Diagnosis> all = rays.explain();
     if (all.empty()) dimText("Nothing stands out about this pixel.");
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const probe::Explanation& why = all[i];
+        const probe::Diagnosis& why = all[i];
         coloredText(kWarningText,
                     fmt::format("{}: {}", probe::nameOf(why.symptom), probe::nameOf(why.cause)));
         wrappedText(why.sentence);
@@ -146,18 +145,18 @@ void drawRaysPanel(Workspace& workspace) {
     const auto section = [](const char* name) {
         return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     };
-    const DebugRays::Shot* shot = workspace.rays.shot();
+    const DebugRays::PixelRecording* recording = workspace.rays.recording();
     if (section("Recorded rays")) {
-        if (shot != nullptr)
-            drawShot(workspace, *shot);
+        if (recording != nullptr)
+            drawRecording(workspace, *recording);
         else
             wrappedText("Point at a pixel and press R: its rays are recorded, drawn and listed here.");
         ImGui::Spacing();
     }
-    if (shot != nullptr && !workspace.view.liveRay && section("Why is it so?"))
-        drawExplanations(workspace.rays);
-    if (shot != nullptr && section("Search (T)")) drawSearch(workspace);
-    if (shot != nullptr && section("Where it ends")) drawSurface(workspace, *shot);
+    if (recording != nullptr && !workspace.view.liveRay && section("Why is it so?"))
+        drawDiagnosis(workspace.rays);
+    if (recording != nullptr && section("Search (T)")) drawTraversal(workspace);
+    if (recording != nullptr && section("Where it ends")) drawSurface(workspace, *recording);
     if (section("Legend: click to show or hide")) drawLegend(workspace.rays.filter);
     if (section("Shown")) drawFilter(workspace);
     if (section("Pinned pixels")) drawPins(workspace);

@@ -42,9 +42,9 @@ void RenderDialog::drawForm(Workspace& workspace) {
     ImGui::InputText("##file", &path_);
     for (int& side : size_) side = std::clamp(side, 1, 32768);
     samples_ = std::clamp(samples_, 1, 1 << 20);
-    if (!problem_.empty()) {
+    if (!errorMessage_.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, kErrorText);
-        wrappedText(problem_);
+        wrappedText(errorMessage_);
         ImGui::PopStyleColor();
     }
     if (workspace.job) drawOutcome(*workspace.job);
@@ -58,9 +58,9 @@ void RenderDialog::drawForm(Workspace& workspace) {
             workspace.job.reset();
             workspace.job =
                 std::make_unique<RenderJob>(state, size_[0], size_[1], path_, workspace.render.threads());
-            problem_.clear();
+            errorMessage_.clear();
         } catch (const InputError& error) {
-            problem_ = error.what();
+            errorMessage_ = error.what();
         }
     }
     ImGui::SameLine();
@@ -91,7 +91,7 @@ void RenderDialog::draw(Workspace& workspace) {
         size_[0] = workspace.imageSize().x;
         size_[1] = workspace.imageSize().y;
         samples_ = workspace.edit.settings.spp;
-        problem_.clear();
+        errorMessage_.clear();
         ImGui::OpenPopup(kTitle);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;

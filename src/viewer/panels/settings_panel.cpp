@@ -42,11 +42,11 @@ void drawControl(const settings::Range<float>& row, Settings& settings) {
 
 template <class E, std::size_t N>
 void drawControl(const settings::Choice<E, N>& row, Settings& settings) {
-    const auto present = static_cast<std::size_t>(settings.*row.member);
-    const std::string shown(row.names[present]);
+    const auto current = static_cast<std::size_t>(settings.*row.member);
+    const std::string shown(row.names[current]);
     if (!ImGui::BeginCombo("##value", shown.c_str())) return;
     for (std::size_t i = 0; i < N; ++i)
-        if (ImGui::Selectable(std::string(row.names[i]).c_str(), i == present))
+        if (ImGui::Selectable(std::string(row.names[i]).c_str(), i == current))
             settings.*row.member = static_cast<E>(i);
     ImGui::EndCombo();
 }
@@ -77,8 +77,8 @@ void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs)
     const Settings defaults;
     const bool edited = settings.*row.member != defaults.*row.member;
     // What the scene does not contain comes first: no other setting could change that.
-    std::string_view idleReason = withoutEffectOn(needs, row.text.key);
-    if (idleReason.empty()) idleReason = row.idle(settings);
+    std::string_view idleReason = inactiveReason(needs, row.text.key);
+    if (idleReason.empty()) idleReason = row.inactive(settings);
     const std::string id(row.text.key);
     ImGui::PushID(id.c_str());
     ImGui::BeginDisabled(!idleReason.empty());
@@ -110,7 +110,7 @@ std::vector<std::string_view> groupsOfTable() {
 
 void drawSettingsPanel(Workspace& workspace) {
     if (ImGui::CollapsingHeader("Speed and accuracy", ImGuiTreeNodeFlags_DefaultOpen))
-        drawGoalPanel(workspace);
+        drawQualityPanel(workspace);
     if (ImGui::CollapsingHeader("Measured on this scene")) drawTradePanel(workspace);
     static const std::vector<std::string_view> groups = groupsOfTable();
     for (const std::string_view group : groups) {

@@ -62,26 +62,26 @@ void drawCursor(const CursorInfo& cursor) {
 std::string errorText(const Workspace& workspace) {
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
     if (!forecast || !workspace.view.traced) return "";
-    const RenderGoal& goal = workspace.goal;
+    const StopCriteria& stopCriteria = workspace.stopCriteria;
     std::string words = fmt::format("error {:.2g}   ", forecast->estimate.error);
     if (workspace.render.status().state != RenderState::Rendering) return words;
-    if (goal.byError && forecast->remainingSeconds > 0.0)
-        words += fmt::format("{:.2g} in {}   ", goal.error, durationText(forecast->remainingSeconds));
-    if (goal.byTime)
+    if (stopCriteria.byError && forecast->remainingSeconds > 0.0)
+        words += fmt::format("{:.2g} in {}   ", stopCriteria.error, durationText(forecast->remainingSeconds));
+    if (stopCriteria.byTime)
         words += fmt::format("{:.2g} at {}   ", forecast->errorAtLimit,
-                             durationText(static_cast<double>(goal.seconds)));
+                             durationText(static_cast<double>(stopCriteria.seconds)));
     return words;
 }
 
 std::string endText(const RenderControl& render) {
-    if (!render.stopped()) return stateText(render.status().state);
-    return *render.stopped() == StopReason::Reached ? "target reached" : "time limit";
+    if (!render.stopReason()) return stateText(render.status().state);
+    return *render.stopReason() == StopReason::Reached ? "target reached" : "time limit";
 }
 
 std::string progressText(const Workspace& workspace) {
     const RenderControl& render = workspace.render;
     const RenderStatus& status = render.status();
-    const bool openEnded = workspace.goal.byError && workspace.view.traced;
+    const bool openEnded = workspace.stopCriteria.byError && workspace.view.traced;
     std::string words = openEnded ? fmt::format("{} samples   ", status.samples)
                                   : fmt::format("{}/{} samples   ", status.samples, status.targetSamples);
     words += fmt::format("{:.2f} Mray/s   {}   ", render.raysPerSecond() * 1e-6,
@@ -95,11 +95,11 @@ std::string progressText(const Workspace& workspace) {
 double doneShare(const Workspace& workspace) {
     const RenderStatus& status = workspace.render.status();
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
-    double share = workspace.goal.byError ? 0.0 : status.progress;
-    if (workspace.goal.byError && forecast && forecast->remainingSeconds > 0.0)
+    double share = workspace.stopCriteria.byError ? 0.0 : status.progress;
+    if (workspace.stopCriteria.byError && forecast && forecast->remainingSeconds > 0.0)
         share = status.elapsedSeconds / (status.elapsedSeconds + forecast->remainingSeconds);
-    if (workspace.goal.byTime)
-        share = std::max(share, status.elapsedSeconds / static_cast<double>(workspace.goal.seconds));
+    if (workspace.stopCriteria.byTime)
+        share = std::max(share, status.elapsedSeconds / static_cast<double>(workspace.stopCriteria.seconds));
     return std::min(share, 1.0);
 }
 
@@ -145,7 +145,7 @@ bool isFresh(const Notice& notice) {
 
 }  // namespace
 
-void drawDetailNote(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size) {
+void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size) {
     const std::string words = drawnText(counts);
     if (words.empty()) return;
     const float height = ImGui::GetFontSize() + scaled(12.0f);

@@ -57,30 +57,30 @@ void drawEnvironment(const probe::EnvironmentPoint& point) {
 
 }  // namespace
 
-void drawSurface(Workspace& workspace, const DebugRays::Shot& shot) {
-    const RayTree& tree = shot.tree();
+void drawSurface(Workspace& workspace, const DebugRays::PixelRecording& recording) {
+    const RayTree& tree = recording.tree();
     const int number = std::max(workspace.rays.selection().node, 0);
     const RayNode& node = tree.nodes[static_cast<std::size_t>(number)];
     bool any = false;
-    if (const auto quad = probe::texelsOf(*shot.world, node)) drawTexels(*quad), any = true;
-    if (const auto point = probe::environmentOf(*shot.world, node)) drawEnvironment(*point), any = true;
-    if (const auto square = probe::glossySquareOf(*shot.world, tree, number)) {
+    if (const auto quad = probe::texelsOf(*recording.world, node)) drawTexels(*quad), any = true;
+    if (const auto point = probe::environmentOf(*recording.world, node)) drawEnvironment(*point), any = true;
+    if (const auto square = probe::glossySquareOf(*recording.world, tree, number)) {
         text(fmt::format("glossy: {} rays, {} below the surface", square->rays, square->rejected));
         text(fmt::format("square at 0.3, half side {:.4g}", glm::length(square->right)));
         any = true;
     }
-    if (const auto normals = probe::vertexNormalsOf(*shot.world, node, tree.time)) {
+    if (const auto normals = probe::vertexNormalsOf(*recording.world, node, tree.time)) {
         text(fmt::format("normal: weights {:.3f} {:.3f} {:.3f}", normals->weight[0], normals->weight[1],
                          normals->weight[2]));
         any = true;
     }
-    if (const auto lens = probe::lensOf(*shot.world)) {
-        text(fmt::format("lens: radius {:.4g}, focus at {:.4g}", shot.world->camera.lensRadius(),
-                         shot.world->camera.focusDistance()));
+    if (const auto lens = probe::lensOf(*recording.world)) {
+        text(fmt::format("lens: radius {:.4g}, focus at {:.4g}", recording.world->camera.lensRadius(),
+                         recording.world->camera.focusDistance()));
         any = true;
     }
     if (!any) dimText("Nothing was looked up where this ray ends.");
-    SurfaceChoice& choice = workspace.rays.surface;
+    SurfaceOverlayOptions& choice = workspace.rays.surface;
     ImGui::Checkbox("Glossy square", &choice.glossySquare);
     ImGui::SameLine();
     ImGui::Checkbox("Lens and focus", &choice.lens);

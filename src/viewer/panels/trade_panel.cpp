@@ -1,4 +1,4 @@
-// Where the present settings stand between fast and accurate, on the measured front of this scene.
+// Where the current settings stand between fast and accurate, on the measured front of this scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 constexpr ImU32 kFront = IM_COL32(86, 180, 233, 255), kOther = IM_COL32(120, 124, 132, 150),
                 kDial = IM_COL32(230, 159, 0, 255), kHere = IM_COL32(240, 242, 245, 255);
 
-void drawStart(Workspace& workspace, TradeRun& trade) {
+void drawStart(Workspace& workspace, TradeJob& trade) {
     if (trade.busy()) {
         if (stoppableProgress(trade.fraction())) trade.stop();
         return;
@@ -103,7 +103,7 @@ void drawChart(const TradeResult& result, std::optional<std::size_t> here) {
         if (i > 0) draw.AddLine(chart.place(result.points[result.front[i - 1]]), to, kFront, scaled(1.5f));
         draw.AddCircleFilled(to, scaled(2.5f), kFront);
     }
-    for (const TradeDial& d : result.dial) {
+    for (const TradePreset& d : result.presetPoints) {
         const ImVec2 to = chart.place(result.points[d.point]);
         draw.AddCircleFilled(to, scaled(4.0f), kDial);
         const float room = at.x + size.x - ImGui::CalcTextSize(d.preset.c_str()).x - scaled(2.0f);
@@ -123,15 +123,16 @@ void drawPosition(const TradeResult& result, std::optional<std::size_t> here) {
     text(fmt::format("{:.2g} s, error {:.2g}", p.seconds.value, p.error.value));
     labelledRow("Behind the front", false,
                 "How much more time these settings take than the front needs for the same error.");
-    text(p.onFront ? "on the front" : fmt::format("{:.0f} % more time", 100.0 * excessTime(result, *here)));
+    text(p.onParetoFront ? "on the front"
+                         : fmt::format("{:.0f} % more time", 100.0 * excessTime(result, *here)));
 }
 
 }  // namespace
 
 void drawTradePanel(Workspace& workspace) {
-    TradeRun& trade = workspace.trade;
+    TradeJob& trade = workspace.trade;
     drawStart(workspace, trade);
-    if (!trade.problem().empty()) wrappedText(trade.problem());
+    if (!trade.errorMessage().empty()) wrappedText(trade.errorMessage());
     const TradeResult* result = trade.result();
     if (!result) return;
     if (trade.scene() != workspace.edit.scene.get() || !(trade.camera() == workspace.edit.camera))

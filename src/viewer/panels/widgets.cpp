@@ -90,7 +90,7 @@ bool stoppableProgress(double fraction) {
     return ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f});
 }
 
-bool choiceButton(const char* label, bool chosen, float width) {
+bool toggleButton(const char* label, bool chosen, float width) {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
     const bool pressed = ImGui::Button(label, {width, 0.0f});
     if (chosen) ImGui::PopStyleColor();

@@ -36,7 +36,7 @@ void pictureLabel(const char* words, ImVec2 place, bool leftOf = false);
 /// How far something is (0 … 1) that takes long, and a button to stop it. Returns whether it was pressed.
 bool stoppableProgress(double fraction);
 
-/// A button that looks pressed when it stands for the present choice.
-bool choiceButton(const char* label, bool chosen, float width);
+/// A button that looks pressed when it stands for the current choice.
+bool toggleButton(const char* label, bool chosen, float width);
 
 }  // namespace rayscope::viewer

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "viewer/view/coarse_mesh.h"
+#include "viewer/view/simplify_mesh.h"
 
 namespace rayscope::viewer {
 
@@ -10,22 +10,22 @@ DrawableMesh::DrawableMesh(std::shared_ptr<const MeshData> mesh) : mesh_(std::mo
 
 DrawableMesh::~DrawableMesh() { stop_.request_stop(); }
 
-void DrawableMesh::prepareStandIn(std::size_t mostTriangles) {
-    if (mostTriangles == mostTriangles_) return;
-    mostTriangles_ = mostTriangles;
+void DrawableMesh::prepareProxy(std::size_t maxTriangles) {
+    if (maxTriangles == maxTriangles_) return;
+    maxTriangles_ = maxTriangles;
     coarse_.reset();
     stop_.request_stop();
     stop_ = {};
-    coming_ = {};
-    if (triangles() > mostTriangles)
-        coming_ = std::async(std::launch::async, [mesh = mesh_, mostTriangles, stop = stop_.get_token()] {
-            return coarseMesh(*mesh, mostTriangles, stop);
+    pending_ = {};
+    if (triangles() > maxTriangles)
+        pending_ = std::async(std::launch::async, [mesh = mesh_, maxTriangles, stop = stop_.get_token()] {
+            return simplifyMesh(*mesh, maxTriangles, stop);
         });
 }
 
-const MeshBuffer& DrawableMesh::standIn() {
-    if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-        coarse_ = std::make_unique<MeshBuffer>(coming_.get());
+const MeshBuffer& DrawableMesh::proxy() {
+    if (pending_.valid() && pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+        coarse_ = std::make_unique<MeshBuffer>(pending_.get());
     return coarse_ ? *coarse_ : whole_;
 }
 

@@ -19,17 +19,17 @@ class DrawableMesh {
     const MeshBuffer& whole() const { return whole_; }
 
     /// From now on a stand-in of about so many triangles is made, if the mesh has more.
-    void prepareStandIn(std::size_t mostTriangles);
+    void prepareProxy(std::size_t maxTriangles);
     /// The stand-in as soon as it is ready, before that the mesh.
-    const MeshBuffer& standIn();
+    const MeshBuffer& proxy();
 
   private:
     std::shared_ptr<const MeshData> mesh_;
     MeshBuffer whole_;
     std::unique_ptr<MeshBuffer> coarse_;
-    std::size_t mostTriangles_ = 0;
+    std::size_t maxTriangles_ = 0;
     std::stop_source stop_;
-    std::future<MeshData> coming_;
+    std::future<MeshData> pending_;
 };
 
 }  // namespace rayscope::viewer

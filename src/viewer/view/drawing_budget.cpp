@@ -21,7 +21,7 @@ DrawingBudget drawingBudget(bool software, bool moving) {
     budget.triangles = 8000;
     budget.boxes = 10000;
     budget.linePixels = 6e6;
-    budget.mostWideLines = 100;
+    budget.maxWideLines = 100;
     budget.divisor = 2;
     return budget;
 }

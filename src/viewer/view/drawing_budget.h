@@ -13,7 +13,7 @@ struct DrawingBudget {
     std::size_t boxes = 20000;                                        ///< that are drawn whole
     double linePixels = std::numeric_limits<double>::infinity();      ///< see drawingCost()
     /// More lines than this are painted, one pixel wide, instead of drawn.
-    std::size_t mostWideLines = std::numeric_limits<std::size_t>::max();
+    std::size_t maxWideLines = std::numeric_limits<std::size_t>::max();
     int divisor = 1;  ///< pixels of the view per pixel that is drawn, in both directions
 
     bool operator==(const DrawingBudget&) const = default;

@@ -23,7 +23,7 @@ HandleSize handleSize(float scale) {
 Picture::Picture()
     : software_(isSoftwareRenderer(rendererName())), raster_(drawingBudget(software_, true).triangles) {}
 
-Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const {
+Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<HandlePart> hovered) const {
     const ViewState& view = workspace.view;
     return {workspace.edit,
             view.raster,
@@ -41,7 +41,7 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Grip
             view.scale};
 }
 
-void Picture::update(Workspace& workspace, std::optional<Grip> hovered, bool moving) {
+void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bool moving) {
     if (loaded_ != workspace.edit.scene) {
         loaded_ = workspace.edit.scene;
         raster_.setScene(loaded_);
@@ -80,7 +80,7 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
     target_.bind();
     counts_ = {};
     if (inputs.traced && inputs.heatShown)
-        traced_.drawInstead(*workspace.heat.image(), inputs.heatVersion, pixels);
+        traced_.drawImage(*workspace.heat.image(), inputs.heatVersion, pixels);
     else if (inputs.traced && workspace.comparison.visible())
         traced_.drawComparison(workspace.comparison, inputs.state.settings, pixels);
     else if (inputs.traced)
@@ -101,7 +101,7 @@ void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, con
     counts_.lines = drawing.counts.lines;
     counts_.linesDrawn = drawing.counts.linesDrawn;
 
-    LineLook look{viewProjection(frame, raster_.bounds()), glm::vec2(inputs.size), inputs.scale};
+    LineDrawOptions look{viewProjection(frame, raster_.bounds()), glm::vec2(inputs.size), inputs.scale};
     if (!inputs.traced) {
         look.sceneDepth = target_.depthTexture();
         look.hiddenOpacity = kHiddenOpacity;
@@ -118,7 +118,7 @@ void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, con
     glDisable(GL_BLEND);
 }
 
-void Picture::drawLines(SceneOverlays::Drawing& drawing, const LineLook& look) {
+void Picture::drawLines(SceneOverlays::Drawing& drawing, const LineDrawOptions& look) {
     OverlayLines lines;
     lines.reserve(12 * drawing.boxes.size() + drawing.lines.size());
     for (const OverlayBox& box : drawing.boxes)
@@ -128,7 +128,7 @@ void Picture::drawLines(SceneOverlays::Drawing& drawing, const LineLook& look) {
     sceneLines_.draw(look);
 }
 
-void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look) {
+void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineDrawOptions& look) {
     canvas_.width = target_.width();
     canvas_.height = target_.height();
     target_.readColors(canvas_.pixels);
@@ -137,17 +137,17 @@ void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineLook& 
     else
         canvas_.depth.clear();
     const float unit = look.scale * static_cast<float>(canvas_.width) / look.viewport.x;
-    const PaintLook paint{look.viewProjection, unit, look.hiddenOpacity};
+    const PaintOptions paint{look.viewProjection, unit, look.hiddenOpacity};
     paintBoxes(canvas_, drawing.boxes, paint);
     viewer::paintLines(canvas_, drawing.lines, paint);
     target_.writeColors(canvas_.pixels);
 }
 
 /// The handles of the selected light, before everything.
-void Picture::drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look) {
+void Picture::drawHandles(const Inputs& inputs, const ViewFrame& frame, LineDrawOptions look) {
     if (inputs.selectedLight < 0) return;
     const Light& light = inputs.state.scene->lights[static_cast<std::size_t>(inputs.selectedLight)];
-    const glm::dvec3 center(handlesOf(light)[static_cast<std::size_t>(inputs.selectedHandle)]);
+    const glm::dvec3 center(handlePositions(light)[static_cast<std::size_t>(inputs.selectedHandle)]);
     look.sceneDepth = 0;
     boldLines_.upload(handleLines(frame, center, inputs.hovered, handleSize(inputs.scale)));
     boldLines_.draw(look);

@@ -18,7 +18,7 @@ class Picture {
     Picture();
 
     /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
-    void update(Workspace& workspace, std::optional<Grip> hovered, bool moving);
+    void update(Workspace& workspace, std::optional<HandlePart> hovered, bool moving);
 
     /// Copies the finished picture to the window, its lower left corner to this pixel.
     void show(glm::ivec2 corner) const {
@@ -48,17 +48,17 @@ class Picture {
         bool heatShown = false, moving = false;
         Comparison::View comparison;
         int selectedLight = -1, selectedHandle = 0;
-        std::optional<Grip> hovered;
+        std::optional<HandlePart> hovered;
         float scale = 1.0f;
         bool operator==(const Inputs&) const = default;
     };
-    Inputs inputsOf(const Workspace& workspace, std::optional<Grip> hovered) const;
+    Inputs inputsOf(const Workspace& workspace, std::optional<HandlePart> hovered) const;
     bool resize(const Inputs& inputs);
     void redraw(const Workspace& workspace, const Inputs& inputs);
-    void drawLines(SceneOverlays::Drawing& drawing, const LineLook& look);
-    void paintLines(const SceneOverlays::Drawing& drawing, const LineLook& look);
+    void drawLines(SceneOverlays::Drawing& drawing, const LineDrawOptions& look);
+    void paintLines(const SceneOverlays::Drawing& drawing, const LineDrawOptions& look);
     void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
-    void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineLook look);
+    void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineDrawOptions look);
 
     bool software_;  ///< OpenGL runs on the processor
     RenderTarget target_;

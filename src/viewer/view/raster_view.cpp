@@ -6,7 +6,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr int kMostLights = 8;  // as many as shaders/surface.frag has room for
+constexpr int kMaxLights = 8;  // as many as shaders/surface.frag has room for
 
 /// Where a light is, seen from far, and its colour.
 struct LightSpot {
@@ -30,8 +30,8 @@ glm::mat4 sphereModel(const Sphere& sphere) {
 
 }  // namespace
 
-RasterView::RasterView(std::size_t mostTrianglesMoving)
-    : sphere_(std::make_shared<const MeshData>(unitSphereMesh())), mostTrianglesMoving_(mostTrianglesMoving) {
+RasterView::RasterView(std::size_t maxTrianglesMoving)
+    : sphere_(std::make_shared<const MeshData>(unitSphereMesh())), maxTrianglesMoving_(maxTrianglesMoving) {
     glGenVertexArrays(1, &emptyVertexArray_);
 }
 
@@ -62,7 +62,7 @@ void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
     }
     textures_ = std::move(textures);
     collectItems();
-    shareTriangles();
+    distributeTriangles();
 }
 
 void RasterView::collectItems() {
@@ -91,15 +91,15 @@ void RasterView::collectItems() {
 }
 
 /// While something moves, each mesh may have triangles in proportion to those that it really has.
-void RasterView::shareTriangles() {
+void RasterView::distributeTriangles() {
     constexpr double kFewest = 48.0;
     double all = static_cast<double>(sphere_.triangles() * scene_->spheres.size());
     for (const MeshInstance& instance : scene_->meshes)
         all += static_cast<double>(instance.data->triangles.size());
-    const double share = static_cast<double>(mostTrianglesMoving_) / std::max(all, 1.0);
+    const double share = static_cast<double>(maxTrianglesMoving_) / std::max(all, 1.0);
     const auto limit = [&](DrawableMesh& mesh) {
         const double most = std::max(kFewest, static_cast<double>(mesh.triangles()) * std::min(share, 1.0));
-        mesh.prepareStandIn(static_cast<std::size_t>(most));
+        mesh.prepareProxy(static_cast<std::size_t>(most));
     };
     for (const auto& [data, mesh] : meshes_) limit(*mesh);
     if (!scene_->spheres.empty()) limit(sphere_);
@@ -118,8 +118,8 @@ void RasterView::drawBackground(const RenderTarget& target) {
 }
 
 void RasterView::setLights() {
-    glm::vec3 positions[kMostLights], colors[kMostLights];
-    const int count = std::min(static_cast<int>(scene_->lights.size()), kMostLights);
+    glm::vec3 positions[kMaxLights], colors[kMaxLights];
+    const int count = std::min(static_cast<int>(scene_->lights.size()), kMaxLights);
     for (int i = 0; i < count; ++i) {
         const LightSpot spot = std::visit([](const auto& shape) { return spotOf(shape); },
                                           scene_->lights[static_cast<std::size_t>(i)].shape);
@@ -133,7 +133,7 @@ void RasterView::setLights() {
 }
 
 void RasterView::drawItem(const Item& item, const RasterStyle& style, bool moving) {
-    const MeshBuffer& mesh = moving ? item.mesh->standIn() : item.mesh->whole();
+    const MeshBuffer& mesh = moving ? item.mesh->proxy() : item.mesh->whole();
     static const Material kNoMaterial;
     const Material& material =
         item.material < scene_->materials.size() ? scene_->materials[item.material] : kNoMaterial;

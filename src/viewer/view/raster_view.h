@@ -19,7 +19,7 @@ namespace rayscope::viewer {
 class RasterView {
   public:
     /// While something moves, no more than so many triangles are drawn.
-    explicit RasterView(std::size_t mostTrianglesMoving);
+    explicit RasterView(std::size_t maxTrianglesMoving);
     ~RasterView();
     RasterView(const RasterView&) = delete;
     RasterView& operator=(const RasterView&) = delete;
@@ -45,7 +45,7 @@ class RasterView {
     void setLights();
     void drawItem(const Item& item, const RasterStyle& style, bool moving);
     void collectItems();
-    void shareTriangles();
+    void distributeTriangles();
 
     Shader surface_{"surface"}, background_{"background"};
     std::shared_ptr<const SceneDescription> scene_;
@@ -55,7 +55,7 @@ class RasterView {
     DrawableMesh sphere_;
     std::vector<Item> opaque_, transparent_;
     RenderTarget backdrop_;
-    std::size_t mostTrianglesMoving_;
+    std::size_t maxTrianglesMoving_;
     DrawnCounts counts_;
     GLuint emptyVertexArray_ = 0;
 };

@@ -4,7 +4,7 @@
 
 #include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
-#include "viewer/overlay/line_choice.h"
+#include "viewer/overlay/line_selection.h"
 
 namespace rayscope::viewer {
 
@@ -28,7 +28,7 @@ SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
     return {workspace.rays.version(),
             workspace.bvh.version(),
             workspace.rays.filter,
-            workspace.rays.search,
+            workspace.rays.traversal,
             workspace.rays.surface,
             workspace.bvh.shown,
             workspace.lab.version(),
@@ -37,58 +37,61 @@ SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
 }
 
 /// What surfaces and the lens add to the rays of the chosen sample.
-void SceneOverlays::addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
-    const RayTree& tree = shot.tree();
-    const SurfaceChoice& choice = rays.surface;
+void SceneOverlays::addSurfaces(const DebugRays::PixelRecording& recording, const DebugRays& rays,
+                                float sceneSize) {
+    const RayTree& tree = recording.tree();
+    const SurfaceOverlayOptions& choice = rays.surface;
     for (int i = 0; i < static_cast<int>(tree.nodes.size()); ++i) {
         const RayNode& node = tree.nodes[static_cast<std::size_t>(i)];
         if (!isShown(tree, {i, -1}, rays.filter)) continue;
         if (rays.filter.vertexNormals)
-            if (const auto normals = probe::vertexNormalsOf(*shot.world, node, tree.time))
+            if (const auto normals = probe::vertexNormalsOf(*recording.world, node, tree.time))
                 append(lines_, vertexNormalLines(*normals, sceneSize / 20.0f));
         if (choice.environment && node.hit)
-            if (const auto point = probe::environmentOf(*shot.world, node))
+            if (const auto point = probe::environmentOf(*recording.world, node))
                 append(lines_, environmentLines(*point, node.position, sceneSize));
     }
     if (choice.glossySquare)
         for (const int i : probe::glossySurfaces(tree))
-            if (const auto square = probe::glossySquareOf(*shot.world, tree, i))
+            if (const auto square = probe::glossySquareOf(*recording.world, tree, i))
                 append(lines_, glossySquareLines(*square));
     if (choice.lens)
-        if (const auto lens = probe::lensOf(*shot.world)) append(lines_, lensLines(*lens));
+        if (const auto lens = probe::lensOf(*recording.world)) append(lines_, lensLines(*lens));
 }
 
-void SceneOverlays::addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize) {
+void SceneOverlays::addRays(const DebugRays::PixelRecording& recording, const DebugRays& rays,
+                            float sceneSize) {
     const DebugRayFilter& filter = rays.filter;
-    for (std::size_t i = 0; i < shot.trees.size(); ++i) {
-        if (i == shot.chosen) continue;
+    for (std::size_t i = 0; i < recording.trees.size(); ++i) {
+        if (i == recording.chosen) continue;
         // Numbers of rays that are selected or hidden belong to the chosen sample.
         DebugRayFilter others = filter;
         others.selected = {};
         others.hidden.clear();
-        append(lines_, debugRayLines(shot.trees[i], others, sceneSize));
+        append(lines_, debugRayLines(recording.trees[i], others, sceneSize));
     }
-    append(lines_, debugRayLines(shot.tree(), filter, sceneSize));
-    addSurfaces(shot, rays, sceneSize);
-    for (const probe::TraversalLog& log : rays.searches()) {
-        append(boxes_, traversalBoxes(log, rays.search));
-        append(lines_,
-               traversalLines(log, shot.world->bodies[log.body].geometry->input, rays.search, sceneSize));
+    append(lines_, debugRayLines(recording.tree(), filter, sceneSize));
+    addSurfaces(recording, rays, sceneSize);
+    for (const probe::TraversalLog& log : rays.traversals()) {
+        append(boxes_, traversalBoxes(log, rays.traversal));
+        append(lines_, traversalLines(log, recording.world->motionGroups[log.motionGroup].geometry->input,
+                                      rays.traversal, sceneSize));
     }
 }
 
 void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
     lines_.clear();
     boxes_.clear();
-    if (const DebugRays::Shot* shot = workspace.rays.shot()) addRays(*shot, workspace.rays, sceneSize);
+    if (const DebugRays::PixelRecording* recording = workspace.rays.recording())
+        addRays(*recording, workspace.rays, sceneSize);
     if (const LabResult* lab = workspace.lab.result(); lab && inputsOf(workspace).lab)
         append(lines_, labFailureLines(*lab, workspace.lab.shownMethod));
-    if (const BvhInspector::Inspected* seen = workspace.bvh.inspected()) {
-        const BvhChoice& choice = workspace.bvh.shown;
-        const BvhInspector::Inspected* rival = workspace.bvh.rival();
-        const std::optional<IndexedTree> rivalTree =
-            rival ? std::optional<IndexedTree>(rival->indexed()) : std::nullopt;
-        append(boxes_, levelBoxes(seen->indexed(), rivalTree ? &*rivalTree : nullptr, choice));
+    if (const BvhInspector::InspectedTree* seen = workspace.bvh.inspected()) {
+        const BvhOverlayOptions& choice = workspace.bvh.shown;
+        const BvhInspector::InspectedTree* referenceTree = workspace.bvh.referenceTree();
+        const std::optional<IndexedTree> indexedReference =
+            referenceTree ? std::optional<IndexedTree>(referenceTree->indexed()) : std::nullopt;
+        append(boxes_, levelBoxes(seen->indexed(), indexedReference ? &*indexedReference : nullptr, choice));
         append(boxes_, nodeBoxes(seen->tree(), choice.node));
         append(boxes_, leafBoxes(seen->indexed(), choice));
         append(lines_, leafLines(seen->indexed(), seen->geometry->input, choice));
@@ -103,8 +106,8 @@ SceneOverlays::Drawing SceneOverlays::draw(const Workspace& workspace, const Vie
         built_ = inputs;
         builtSize_ = sceneSize;
     }
-    BoxChoice boxes = chooseBoxes(boxes_, shrunk(frame, budget.divisor), budget.boxes);
-    const OverlayLines rays = chooseLines(lines_, frame, budget.linePixels);
+    BoxSelection boxes = selectBoxes(boxes_, shrunk(frame, budget.divisor), budget.boxes);
+    const OverlayLines rays = selectLines(lines_, frame, budget.linePixels);
     Drawing drawing;
     drawing.counts.boxes = boxes.large;
     drawing.counts.boxesDrawn = boxes.whole.size();
@@ -121,7 +124,7 @@ SceneOverlays::Drawing SceneOverlays::draw(const Workspace& workspace, const Vie
     append(drawing.boldLines, lightLines(workspace.edit.scene->lights, workspace.view.selectedLight, frame,
                                          static_cast<double>(workspace.view.scale)));
     constexpr std::size_t kEdges = 12;
-    drawing.painted = drawing.lines.size() + kEdges * drawing.boxes.size() > budget.mostWideLines;
+    drawing.painted = drawing.lines.size() + kEdges * drawing.boxes.size() > budget.maxWideLines;
     return drawing;
 }
 

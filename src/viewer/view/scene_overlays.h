@@ -12,9 +12,9 @@ class SceneOverlays {
     struct Inputs {
         int raysVersion = 0, bvhVersion = 0;
         DebugRayFilter rays;
-        TraversalChoice search;
-        SurfaceChoice surface;
-        BvhChoice bvh;
+        TraversalOverlayOptions traversal;
+        SurfaceOverlayOptions surface;
+        BvhOverlayOptions bvh;
         int labVersion = 0;
         LabMethod labMethod = LabMethod::Float;
         bool lab = false;
@@ -34,8 +34,8 @@ class SceneOverlays {
                  const DrawingBudget& budget);
 
   private:
-    void addSurfaces(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
-    void addRays(const DebugRays::Shot& shot, const DebugRays& rays, float sceneSize);
+    void addSurfaces(const DebugRays::PixelRecording& recording, const DebugRays& rays, float sceneSize);
+    void addRays(const DebugRays::PixelRecording& recording, const DebugRays& rays, float sceneSize);
     void rebuild(const Workspace& workspace, float sceneSize);
 
     Inputs built_;

@@ -87,7 +87,7 @@ void TracedView::draw(const Settings& settings, glm::ivec2 size) {
         return;
     }
     fill(bloomShown_ ? bloomTexture_ : texture_, size, std::exp2(settings.exposure),
-         settings.tone == ToneCurve::Course);
+         settings.tone == Encoding::None);
 }
 
 void TracedView::drawComparison(const Comparison& comparison, const Settings& settings, glm::ivec2 size) {
@@ -110,12 +110,11 @@ void TracedView::drawComparison(const Comparison& comparison, const Settings& se
                             : (view.flipped ? size.x : 0);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, columns, size.y);
-    fill(keptTexture_, size, std::exp2(a.state.settings.exposure),
-         a.state.settings.tone == ToneCurve::Course);
+    fill(keptTexture_, size, std::exp2(a.state.settings.exposure), a.state.settings.tone == Encoding::None);
     glDisable(GL_SCISSOR_TEST);
 }
 
-void TracedView::drawInstead(const RgbImage& image, int version, glm::ivec2 size) {
+void TracedView::drawImage(const RgbImage& image, int version, glm::ivec2 size) {
     if (otherVersion_ != version) {
         otherVersion_ = version;
         otherTexture_ = GlTexture::floatImage(image.width, image.height);

@@ -29,7 +29,7 @@ class TracedView {
 
     /// Fills the bound target with another image, as it is. The version tells whether it is another one than
     /// at the last call.
-    void drawInstead(const RgbImage& image, int version, glm::ivec2 size);
+    void drawImage(const RgbImage& image, int version, glm::ivec2 size);
 
     /// Linear means as far as they have been taken; samples of a pixel's tile are not told apart.
     const RgbImage& image() const { return image_; }

@@ -10,16 +10,16 @@ namespace rayscope::viewer {
 
 Workspace::Workspace(EditState first, Diagnostics firstNotes, int threads)
     : edit(std::move(first)), history(edit), sceneNotes(std::move(firstNotes)), render(threads) {
-    view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
+    view.flySpeed = defaultFlySpeed(boundsOf(*edit.scene));
 }
 
 const SceneRequirements& Workspace::needs() {
-    if (countedScene_ != edit.scene) {
-        needs_ = requirementsOf(*edit.scene);
-        countedScene_ = edit.scene;
+    if (requirementsScene_ != edit.scene) {
+        requirements_ = requirementsOf(*edit.scene);
+        requirementsScene_ = edit.scene;
     }
-    needs_.lens = edit.camera.lens.has_value();
-    return needs_;
+    requirements_.lens = edit.camera.lens.has_value();
+    return requirements_;
 }
 
 glm::ivec2 Workspace::imageSize() const {
@@ -27,7 +27,7 @@ glm::ivec2 Workspace::imageSize() const {
     return glm::max(glm::ivec2(size), glm::ivec2(1));
 }
 
-void Workspace::tell(std::string text, Severity severity) { notice = Notice{std::move(text), severity}; }
+void Workspace::notify(std::string text, Severity severity) { notice = Notice{std::move(text), severity}; }
 
 void Workspace::setLights(std::vector<Light> lights) {
     edit.scene = withLights(*edit.scene, std::move(lights));
@@ -40,7 +40,7 @@ void Workspace::show(LoadedScene loaded) {
         return;
     }
     try {
-        EditState opened = openingState(std::move(*loaded.scene), {}, {});
+        EditState opened = initialState(std::move(*loaded.scene), {}, {});
         if (loaded.reload) {
             opened.settings = edit.settings;
             opened.camera = edit.camera;
@@ -53,12 +53,12 @@ void Workspace::show(LoadedScene loaded) {
     sceneNotes = std::move(loaded.notes);
     if (!loaded.reload) {
         view.selectedLight = -1;
-        bvh.letGo();
+        bvh.clearSelection();
     }
-    view.flySpeed = walkingSpeed(boundsOf(*edit.scene));
+    view.flySpeed = defaultFlySpeed(boundsOf(*edit.scene));
     history.record(edit);
     recent.add(loaded.path);
-    tell(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
+    notify(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
 }
 
 void Workspace::undo() {

@@ -11,10 +11,10 @@
 #include "viewer/jobs/debug_rays.h"
 #include "viewer/jobs/export.h"
 #include "viewer/jobs/heat_map.h"
-#include "viewer/jobs/lab_run.h"
+#include "viewer/jobs/lab_job.h"
 #include "viewer/jobs/render_control.h"
 #include "viewer/jobs/scene_loader.h"
-#include "viewer/jobs/trade_run.h"
+#include "viewer/jobs/trade_job.h"
 #include "viewer/model/edit_state.h"
 #include "viewer/model/frame_times.h"
 #include "viewer/model/history.h"
@@ -61,11 +61,11 @@ struct Workspace {
     DebugRays rays;
     BvhInspector bvh;
     HeatMap heat;
-    LabRun lab;
-    TradeRun trade;
+    LabJob lab;
+    TradeJob trade;
     Comparison comparison;
-    RenderGoal goal;
-    bool bvhSeen = false;  ///< the panel of the hierarchy is open
+    StopCriteria stopCriteria;
+    bool bvhPanelOpen = false;  ///< the panel of the hierarchy is open
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};
     std::unique_ptr<RenderJob> job;
@@ -81,9 +81,9 @@ struct Workspace {
     bool openDialogRequested = false, renderDialogRequested = false, closeDialogs = false;
 
     glm::ivec2 imageSize() const;
-    /// What the scene needs, with the lens of the present camera; counted once per scene.
+    /// What the scene needs, with the lens of the current camera; counted once per scene.
     const SceneRequirements& needs();
-    void tell(std::string text, Severity severity = Severity::Note);
+    void notify(std::string text, Severity severity = Severity::Note);
     void setLights(std::vector<Light> lights);
     void open(const std::string& path) { loader.start(path, false); }
     /// Takes over what the loader brought.
@@ -92,8 +92,8 @@ struct Workspace {
     void redo();
 
   private:
-    std::shared_ptr<const SceneDescription> countedScene_;
-    SceneRequirements needs_;
+    std::shared_ptr<const SceneDescription> requirementsScene_;
+    SceneRequirements requirements_;
 };
 
 }  // namespace rayscope::viewer

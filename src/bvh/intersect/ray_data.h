@@ -1,0 +1,20 @@
+#pragma once
+#include <rayscope/ray.h>
+
+#include "bvh/kernel/hit_acceptance.h"
+
+namespace rayscope::bvh {
+
+/// A ray as the eight numbers that kernels take.
+inline kernel::RayData rayData(const Ray& ray) {
+    static_assert(sizeof(Ray) == 8 * sizeof(float));
+    return reinterpret_cast<const float*>(&ray);
+}
+
+/// Hits as kernels fill them in.
+inline kernel::HitData* hitData(Hit* hit) {
+    static_assert(sizeof(Hit) == sizeof(kernel::HitData));
+    return reinterpret_cast<kernel::HitData*>(hit);
+}
+
+}  // namespace rayscope::bvh

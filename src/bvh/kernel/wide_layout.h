@@ -1,0 +1,54 @@
+#pragma once
+// The tree that production rays walk: eight children per node, eight triangles per leaf, both in columns, so
+// that one instruction tests all of them.
+#include <stddef.h>
+#include <stdint.h>
+
+namespace rayscope::bvh::kernel {
+
+constexpr int kWidth = 8;
+
+/// What a child is: an inner node, a block of up to eight triangles, or a sphere. The two highest bits say
+/// which; blocks have the number of their triangles minus one in the next three.
+using ChildRef = uint32_t;
+constexpr ChildRef kBlockTag = 0x80000000u;
+constexpr ChildRef kSphereTag = 0xc0000000u;
+constexpr ChildRef kTagMask = 0xc0000000u;
+constexpr ChildRef kBlockIndexMask = 0x07ffffffu;
+constexpr ChildRef kSphereIndexMask = 0x3fffffffu;
+constexpr int kBlockSizeShift = 27;
+[[gnu::always_inline]] constexpr uint32_t trianglesIn(ChildRef block) {
+    return (block >> kBlockSizeShift & 7u) + 1u;
+}
+
+/// The boxes of up to eight children; the box of a missing child is inverted, and never hit.
+struct alignas(64) WideNode {
+    float planes[6][kWidth];  ///< lower and upper x, lower and upper y, lower and upper z
+    ChildRef child[kWidth];
+};
+static_assert(sizeof(WideNode) == 256);
+
+/// The corners of up to eight triangles, and which they are.
+struct alignas(64) TriangleBlock {
+    float corner[3][3][kWidth];  ///< corner, axis, triangle
+    uint32_t primitive[kWidth];
+};
+static_assert(sizeof(TriangleBlock) == 320);
+
+/// A sphere and which primitive it is.
+struct SphereRecord {
+    float sphere[4];  ///< center, radius
+    uint32_t primitive;
+};
+
+/// Inner nodes and leaves; the root is `root`. The longest path has at most kMaxWideLevels inner nodes.
+struct WideTreeView {
+    const WideNode* nodes;
+    const TriangleBlock* blocks;
+    const SphereRecord* spheres;
+    ChildRef root;
+    float largest;  ///< absolute coordinate of any box
+};
+constexpr int kMaxWideLevels = 76;
+
+}  // namespace rayscope::bvh::kernel

@@ -1,0 +1,40 @@
+#pragma once
+#include <rayscope/vector.h>
+#include <array>
+#include <cstdint>
+
+namespace rayscope::measure {
+
+/// A sum of products of up to three floats without any rounding: what geometric predicates are judged by.
+///
+/// A finite float is a multiple of 2^-149 below 2^128, so a product of three is a multiple of 2^-447 below
+/// 2^384. The sum is kept as one integer in units of 2^-448, in two's complement; its 896 bits hold 2^60
+/// addends. Slower than a filtered predicate, but short enough to be read and believed.
+class ExactSum {
+  public:
+    /// Adds a · b · c; all finite.
+    void add(float a, float b, float c = 1.0f);
+    void subtract(float a, float b, float c = 1.0f) { add(-a, b, c); }
+
+    /// −1, 0 or 1.
+    int sign() const;
+    /// With a relative error of at most 2^-62 where long double has 64 digits, else that of the type.
+    long double value() const;
+
+    ExactSum& operator+=(const ExactSum& other);
+    ExactSum operator-() const;
+
+  private:
+    static constexpr int kWords = 14;
+    static constexpr int kLowestExponent = -448;
+    std::array<std::uint64_t, kWords> words_{};
+};
+
+/// Adds the determinant with the columns a, b, c: a · (b × c). Six products.
+void addDeterminant(ExactSum& sum, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// Six times the signed volume of a, b, c and p: positive where p lies on the side to which (b − a) × (c − a)
+/// points.
+ExactSum signedVolume(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& p);
+
+}  // namespace rayscope::measure

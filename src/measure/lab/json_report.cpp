@@ -1,0 +1,158 @@
+// The result of the laboratory as text, and for programs.
+#include <fmt/format.h>
+
+#include <rayscope/lab.h>
+#include <algorithm>
+#include <cmath>
+
+#include "base/json_number.h"
+
+namespace rayscope {
+
+namespace {
+
+nlohmann::json toJson(const LabCounts& c) {
+    return {{"aimed", c.sharedEdgeRays},
+            {"leaks", c.leaks},
+            {"double_hits", c.doubleHits},
+            {"spawned", c.spawned},
+            {"false_hits", c.falseHits},
+            {"second_surfaces", c.offsetSurfaceRays},
+            {"lost_surfaces", c.missedSurfaces},
+            {"t_error_over_bound", base::numberOrNull(c.tRatio)},
+            {"weight_error_over_bound", base::numberOrNull(c.weightRatio)},
+            {"sound", c.passed()}};
+}
+
+template <class Number>
+nlohmann::json toJson(const std::optional<Number>& value) {
+    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json toJson(const LabRange& r) {
+    return {{"sound_as_it_is", r.soundUntransformed},
+            {"lowest_scale", r.lowestScale},
+            {"highest_scale", r.highestScale},
+            {"first_failing_below", toJson(r.failsBelow)},
+            {"first_failing_above", toJson(r.failsAbove)},
+            {"largest_offset", r.largestOffset},
+            {"first_failing_offset", toJson(r.failsBeyond)},
+            {"failing_cells", r.failingTestPoints}};
+}
+
+nlohmann::json toJson(const Ray& r) {
+    return {{"origin", {r.origin.x, r.origin.y, r.origin.z}},
+            {"direction", {r.direction.x, r.direction.y, r.direction.z}}};
+}
+
+/// "sound from 2^-40 to 2^10 (2^20 fails) and up to 1e+07 sizes from the origin".
+std::string rangeText(const LabRange& r) {
+    if (!r.soundUntransformed) return "fails with the scene as it is";
+    const auto scale = [](int passed, const std::optional<int>& fails) {
+        return fmt::format("2^{}{}", passed, fails ? fmt::format(" (2^{} fails)", *fails) : "");
+    };
+    return fmt::format("sound from {} to {} times its size, and up to {:g} sizes{} from the origin",
+                       scale(r.lowestScale, r.failsBelow), scale(r.highestScale, r.failsAbove),
+                       r.largestOffset, r.failsBeyond ? fmt::format(" ({:g} fail)", *r.failsBeyond) : "");
+}
+
+std::string ratioText(double ratio) {
+    return ratio < 100.0 ? fmt::format("{:.3f}", ratio) : fmt::format("{:.1e}", ratio);
+}
+
+void appendRow(std::string& text, const std::string& name, const LabCounts& c) {
+    text += fmt::format("{:<30} {:>9} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9}\n", name,
+                        c.sharedEdgeRays, c.leaks, c.doubleHits, c.spawned, c.falseHits, c.offsetSurfaceRays,
+                        c.missedSurfaces, ratioText(c.tRatio), ratioText(c.weightRatio));
+}
+
+void appendHeader(std::string& text, const std::string& first) {
+    text += fmt::format("{:<30} {:>9} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9}\n", first, "at seams",
+                        "leaks", "doubled", "spawned", "false", "plates", "lost", "t/bound", "uv/bound");
+}
+
+}  // namespace
+
+std::string labText(const LabResult& r) {
+    std::string text = fmt::format(
+        "{}: {} triangles, {} shared edges, {} closed vertices; {:.4g} units large, {:.3g} sizes from the "
+        "origin\n{} cells of {} rays in {:.1f} s\n\n",
+        r.scene, r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset, r.testPoints.size(),
+        r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
+    appendHeader(text, "all cells");
+    for (const LabMethod method : kLabMethods) appendRow(text, infoOf(method).label, r.total(method));
+    text += "\n";
+    appendHeader(text, "Rayscope, by scale and offset");
+    for (const LabTestPoint& testPoint : r.testPoints)
+        appendRow(text,
+                  fmt::format("2^{:<3} {:>5g} sizes{}", testPoint.transform.scale, testPoint.transform.offset,
+                              testPoint.degenerate ? fmt::format(" ({} flat)", testPoint.degenerate) : ""),
+                  testPoint.of(LabMethod::Rayscope));
+    text += "\nsafe range for this scene\n";
+    for (const LabMethod method : kLabMethods)
+        text +=
+            fmt::format("  {:<30} {}; {} of {} cells fail\n", infoOf(method).label,
+                        rangeText(r.range(method)), r.range(method).failingTestPoints, r.testPoints.size());
+    text += fmt::format("  {:<30} keeps all its triangles up to an offset of {:g} sizes\n",
+                        "the mesh in float", r.meshOffset);
+    for (const std::string& remark : r.remarks) text += fmt::format("note: {}\n", remark);
+    return text;
+}
+
+std::string labJson(const LabResult& r) {
+    nlohmann::json testPoints = nlohmann::json::array(), failures = nlohmann::json::array(), ranges, totals;
+    for (const LabTestPoint& testPoint : r.testPoints) {
+        nlohmann::json methods;
+        for (const LabMethod method : kLabMethods)
+            methods[infoOf(method).name] = toJson(testPoint.of(method));
+        testPoints.push_back({{"scale_exponent", testPoint.transform.scale},
+                              {"offset_sizes", testPoint.transform.offset},
+                              {"collapsed_triangles", testPoint.degenerate},
+                              {"undecided", testPoint.undecided},
+                              {"methods", methods}});
+    }
+    for (const LabMethod method : kLabMethods) {
+        ranges[infoOf(method).name] = toJson(r.range(method));
+        totals[infoOf(method).name] = toJson(r.total(method));
+    }
+    for (const LabFailure& f : r.failures)
+        failures.push_back({{"cell", f.testPoint},
+                            {"method", infoOf(f.method).name},
+                            {"fault", nameOf(f.fault)},
+                            {"ray", toJson(f.ray)}});
+    const nlohmann::json all = {{"scene", r.scene},
+                                {"triangles", r.triangles},
+                                {"shared_edges", r.sharedEdges},
+                                {"closed_vertices", r.closedVertices},
+                                {"spheres_left_out", r.spheres},
+                                {"size", r.size},
+                                {"offset_sizes", r.offset},
+                                {"rays_per_cell", r.raysPerTestPoint},
+                                {"ranges", ranges},
+                                {"totals", totals},
+                                {"mesh_whole_to_offset", r.meshOffset},
+                                {"cells", testPoints},
+                                {"failures", failures},
+                                {"remarks", r.remarks},
+                                {"seconds", r.seconds},
+                                {"interrupted", r.interrupted}};
+    return all.dump(2) + "\n";
+}
+
+std::string labCsv(const LabResult& r) {
+    std::string text =
+        "scale_exponent,offset_sizes,collapsed_triangles,undecided,method,aimed,leaks,double_hits,spawned,"
+        "false_hits,second_surfaces,lost_surfaces,t_error_over_bound,weight_error_over_bound\n";
+    for (const LabTestPoint& testPoint : r.testPoints)
+        for (const LabMethod method : kLabMethods) {
+            const LabCounts& c = testPoint.of(method);
+            text += fmt::format("{},{:g},{},{},{},{},{},{},{},{},{},{},{:.6g},{:.6g}\n",
+                                testPoint.transform.scale, testPoint.transform.offset, testPoint.degenerate,
+                                testPoint.undecided, infoOf(method).name, c.sharedEdgeRays, c.leaks,
+                                c.doubleHits, c.spawned, c.falseHits, c.offsetSurfaceRays, c.missedSurfaces,
+                                c.tRatio, c.weightRatio);
+        }
+    return text;
+}
+
+}  // namespace rayscope

@@ -1,0 +1,97 @@
+#include "measure/target/film_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sampling/hash.h"
+
+namespace rayscope::measure {
+
+int roundUpSampleCount(double x) {
+    x = std::clamp(x, 4.0, 1e9);
+    const double quarter = std::exp2(std::floor(std::log2(x)) - 2.0);
+    return static_cast<int>(std::ceil(x / quarter) * quarter);
+}
+
+FilmPair::FilmPair(int width, int height, const PixelBounds& region) {
+    for (auto& film : films_) film = std::make_unique<render::Film>(width, height, region);
+    shares_.assign(static_cast<std::size_t>(films_[0]->tileCount()), 1.0);
+}
+
+void FilmPair::share(std::vector<double> shares) { shares_ = std::move(shares); }
+
+int FilmPair::samplesOfTile(std::size_t tile, int samples) const {
+    return shares_[tile] == 1.0 ? samples : roundUpSampleCount(shares_[tile] * samples);
+}
+
+bool FilmPair::extend(const trace::World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
+                      render::RenderCounters& counters) {
+    std::vector<int> targets(shares_.size());
+    for (std::size_t tile = 0; tile < targets.size(); ++tile) targets[tile] = samplesOfTile(tile, samples);
+    for (std::size_t half = 0; half < films_.size(); ++half)
+        if (!render::renderPass(world, half == 0 ? seed : sampling::hashPair(seed, half), *films_[half],
+                                targets, {{}, stop}, counters))
+            return false;
+    return true;
+}
+
+template <class SamplesOfTile>
+double FilmPair::perPixel(const SamplesOfTile& samplesOfTile) const {
+    double sum = 0.0, pixels = 0.0;
+    for (int tile = 0; tile < films_[0]->tileCount(); ++tile) {
+        const PixelBounds b = films_[0]->tileBounds(tile);
+        const double area = static_cast<double>((b.x1 - b.x0) * (b.y1 - b.y0));
+        pixels += area;
+        sum += area * samplesOfTile(tile);
+    }
+    return sum / pixels;
+}
+
+double FilmPair::samplesTaken() const {
+    return perPixel([&](int tile) { return 0.0 + films_[0]->samples(tile) + films_[1]->samples(tile); });
+}
+
+double FilmPair::samplesAt(int samples) const {
+    return perPixel([&](int tile) { return 2.0 * samplesOfTile(static_cast<std::size_t>(tile), samples); });
+}
+
+ErrorEstimate FilmPair::estimate(const ErrorTarget& target) const {
+    const VarianceImage spread = varianceOfMean();
+    return estimateError(films_[0]->mean(), films_[1]->mean(), films_[0]->region(), target, &spread);
+}
+
+/// Of all samples of both halves; that of luminance stands for the channels.
+VarianceImage FilmPair::varianceOfMean() const {
+    VarianceImage spread(films_[0]->width(), films_[0]->height());
+    render::Film::TileCopy copy;
+    for (const auto& film : films_) {
+        for (int tile = 0; tile < film->tileCount(); ++tile) {
+            film->read(tile, copy);
+            const double n = copy.samples;
+            const PixelBounds bounds = film->tileBounds(tile);
+            auto pixel = copy.pixels.begin();
+            for (int y = bounds.y0; n > 1.0 && y < bounds.y1; ++y)
+                for (int x = bounds.x0; x < bounds.x1; ++x, ++pixel)
+                    spread.at(x, y) += render::varianceOfLuminance(*pixel, n) / (4.0 * n);
+        }
+    }
+    return spread;
+}
+
+/// The films have equal numbers of samples, but for tiles that a limit ended between the two.
+RgbImage FilmPair::mean() const {
+    const render::Film &a = *films_[0], &b = *films_[1];
+    RgbImage image = a.mean();
+    const RgbImage other = b.mean();
+    for (int tile = 0; tile < a.tileCount(); ++tile) {
+        const double n = a.samples(tile), m = b.samples(tile);
+        const PixelBounds bounds = a.tileBounds(tile);
+        for (int y = bounds.y0; n + m > 0.0 && y < bounds.y1; ++y)
+            for (int x = bounds.x0; x < bounds.x1; ++x)
+                image.at(x, y) =
+                    Rgb((n * glm::dvec3(image.at(x, y)) + m * glm::dvec3(other.at(x, y))) / (n + m));
+    }
+    return image;
+}
+
+}  // namespace rayscope::measure

@@ -1,0 +1,42 @@
+#include "probe/traversal_costs.h"
+
+#include <rayscope/probe.h>
+#include <algorithm>
+
+#include "probe/counting_observer.h"
+
+namespace rayscope::probe {
+
+ViewRays raysOfView(const trace::World& world, std::uint64_t seed, std::size_t motionGroup, int columns,
+                    int rows) {
+    ViewRays rays;
+    columns = std::min(columns, world.width);
+    rows = std::min(rows, world.height);
+    const auto atRest = [&](Ray ray, float time) {
+        const glm::dvec3 motion(world.motionGroups[motionGroup].geometry->motion);
+        ray.origin = glm::vec3(glm::dvec3(ray.origin) - static_cast<double>(time) * motion);
+        return ray;
+    };
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const int x = (2 * column + 1) * world.width / (2 * columns),
+                      y = (2 * row + 1) * world.height / (2 * rows);
+            const RayTree tree = probeSample(world, seed, {x, y, 0});
+            for (const RayNode& node : tree.nodes) rays.closest.push_back(atRest(node.ray, tree.time));
+            for (const ShadowRay& shadow : tree.shadowRays)
+                if (shadow.visibility != Visibility::FacingAway)
+                    rays.any.push_back(atRest(shadow.ray, tree.time));
+        }
+    return rays;
+}
+
+TraversalCosts traversalCosts(const bvh::BinaryTree& tree, const AccelInput& input, const ViewRays& rays) {
+    TraversalCounter counter;
+    Hit hit;
+    for (const Ray& ray : rays.closest) bvh::closestHit(tree, input, ray, hit, counter);
+    for (const Ray& ray : rays.any) anyHitObserved(tree, input, ray, counter, hit);
+    const double count = static_cast<double>(std::max<std::size_t>(rays.count(), 1));
+    return {static_cast<double>(counter.nodes) / count, static_cast<double>(counter.tests) / count};
+}
+
+}  // namespace rayscope::probe

@@ -1,0 +1,20 @@
+#include "viewer/jobs/lab_job.h"
+
+namespace rayscope::viewer {
+
+void LabJob::start(std::shared_ptr<const SceneDescription> scene, const Settings& settings, int threads) {
+    LabRequest request;
+    request.scene = scene;
+    request.settings = settings;
+    request.quick = quick;
+    request.threads = threads;
+    BackgroundJob::start(std::move(scene),
+                         [request](const std::stop_token& stop, std::atomic<double>& fraction) {
+                             LabRequest run = request;
+                             run.stop = stop;
+                             run.progress = [&fraction](double done, double) { fraction.store(done); };
+                             return runLab(run);
+                         });
+}
+
+}  // namespace rayscope::viewer

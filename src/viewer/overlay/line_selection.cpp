@@ -1,0 +1,125 @@
+#include "viewer/overlay/line_selection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
+
+namespace rayscope::viewer {
+
+namespace {
+
+constexpr double kLineCost = 30.0;
+/// Lines whose ends lie in the same squares of this many pixels look the same.
+constexpr double kSamePlace = 2.0;
+
+using PixelSegment = std::array<glm::dvec2, 2>;
+
+/// The length of the part of a segment that lies in the picture (Liang and Barsky's clipping).
+double lengthInside(const PixelSegment& segment, const ViewFrame& frame) {
+    const glm::dvec2 along = segment[1] - segment[0], size(frame.width, frame.height);
+    double enter = 0.0, leave = 1.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double start = segment[0][axis], step = along[axis];
+        if (step == 0.0) {
+            if (start < 0.0 || start > size[axis]) return 0.0;
+            continue;
+        }
+        const double a = -start / step, b = (size[axis] - start) / step;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter < leave ? (leave - enter) * glm::length(along) : 0.0;
+}
+
+/// Where a line appears and what it looks like, rounded.
+using Appearance = std::array<long, 6>;
+
+Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
+    const auto square = [](double pixel) { return std::lround(std::clamp(pixel / kSamePlace, -1e6, 1e6)); };
+    const auto level = [&](int channel) { return std::lround(line.color[channel] * 15.0f); };
+    const long color = ((level(0) * 16 + level(1)) * 16 + level(2)) * 16 + level(3);
+    return {
+        square(segment[0].x),         square(segment[0].y), square(segment[1].x), square(segment[1].y), color,
+        static_cast<long>(line.style)};
+}
+
+/// Mixes the numbers as FNV-1a mixes bytes.
+struct AppearanceHash {
+    std::size_t operator()(const Appearance& appearance) const {
+        std::uint64_t hash = 14695981039346656037u;
+        for (const long part : appearance) hash = (hash ^ static_cast<std::uint64_t>(part)) * 1099511628211u;
+        return static_cast<std::size_t>(hash ^ hash >> 32);
+    }
+};
+
+/// Multiples of the golden ratio fill 0 … 1 evenly, however few are taken and whatever repeats in the list.
+double placeInOrder(std::size_t index) {
+    constexpr double kGoldenRatio = 0.6180339887498949;
+    const double multiple = static_cast<double>(index) * kGoldenRatio;
+    return multiple - std::floor(multiple);
+}
+
+/// A line as it is seen: where, if it is before the camera, and what it takes to draw it.
+struct SeenLine {
+    std::optional<PixelSegment> segment;
+    double cost = kLineCost;
+};
+
+std::vector<SeenLine> seenLines(const OverlayLines& lines, const ViewFrame& frame) {
+    std::vector<SeenLine> seen;
+    seen.reserve(lines.size());
+    for (const OverlayLine& line : lines) {
+        SeenLine one{frame.projectSegment(glm::dvec3(line.from), glm::dvec3(line.to))};
+        if (one.segment) one.cost += lengthInside(*one.segment, frame);
+        seen.push_back(one);
+    }
+    return seen;
+}
+
+double sumOf(const std::vector<SeenLine>& seen) {
+    double cost = 0.0;
+    for (const SeenLine& line : seen) cost += line.cost;
+    return cost;
+}
+
+/// Numbers of the lines that are not bold and that lie in the picture, one for each place.
+std::vector<std::size_t> distinctLines(const OverlayLines& lines, const std::vector<SeenLine>& seen) {
+    std::vector<std::size_t> distinct;
+    std::unordered_set<Appearance, AppearanceHash> known(2 * lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool inPicture = seen[i].segment && seen[i].cost > kLineCost;
+        if (isBold(lines[i]) || !inPicture) continue;
+        if (known.insert(appearanceOf(lines[i], *seen[i].segment)).second) distinct.push_back(i);
+    }
+    return distinct;
+}
+
+}  // namespace
+
+double drawingCost(const OverlayLines& lines, const ViewFrame& frame) {
+    return sumOf(seenLines(lines, frame));
+}
+
+OverlayLines selectLines(const OverlayLines& lines, const ViewFrame& frame, double maxPixels) {
+    if (!std::isfinite(maxPixels)) return lines;
+    const std::vector<SeenLine> seen = seenLines(lines, frame);
+    if (sumOf(seen) <= maxPixels) return lines;
+    const std::vector<std::size_t> candidates = distinctLines(lines, seen);
+    double all = 0.0, left = maxPixels;
+    for (const std::size_t i : candidates) all += seen[i].cost;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (isBold(lines[i])) left -= seen[i].cost;
+    const double share = all > 0.0 ? std::max(left, 0.0) / all : 1.0;
+
+    std::vector<bool> kept(lines.size());
+    for (const std::size_t i : candidates) kept[i] = placeInOrder(i) < share;
+    OverlayLines chosen;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (kept[i] || isBold(lines[i])) chosen.push_back(lines[i]);
+    return chosen;
+}
+
+}  // namespace rayscope::viewer

@@ -1,0 +1,94 @@
+// What the float test of eight triangles says holds: it leaves out no hit of the exact test, and where it is
+// certain of a hit, the exact test finds it.
+#include <gtest/gtest.h>
+
+#include "bvh/intersect/ray_data.h"
+#include "bvh/meshes.h"
+// clang-format off: the lanes come first
+#include "bvh/kernel/lanes_portable.inl"
+// clang-format on
+#include "bvh/kernel/intersect_block.inl"
+
+namespace rayscope::test {
+namespace {
+
+using namespace bvh::kernel;
+
+struct Case {
+    TriangleBlock block;
+    Ray ray;
+};
+
+float awkwardFactor(Random& random) {
+    constexpr float kFactors[] = {0.0f, 0x1p-24f, -0x1p-24f, 0x1p-22f, -0x1p-22f, 1e-5f, -1e-5f, 0.01f};
+    return kFactors[random.integer(8)];
+}
+
+/// Eight triangles of some size at some distance, and a ray to a place on or beside an edge of one of them,
+/// or inside; its ends are far away or at that place, up to a few roundings.
+Case awkwardCase(Random& random) {
+    Case made{};
+    const int world = random.integer(4) == 0 ? random.integer(100) - 50 : 0;
+    const float size = std::ldexp(1.0f, random.integer(60) - 45),
+                distance = std::ldexp(1.0f, world + random.integer(20) - 10);
+    const glm::vec3 origin = random.inCube() * std::ldexp(1.0f, world + random.integer(12) - 6),
+                    center = origin + distance * random.inCube();
+    glm::vec3 corners[8][3];
+    for (int lane = 0; lane < 8; ++lane)
+        for (int corner = 0; corner < 3; ++corner) {
+            corners[lane][corner] = center + size * distance * random.inCube();
+            for (int axis = 0; axis < 3; ++axis)
+                made.block.corner[corner][axis][lane] = corners[lane][corner][axis];
+        }
+    const auto& chosen = corners[random.integer(8)];
+    const float v = static_cast<float>(random.real(0.0, 1.0)), w = awkwardFactor(random);
+    const glm::vec3 aim = chosen[0] + v * (chosen[1] - chosen[0]) + w * (chosen[2] - chosen[0]);
+    // Where t is about to be too large for a float, too.
+    const int scale = random.integer(4) == 0 ? random.integer(20) - 137 : random.integer(30) - 15;
+    const float end = std::ldexp(1.0f + awkwardFactor(random), -scale);
+    made.ray = {origin, {}, 0.0f, std::numeric_limits<float>::infinity()};
+    for (int axis = 0; axis < 3; ++axis)
+        made.ray.direction[axis] = std::ldexp(aim[axis] - origin[axis], scale);
+    if (random.integer(3) == 0)
+        made.ray.tMin = end;
+    else if (random.integer(2) == 0)
+        made.ray.tMax = end;
+    return made;
+}
+
+TEST(FilterResult, LeavesOutNoHitAndIsSureOfHitsOnly) {
+    Random random(5);
+    int hits = 0, sureOnes = 0, doubtful = 0, tooFar = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        const auto [block, ray] = awkwardCase(random);
+        const RayData word = bvh::rayData(ray);
+        if (!isTraceable(word)) continue;
+        FastRay fast;
+        fast.prepare(word);
+        if (!fast.suits(std::ldexp(1.0f, 60))) continue;
+        FastShear shear{};
+        shear.prepareOnce(word, fast.scale);
+        const FilterResult found = filterTriangles(block, kBlockTag | 7u << kBlockSizeShift, shear, fast.tMin,
+                                                   scaledTMax(ray.tMax, fast.scale));
+        const unsigned certain = found.possible != 0 ? found.certain() : 0;
+        const BlockRay exact(word, shear);
+        for (int lane = 0; lane < 8; ++lane) {
+            HitData hit{};
+            const bool isHit = exact.hits(block, lane, ray.tMax, hit);
+            const bool isPossible = (found.possible >> lane & 1u) != 0, isSure = (certain >> lane & 1u) != 0;
+            ASSERT_TRUE(isPossible || !isHit) << text(ray);
+            ASSERT_TRUE(isHit || !isSure) << text(ray);
+            hits += isHit;
+            sureOnes += isSure;
+            doubtful += isPossible && !isHit;
+            tooFar += !(hit.t < kInfinity);
+        }
+    }
+    EXPECT_GT(hits, 50'000);
+    EXPECT_GT(sureOnes, hits / 10);
+    EXPECT_GT(doubtful, 1000);
+    EXPECT_GT(tooFar, 100) << "the exact test refuses what is too far for a float";
+}
+
+}  // namespace
+}  // namespace rayscope::test

@@ -1,0 +1,186 @@
+// Faults are planted, and explanations counted as right, wrong or unknown. Wrong is worse than unknown.
+#include "probe/diagnosis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/test_scenes.h"
+
+namespace rayscope {
+namespace {
+
+/// Counts over the pixels of a world that show the symptom; the rest of the picture is not the fault's.
+struct Score {
+    int right = 0, wrong = 0, unknown = 0;
+};
+
+Score judge(const trace::World& world, probe::Symptom symptom, std::vector<probe::Cause> accepted,
+            int samples = 8) {
+    Score score;
+    for (int y = 0; y < world.height; ++y)
+        for (int x = 0; x < world.width; ++x)
+            for (const probe::Diagnosis& why : probe::diagnosePixel(world, 1, x, y, samples)) {
+                if (why.symptom != symptom) continue;
+                EXPECT_FALSE(why.sentence.empty());
+                const bool right = std::find(accepted.begin(), accepted.end(), why.cause) != accepted.end();
+                ++(right ? score.right : why.cause == probe::Cause::Unknown ? score.unknown : score.wrong);
+                for (const probe::Evidence& evidence : why.evidence) EXPECT_LT(evidence.sample, samples);
+            }
+    std::printf("right %d, wrong %d, unknown %d\n", score.right, score.wrong, score.unknown);
+    return score;
+}
+
+/// A wall that fills the picture, seen from the front, with a light beside the camera.
+SceneDescription wall() {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(0.8f))};
+    scene.meshes = {test::quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0})};
+    scene.lights = {test::pointLight({0.5f, 1.0f, 2.5f})};
+    return scene;
+}
+
+std::shared_ptr<const trace::World> compiled(SceneDescription scene, Settings settings = {}, int size = 12) {
+    return test::compileScene(std::move(scene), settings, size, size);
+}
+
+/// The same quad with these vertex normals.
+void setNormals(SceneDescription& scene, std::vector<glm::vec3> normals) {
+    auto data = std::make_shared<MeshData>(*scene.meshes[0].data);
+    data->normals = std::move(normals);
+    scene.meshes[0].data = data;
+}
+
+TEST(Explain, AnOrdinaryPixelNeedsNoExplanation) {
+    const auto world = compiled(wall());
+    for (int i = 0; i < 12; ++i) EXPECT_TRUE(probe::diagnosePixel(*world, 1, i, 6, 8).empty());
+}
+
+TEST(Explain, AMissingLight) {
+    SceneDescription scene = wall();
+    scene.lights.clear();
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::NoLight});
+    EXPECT_EQ(score.right, 144);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, ABlockedLight) {
+    SceneDescription scene = wall();
+    scene.meshes.push_back(test::quad({-0.5f, 0.0f, 2.2f}, {2, 0, 0}, {0, 2, 0}));
+    scene.meshes[1].name = "lid";
+    scene.cameras = {test::frontCamera(2.0f)};
+    const auto world = compiled(scene);
+    const Score score = judge(*world, probe::Symptom::Black, {probe::Cause::LightOccluded});
+    EXPECT_GT(score.right, 100);
+    EXPECT_EQ(score.wrong, 0);
+    EXPECT_NE(probe::diagnosePixel(*world, 1, 6, 4, 4).front().sentence.find("lid"), std::string::npos)
+        << "names what blocks";
+}
+
+TEST(Explain, ALightBehindTheSurface) {
+    SceneDescription scene = wall();
+    scene.lights = {test::pointLight({0, 0, -2})};
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::LightBehindSurface});
+    EXPECT_EQ(score.right, 144);
+}
+
+TEST(Explain, ABlackMaterialAndAnEmptyScene) {
+    SceneDescription scene = wall();
+    scene.materials = {test::material(Rgb(0.0f))};
+    EXPECT_EQ(judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BlackMaterial}).right, 144);
+    EXPECT_EQ(judge(*compiled({}), probe::Symptom::Black, {probe::Cause::NothingHit}).right, 144);
+}
+
+TEST(Explain, NormalsThatPointElsewhere) {
+    SceneDescription scene = wall();
+    // Two corners are flipped: between them and the others the normals turn away from the light.
+    setNormals(scene, {{1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}});
+    scene.lights = {test::pointLight({-2.5f, 0, 0.1f})};
+    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BadNormal});
+    EXPECT_GT(score.right, 100);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, ATinyBrightSourceInAGloss) {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(0.02f), Rgb(0.8f), 8.0f), test::material(Rgb(1.0f))};
+    scene.meshes = {test::quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0})};
+    SphereInstance bulb;
+    bulb.sphere = {{0.0f, 0.0f, 4.0f}, 0.3f};
+    bulb.material = 1;
+    scene.spheres = {bulb};
+    // Close to the bulb and dim elsewhere: only reflected rays find something bright.
+    scene.lights = {Light{PointLight{{0.0f, 0.0f, 3.6f}, Rgb(0.3f)}, Falloff::InverseSquare}};
+    Settings settings;
+    settings.glossy = true;
+    settings.glossySamples = 1;
+    settings.glossySigma = 3.0f;
+    scene.cameras = {test::frontCamera(3.0f)};
+    const Score score = judge(*compiled(scene, settings), probe::Symptom::Noisy,
+                              {probe::Cause::RareBrightPaths, probe::Cause::GlossyReflection}, 64);
+    EXPECT_GT(score.right, 5);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, APenumbraOfAFewSamples) {
+    SceneDescription scene = wall();
+    scene.lights = {
+        Light{ParallelogramLight{
+                  {-1, -1, 2.5f}, {glm::vec3(2, 0, 0), glm::vec3(0, 2, 0)}, {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}},
+              Falloff::None}};
+    scene.meshes.push_back(test::quad({-0.4f, -0.4f, 1.0f}, {0.8f, 0, 0}, {0, 0.8f, 0}));
+    CameraDescription camera;
+    camera.lookFrom = {0, -3, 0.6f};
+    camera.lookAt = {0, 0, 0};
+    camera.up = {0, 0, 1};
+    scene.cameras = {camera};
+    Settings settings;
+    settings.parallelogramSamples = 1;
+    const Score score = judge(*compiled(scene, settings, 16), probe::Symptom::Noisy,
+                              {probe::Cause::Penumbra, probe::Cause::Edge}, 16);
+    EXPECT_GT(score.right, 10);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, DuplicateGeometry) {
+    // Two thousand copies of a triangle in the middle, beside a wall that is cheap to find.
+    SceneDescription scene = wall();
+    auto copies = std::make_shared<MeshData>();
+    copies->positions = {{-0.4f, -0.4f, 0.5f}, {0.5f, -0.4f, 0.5f}, {0.0f, 0.5f, 0.5f}};
+    copies->triangles.assign(2000, glm::uvec3(0, 1, 2));
+    scene.meshes.push_back({"copies", copies, {}, {0}, glm::vec3(0.0f)});
+    const Score score = judge(*compiled(scene), probe::Symptom::Slow, {probe::Cause::DuplicateGeometry}, 2);
+    EXPECT_GT(score.right, 3);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, NumbersThatAreTooLarge) {
+    SceneDescription scene = wall();
+    scene.lights = {test::pointLight({0, 0, 2.5f}, Rgb(3e38f)), test::pointLight({0, 0, 2.5f}, Rgb(3e38f))};
+    scene.materials = {test::material(Rgb(1.0f))};
+    const Score score = judge(*compiled(scene), probe::Symptom::NonFinite, {probe::Cause::Overflow});
+    EXPECT_GT(score.right, 50);
+    EXPECT_EQ(score.wrong, 0);
+}
+
+TEST(Explain, ANormalThatIsNotANumber) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    SceneDescription scene = wall();
+    setNormals(scene, {{nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}});
+    // The tracer falls back to the surface's own normal: the pixel is as it should be.
+    const auto world = compiled(scene);
+    EXPECT_TRUE(probe::diagnosePixel(*world, 1, 6, 6, 4).empty());
+}
+
+TEST(Explain, ABrightLight) {
+    SceneDescription scene = wall();
+    scene.lights.push_back(test::pointLight({0, 0, 2}, Rgb(40.0f)));
+    const auto world = compiled(scene);
+    const Score score = judge(*world, probe::Symptom::Bright, {probe::Cause::StrongLight});
+    EXPECT_EQ(score.right, 144);
+    EXPECT_NE(probe::diagnosePixel(*world, 1, 6, 6, 4).front().sentence.find("Light 1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rayscope
