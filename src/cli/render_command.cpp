@@ -16,6 +16,7 @@
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
+#include "math/vectors.h"
 #include "post/display_transform.h"
 #include "probe/aov.h"
 #include "probe/non_finite.h"
@@ -105,8 +106,6 @@ void writeAovs(const RenderOptions& options, const std::vector<probe::Aov>& want
         writeImage(aovPath(options.outputs.front(), probe::infoOf(wanted[i]).name), images[i], metadata);
 }
 
-bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
-
 /// The first sample of a pixel that is not finite, and why; sample 0 if none is by itself.
 struct BadSample {
     int index = 0;
@@ -133,7 +132,7 @@ bool reportNonFinite(const RenderOptions& options, const RenderRequest& request,
     glm::ivec2 first(0);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
-            if (isFinite(image.at(x, y))) continue;
+            if (math::isFinite(image.at(x, y))) continue;
             if (count == 0) first = {x, y};
             if (count++ < kNamed) names += fmt::format(" ({}, {})", x, y);
         }

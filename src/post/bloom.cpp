@@ -1,5 +1,7 @@
 #include "post/bloom.h"
 
+#include "math/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,6 @@
 namespace rayscope::post {
 
 namespace {
-
-bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 /// Integral of a normal density of standard deviation sigma over [i − 1/2, i + 1/2].
 double gaussianOverPixel(int i, double sigma) {
@@ -51,7 +51,7 @@ std::vector<double> bloomKernel(BloomFilter filter, int radius, double sigma) {
 RgbImage bloomThresholded(const RgbImage& image, float threshold) {
     RgbImage bright = image;
     for (Rgb& pixel : bright.pixels)
-        if (!isFinite(pixel) || !(std::max({pixel.x, pixel.y, pixel.z}) > threshold)) pixel = Rgb(0.0f);
+        if (!math::isFinite(pixel) || !(std::max({pixel.x, pixel.y, pixel.z}) > threshold)) pixel = Rgb(0.0f);
     return bright;
 }
 

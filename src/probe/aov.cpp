@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/nearest_name.h"
+#include "math/vectors.h"
 #include "probe/counting_observer.h"
 #include "render/film.h"
 #include "sampling/sample_stream.h"
@@ -37,7 +38,6 @@ constexpr AovInfo kTable[] = {
 };
 // clang-format on
 
-bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 Rgb grey(double value) { return Rgb(static_cast<float>(value)); }
 
 /// What the pixel's samples cost, as means over them.
@@ -55,7 +55,7 @@ Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
     for (int index = 0; index < request.samples; ++index) {
         const trace::SampleResult result = trace::radiance(world, request.seed, {x, y, index}, silent);
         costs.rays += static_cast<double>(result.rays);
-        costs.nonFinite += isFinite(result.radiance) ? 0 : 1;
+        costs.nonFinite += math::isFinite(result.radiance) ? 0 : 1;
     }
     costs.microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
     for (int index = 0; counted && index < request.samples; ++index) {
@@ -101,7 +101,7 @@ Rgb filmValue(const render::Film* film, int x, int y, Aov aov) {
     const render::PixelSums sums = film->sums(x, y, samples);
     if (aov == Aov::Samples) return grey(samples);
     if (samples < 2) return grey(0.0);
-    const double n = samples, mean = render::luminance(sums.radiance) / n;
+    const double n = samples, mean = math::luminance(sums.radiance) / n;
     const double variance = std::max(0.0, (sums.squaredLuminance / n - mean * mean) * n / (n - 1.0));
     return grey(aov == Aov::Variance ? variance : std::sqrt(variance / n));
 }
@@ -137,11 +137,8 @@ void CountingObserver::forEachGroup(const Ray& ray, Count&& count) {
                                                         motionGroup.geometry->input.spheres.size();
             continue;
         }
-        Ray atRest = ray;
-        if (world_.moves)
-            atRest.origin = glm::vec3(glm::dvec3(ray.origin) -
-                                      static_cast<double>(time_) * glm::dvec3(motionGroup.geometry->motion));
-        if (count(*tree, motionGroup.geometry->input, atRest)) return;
+        const trace::Geometry& geometry = *motionGroup.geometry;
+        if (count(*tree, geometry.input, geometry.inRestFrame(ray, time_))) return;
     }
 }
 

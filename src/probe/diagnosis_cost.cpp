@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "math/vectors.h"
 #include "probe/aov.h"
 #include "probe/diagnosis_parts.h"
 #include "render/film.h"
@@ -116,7 +117,7 @@ std::optional<Diagnosis> diagnoseNoisy(const PixelEvidence& pixel) {
     for (const RayTree& tree : pixel.trees) {
         double sums[kWays] = {};
         for (std::size_t i = 0; i < tree.nodes.size(); ++i)
-            sums[wayOf(tree, static_cast<int>(i))] += render::luminance(tree.nodes[i].contribution);
+            sums[wayOf(tree, static_cast<int>(i))] += math::luminance(tree.nodes[i].contribution);
         for (int way = 0; way < kWays; ++way) byWay[way].push_back(sums[way]);
     }
     double most = 0.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vectors.h"
 #include "probe/diagnosis_parts.h"
 #include "probe/names.h"
 #include "render/film.h"
@@ -127,10 +128,10 @@ std::optional<Diagnosis> diagnoseBright(const PixelEvidence& pixel) {
     double all = 0.0;
     for (std::size_t sample = 0; sample < pixel.trees.size(); ++sample) {
         const RayTree& tree = pixel.trees[sample];
-        all += render::luminance(tree.radiance);
+        all += math::luminance(tree.radiance);
         for (std::size_t i = 0; i < tree.shadowRays.size(); ++i) {
             const auto light = static_cast<std::size_t>(tree.shadowRays[i].light);
-            const double adds = render::luminance(tree.shadowRays[i].contribution);
+            const double adds = math::luminance(tree.shadowRays[i].contribution);
             byLight[light] += adds;
             if (adds <= most[light]) continue;
             most[light] = adds;

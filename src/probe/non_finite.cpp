@@ -4,18 +4,14 @@
 
 #include <cmath>
 
+#include "math/vectors.h"
 #include "probe/names.h"
 
 namespace rayscope::probe {
 
 namespace {
 
-template <class Vector>
-bool isFinite(const Vector& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-bool fitsFloat(const RgbSum& v) { return isFinite(Rgb(v)); }
+bool fitsFloat(const RgbSum& v) { return math::isFinite(Rgb(v)); }
 
 std::string text(const RgbSum& v) { return fmt::format("({:.4g} {:.4g} {:.4g})", v.x, v.y, v.z); }
 
@@ -27,18 +23,20 @@ std::string locationText(const RayNode& node, std::size_t index, const trace::Wo
 
 /// What is wrong with a segment and its surface before any light comes in.
 std::string wrongWith(const RayNode& node) {
-    if (!isFinite(node.ray.origin) || !isFinite(node.ray.direction)) return "the ray itself is not a number";
-    if (!isFinite(node.throughput)) return "the throughput is " + text(node.throughput);
-    if (!isFinite(node.normal)) return "the shading normal is not a number";
-    if (!isFinite(node.geometricNormal)) return "the geometric normal is not a number";
-    if (!isFinite(node.kd)) return "the diffuse colour is " + text(RgbSum(node.kd));
+    if (!math::isFinite(node.ray.origin) || !math::isFinite(node.ray.direction))
+        return "the ray itself is not a number";
+    if (!math::isFinite(node.throughput)) return "the throughput is " + text(node.throughput);
+    if (!math::isFinite(node.normal)) return "the shading normal is not a number";
+    if (!math::isFinite(node.geometricNormal)) return "the geometric normal is not a number";
+    if (!math::isFinite(node.kd)) return "the diffuse colour is " + text(RgbSum(node.kd));
     return {};
 }
 
 std::string wrongWith(const ShadowRay& ray) {
     const std::string light = fmt::format("light {}, sample {}", ray.light + 1, ray.sample);
-    if (!isFinite(ray.color)) return fmt::format("{} has the colour {}", light, text(RgbSum(ray.color)));
-    if (!isFinite(ray.contribution)) return fmt::format("{} adds {}", light, text(ray.contribution));
+    if (!math::isFinite(ray.color))
+        return fmt::format("{} has the colour {}", light, text(RgbSum(ray.color)));
+    if (!math::isFinite(ray.contribution)) return fmt::format("{} adds {}", light, text(ray.contribution));
     return {};
 }
 
@@ -50,12 +48,12 @@ std::string causeOfNonFinite(const RayTree& tree, const trace::World& world) {
         std::string wrong = wrongWith(node);
         for (const ShadowRay& ray : tree.shadowRays)
             if (wrong.empty() && ray.node == static_cast<int>(i)) wrong = wrongWith(ray);
-        if (wrong.empty() && !isFinite(node.contribution))
+        if (wrong.empty() && !math::isFinite(node.contribution))
             wrong = fmt::format("{} adds {}", node.hit ? "the surface" : "the environment",
                                 text(node.contribution));
         if (!wrong.empty()) return fmt::format("{}: {}", locationText(node, i, world), wrong);
     }
-    if (!isFinite(tree.radiance)) return "the sum of its terms overflows: " + text(tree.radiance);
+    if (!math::isFinite(tree.radiance)) return "the sum of its terms overflows: " + text(tree.radiance);
     if (!fitsFloat(tree.radiance))
         return fmt::format("its {} terms add up to {}, more than a float holds", tree.addends.size(),
                            text(tree.radiance));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vectors.h"
 #include "render/film.h"
 #include "trace/radiance.h"
 
@@ -40,7 +41,7 @@ SampleStatistics statisticsOf(const std::vector<RgbSum>& values) {
     double squares = 0.0;
     // Welford's updates: no difference of large sums.
     for (const RgbSum& value : values) {
-        const double x = render::luminance(value), before = s.mean;
+        const double x = math::luminance(value), before = s.mean;
         s.luminance.push_back(x);
         s.mean += (x - before) / static_cast<double>(s.luminance.size());
         squares += (x - before) * (x - s.mean);

@@ -12,20 +12,17 @@ ViewRays raysOfView(const trace::World& world, std::uint64_t seed, std::size_t m
     ViewRays rays;
     columns = std::min(columns, world.width);
     rows = std::min(rows, world.height);
-    const auto atRest = [&](Ray ray, float time) {
-        const glm::dvec3 motion(world.motionGroups[motionGroup].geometry->motion);
-        ray.origin = glm::vec3(glm::dvec3(ray.origin) - static_cast<double>(time) * motion);
-        return ray;
-    };
+    const trace::Geometry& geometry = *world.motionGroups[motionGroup].geometry;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const int x = (2 * column + 1) * world.width / (2 * columns),
                       y = (2 * row + 1) * world.height / (2 * rows);
             const RayTree tree = probeSample(world, seed, {x, y, 0});
-            for (const RayNode& node : tree.nodes) rays.closest.push_back(atRest(node.ray, tree.time));
+            for (const RayNode& node : tree.nodes)
+                rays.closest.push_back(geometry.inRestFrame(node.ray, tree.time));
             for (const ShadowRay& shadow : tree.shadowRays)
                 if (shadow.visibility != Visibility::FacingAway)
-                    rays.any.push_back(atRest(shadow.ray, tree.time));
+                    rays.any.push_back(geometry.inRestFrame(shadow.ray, tree.time));
         }
     return rays;
 }

@@ -14,13 +14,9 @@ namespace {
 TraversalLog startLog(const trace::World& world, std::size_t number, const Ray& ray, float time) {
     TraversalLog log;
     log.motionGroup = number;
-    log.ray = ray;
-    if (world.moves) {
-        const glm::dvec3 shift =
-            static_cast<double>(time) * glm::dvec3(world.motionGroups[number].geometry->motion);
-        log.ray.origin = glm::vec3(glm::dvec3(ray.origin) - shift);
-        log.shift = glm::vec3(shift);
-    }
+    const trace::Geometry& geometry = *world.motionGroups[number].geometry;
+    log.ray = geometry.inRestFrame(ray, time);
+    log.shift = glm::vec3(geometry.displacement(time));
     return log;
 }
 

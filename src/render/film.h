@@ -8,6 +8,8 @@
 #include <mutex>
 #include <vector>
 
+#include "math/vectors.h"
+
 namespace rayscope::render {
 
 /// What the film keeps of a pixel: sums over its samples 0 … n − 1 in this order.
@@ -16,12 +18,9 @@ struct PixelSums {
     double squaredLuminance = 0.0;
 };
 
-/// Luminance of a linear colour (ITU-R BT.709).
-inline double luminance(const RgbSum& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 /// Of the samples of a pixel, of which there are n ≥ 2.
 inline double varianceOfLuminance(const PixelSums& sums, double n) {
-    const double mean = luminance(sums.radiance) / n;
+    const double mean = math::luminance(sums.radiance) / n;
     return std::max(0.0, sums.squaredLuminance / n - mean * mean) * n / (n - 1.0);
 }
 

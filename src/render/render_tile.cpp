@@ -4,14 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "math/vectors.h"
 #include "render/crash_report.h"
 #include "trace/radiance_batch.h"
 
 namespace rayscope::render {
 
 namespace {
-bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
-
 /// The thread works on samples as long as this lives.
 struct Busy {
     CurrentSample& sample = CurrentSample::ofThisThread();
@@ -72,10 +71,10 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
             const int column = names[i].x - bounds.x0, row = names[i].y - bounds.y0;
             PixelSums& pixel = copy.pixels[static_cast<std::size_t>(row * (bounds.x1 - bounds.x0) + column)];
             pixel.radiance += sample.radiance;
-            const double value = luminance(sample.radiance);
+            const double value = math::luminance(sample.radiance);
             pixel.squaredLuminance += value * value;
             rays += sample.rays;
-            nonFinite += isFinite(sample.radiance) ? 0 : 1;
+            nonFinite += math::isFinite(sample.radiance) ? 0 : 1;
         }
     }
     copy.samples = targetSamples;

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/vectors.h"
 #include "scene/lint_range.h"
 
 namespace rayscope {
 
 namespace {
-
-bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 class Linter {
   public:
@@ -39,7 +38,7 @@ class Linter {
         for (std::size_t i = 0; i < data.triangles.size(); ++i) {
             const glm::uvec3 t = data.triangles[i];
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
-            if (!isFinite(a) || !isFinite(b) || !isFinite(c)) {
+            if (!math::isFinite(a) || !math::isFinite(b) || !math::isFinite(c)) {
                 ++stray;
                 continue;
             }
@@ -58,7 +57,7 @@ class Linter {
 
     void lintNormals(const MeshInstance& mesh) {
         const MeshData& data = *mesh.data;
-        const auto isBad = [](const glm::vec3& n) { return !isFinite(n) || n == glm::vec3(0.0f); };
+        const auto isBad = [](const glm::vec3& n) { return !math::isFinite(n) || n == glm::vec3(0.0f); };
         const auto bad = std::count_if(data.normals.begin(), data.normals.end(), isBad);
         if (bad > 0) warn(fmt::format("mesh '{}': {} vertex normals are zero or not finite", mesh.name, bad));
         if (data.normals.empty()) return;

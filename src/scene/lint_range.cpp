@@ -1,5 +1,7 @@
 #include "scene/lint_range.h"
 
+#include "math/vectors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +11,6 @@
 namespace rayscope::scene {
 
 namespace {
-
-bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 float largestOf(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -47,8 +47,8 @@ class RangeLinter {
         float largest = 0.0f;
         for (const glm::vec3& p : mesh.data->positions) {
             placed.emplace_back(matrix * glm::dvec4(glm::dvec3(p), 1.0));
-            overflowing += isFinite(p) && !isFinite(placed.back());
-            if (isFinite(placed.back())) largest = std::max(largest, largestOf(placed.back()));
+            overflowing += math::isFinite(p) && !math::isFinite(placed.back());
+            if (math::isFinite(placed.back())) largest = std::max(largest, largestOf(placed.back()));
         }
         if (overflowing > 0)
             warn(
@@ -70,7 +70,8 @@ class RangeLinter {
                          const glm::uvec3& t) {
         for (int k = 0; k < 3; ++k) {
             const unsigned a = t[k], b = t[(k + 1) % 3];
-            if (!isFinite(placed[a]) || !isFinite(placed[b]) || given[a] == given[b]) return false;
+            if (!math::isFinite(placed[a]) || !math::isFinite(placed[b]) || given[a] == given[b])
+                return false;
         }
         for (int k = 0; k < 3; ++k) {
             const glm::vec3 a = placed[t[k]], b = placed[t[(k + 1) % 3]];

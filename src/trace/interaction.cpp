@@ -7,12 +7,11 @@
 #include "bvh/intersect/intersect_sphere.h"
 #include "bvh/intersect/intersect_triangle.h"
 #include "math/spawn.h"
+#include "math/vectors.h"
 
 namespace rayscope::trace {
 
 namespace {
-
-bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// For vectors that were computed from floats by sums and at most one product: their squares neither overflow
 /// nor vanish in double. Zero stays zero; what is not finite becomes zero.
@@ -56,7 +55,7 @@ void interpolateNormal(Interaction& at, const PrimitiveLocation& name, const Tri
         largest = std::max(largest, glm::dot(n, n));
     }
     // Opposite normals cancel to rounding noise, which has no direction worth shading with.
-    if (!isFinite(sum) || !(glm::dot(sum, sum) > 1e-12 * largest)) return;
+    if (!math::isFinite(sum) || !(glm::dot(sum, sum) > 1e-12 * largest)) return;
     at.normal = safeNormalize(sum);
     at.interpolated = true;
 }
@@ -95,8 +94,8 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     const glm::uvec3 index = input.triangles[name.inGroup];
     bvh::TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
                            static_cast<double>(at.hit.v)};
-    bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), input.vertices[index.x], input.vertices[index.y],
-                           input.vertices[index.z], exact);
+    bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), input.vertices[index.x],
+                           input.vertices[index.y], input.vertices[index.z], exact);
     const glm::dvec3 weights(1.0 - exact.u - exact.v, exact.u, exact.v);
     at.t = exact.t;
     at.position = weights.x * triangle.p[0] + weights.y * triangle.p[1] + weights.z * triangle.p[2];
@@ -150,20 +149,17 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
     at.toViewer = -direction / length;
     at.coneWidth = cone.width + cone.spread * static_cast<double>(hit.t) * length;
 
-    const glm::dvec3 moved = static_cast<double>(time) * glm::dvec3(name.motionGroup->geometry->motion);
-    Ray atRest = ray;
-    if (world.moves) atRest.origin = glm::vec3(glm::dvec3(ray.origin) - moved);
+    const Geometry& geometry = *name.motionGroup->geometry;
+    const Ray atRest = world.moves ? geometry.inRestFrame(ray, time) : ray;
     if (name.range->mesh)
         fillTriangle(at, world, atRest, name);
     else
-        fillSphere(at, atRest,
-                   name.motionGroup->geometry->input
-                       .spheres[name.inGroup - name.motionGroup->geometry->input.triangles.size()]);
+        fillSphere(at, atRest, geometry.input.spheres[name.inGroup - geometry.input.triangles.size()]);
     if (world.moves) {
+        const glm::dvec3 moved = geometry.displacement(time);
         at.position += moved;
         at.magnitude += glm::abs(moved);
-        // The ray was moved into the motionGroup's frame in float: that rounding is part of where the surface
-        // is.
+        // The ray was moved into the rest frame in float: that rounding is part of where the surface is.
         at.magnitude += 0x1p20 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
     }
     faceViewer(at);

@@ -33,6 +33,15 @@ struct Geometry {
     std::vector<MeshInstance> keptMeshes;  ///< keeps what the spans and ranges refer to alive
 
     const ObjectRange& objectOf(std::uint32_t primitive) const;
+
+    /// How far everything has moved at a time of the shutter in [0, 1).
+    glm::dvec3 displacement(float time) const { return static_cast<double>(time) * glm::dvec3(motion); }
+    /// The ray at that time, in the frame in which nothing moves.
+    Ray inRestFrame(const Ray& ray, float time) const {
+        Ray moved = ray;
+        moved.origin = glm::vec3(glm::dvec3(ray.origin) - displacement(time));
+        return moved;
+    }
 };
 
 /// One motionGroup for everything at rest and one for each distinct motion; all at rest if `withMotion` is

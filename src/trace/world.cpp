@@ -6,14 +6,6 @@ namespace rayscope::trace {
 
 namespace {
 
-/// The ray in the frame in which the motionGroup rests.
-Ray atRest(const Ray& ray, const MotionGroup& motionGroup, float time) {
-    Ray moved = ray;
-    moved.origin = glm::vec3(glm::dvec3(ray.origin) -
-                             static_cast<double>(time) * glm::dvec3(motionGroup.geometry->motion));
-    return moved;
-}
-
 bool closestHitInGroup(const MotionGroup& motionGroup, bool useBvh, const Ray& ray, Hit& hit) {
     return useBvh ? motionGroup.accel->closestHit(ray, hit)
                   : bvh::closestHitBruteForce(motionGroup.geometry->input, ray, hit);
@@ -30,7 +22,8 @@ bool World::closestHit(const Ray& ray, float time, Hit& hit) const {
     hit = Hit{};
     for (const MotionGroup& motionGroup : motionGroups) {
         Hit candidate;
-        if (!closestHitInGroup(motionGroup, settings.bvh, atRest(ray, motionGroup, time), candidate))
+        if (!closestHitInGroup(motionGroup, settings.bvh, motionGroup.geometry->inRestFrame(ray, time),
+                               candidate))
             continue;
         candidate.primitive += motionGroup.firstPrimitive;
         // Bodies come in the order of their primitive numbers, so the first one keeps a tie.
@@ -42,7 +35,8 @@ bool World::closestHit(const Ray& ray, float time, Hit& hit) const {
 bool World::anyHit(const Ray& ray, float time) const {
     if (!moves) return !motionGroups.empty() && anyHitInGroup(motionGroups[0], settings.bvh, ray);
     for (const MotionGroup& motionGroup : motionGroups)
-        if (anyHitInGroup(motionGroup, settings.bvh, atRest(ray, motionGroup, time))) return true;
+        if (anyHitInGroup(motionGroup, settings.bvh, motionGroup.geometry->inRestFrame(ray, time)))
+            return true;
     return false;
 }
 

@@ -51,7 +51,9 @@ TEST(Metadata, PngHoldsItAsTextWhereReadersLookForIt) {
     EXPECT_EQ(chunks[1].type + chunks[1].data, "sRGB\0"s);
     EXPECT_EQ(chunks[2].type + chunks[2].data, "tEXtrayscope:command\0"s);
     EXPECT_EQ(chunks[3].type + chunks[3].data, "iTXtrayscope:scene\0\0\0\0\0K\u00fcche.toml"s);
-    EXPECT_EQ(chunks[4].type + chunks[4].data, "tEXtrayscope:seed\0"s + "7");
+    EXPECT_EQ(chunks[4].type + chunks[4].data,
+              "tEXtrayscope:seed\0"
+              "7"s);
     EXPECT_EQ(chunks[5].type, "IDAT");
     EXPECT_EQ(chunks[6].type, "IEND");
 }

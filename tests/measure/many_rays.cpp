@@ -94,8 +94,8 @@ TestGeometry tiltedPlane() {
 bool isConvex(const TestGeometry& mesh) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
         for (const glm::vec3& vertex : mesh.vertices)
-            if (measure::signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex).sign() >
-                0)
+            if (measure::signedVolume(mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), vertex)
+                    .sign() > 0)
                 return false;
     return true;
 }

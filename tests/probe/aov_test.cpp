@@ -1,4 +1,5 @@
 #include "probe/aov.h"
+#include "math/vectors.h"
 
 #include <gtest/gtest.h>
 
@@ -107,10 +108,10 @@ TEST(Aov, OfTheFilmAreItsMoments) {
         for (int x = 0; x < 16; ++x) {
             double mean = 0.0, squares = 0.0;
             for (int i = 0; i < 8; ++i)
-                mean += render::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) / 8.0;
+                mean += math::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) / 8.0;
             for (int i = 0; i < 8; ++i)
-                squares += std::pow(
-                    render::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
+                squares +=
+                    std::pow(math::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
             EXPECT_EQ(images[0].at(x, y).x, 8.0f);
             EXPECT_NEAR(images[1].at(x, y).x, squares / 7.0, 1e-6 + 1e-4 * squares);
             EXPECT_NEAR(images[2].at(x, y).x, std::sqrt(squares / 56.0), 1e-4);

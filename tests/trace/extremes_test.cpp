@@ -1,6 +1,7 @@
 // At the ends of what can be asked for: finite, and with the right limits.
 #include <limits>
 
+#include "math/vectors.h"
 #include "support/all_effects_scene.h"
 #include "support/statistics.h"
 #include "support/tracing.h"
@@ -19,8 +20,6 @@ SceneDescription floorUnder(const Light& light, const Material& m = material(Rgb
     scene.cameras = {pointCamera({1, 3, 2}, glm::vec3(0))};
     return scene;
 }
-
-bool isFinite(const RgbSum& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 TEST(Extremes, LightsWithoutExtentArePointLights) {
     const glm::vec3 at(0.5f, 2, 0.3f);
@@ -52,7 +51,7 @@ TEST(Extremes, ALightOnTheSurfaceGivesNumbers) {
                 settings.shading = shading;
                 const Light light{PointLight{{0, height, 0}, Rgb(1.0f)}, falloff};
                 const RgbSum value = firstSample(*compileScene(floorUnder(light), settings, 1, 1));
-                EXPECT_TRUE(isFinite(value)) << height;
+                EXPECT_TRUE(math::isFinite(value)) << height;
                 EXPECT_GE(value.x, 0.0);
             }
 }
@@ -133,7 +132,7 @@ double glossyValue(float sigma, float shininess) {
     settings.glossySigma = sigma;
     settings.glossySamples = 256;
     const RgbSum value = firstSample(*compileScene(scene, settings, 1, 1));
-    EXPECT_TRUE(isFinite(value));
+    EXPECT_TRUE(math::isFinite(value));
     return value.x;
 }
 
@@ -158,7 +157,8 @@ TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
             for (const float focal : {1e-30f, 0.05f, 100.0f}) {
                 scene.cameras[0].lens = Lens{fNumber, focal, focus};
                 const auto world = compileScene(scene, settings, 4, 4);
-                for (int i = 0; i < 16; ++i) EXPECT_TRUE(isFinite(pixelMean(*world, 0, i % 4, i / 4, 1)));
+                for (int i = 0; i < 16; ++i)
+                    EXPECT_TRUE(math::isFinite(pixelMean(*world, 0, i % 4, i / 4, 1)));
             }
     // Stopped down far enough the lens is a pinhole.
     scene.cameras[0].lens = Lens{1e30f, 0.05f, 2.0f};
@@ -183,7 +183,8 @@ TEST(Extremes, TextureCoordinatesThatAreNoNumbersReadATexel) {
             Settings settings;
             settings.textureFilter = filter;
             const auto world = compileScene(scene, settings, 8, 8);
-            for (int i = 0; i < 64; ++i) ASSERT_TRUE(isFinite(pixelMean(*world, 0, i % 8, i / 8, 1))) << odd;
+            for (int i = 0; i < 64; ++i)
+                ASSERT_TRUE(math::isFinite(pixelMean(*world, 0, i % 8, i / 8, 1))) << odd;
         }
 }
 
@@ -201,7 +202,7 @@ TEST(Extremes, EmptyAndDegenerateScenesGiveNumbers) {
     odd.spheres.push_back({"point", {{0, 0, 0.5f}, 0.0f}, 0, glm::vec3(0)});
     odd.spheres.push_back({"none", {{0, 0, 0.5f}, kNan}, 0, glm::vec3(0)});
     const auto world = compileScene(odd, {}, 12, 12);
-    for (int i = 0; i < 144; ++i) ASSERT_TRUE(isFinite(pixelMean(*world, 0, i % 12, i / 12, 2)));
+    for (int i = 0; i < 144; ++i) ASSERT_TRUE(math::isFinite(pixelMean(*world, 0, i % 12, i / 12, 2)));
 }
 
 TEST(Extremes, TheSameSceneAtAnyScaleGivesTheSamePicture) {

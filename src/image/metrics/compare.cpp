@@ -9,6 +9,7 @@
 
 #include "base/nearest_name.h"
 #include "image/metrics/perceptual.h"
+#include "math/vectors.h"
 
 namespace rayscope {
 
@@ -18,8 +19,6 @@ constexpr std::array<std::string_view, 6> kNames{"rmse", "relmse", "smape", "max
 /// Keeps relative measures finite where the reference is black.
 constexpr double kDark = 0.01;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 void checkSameSize(const RgbImage& image, const RgbImage& reference) {
     if (image.width != reference.width || image.height != reference.height)
@@ -53,7 +52,7 @@ void cutToDisplay(RgbImage& image, RgbImage& reference, float exposure) {
     const float factor = std::exp2(exposure);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         Rgb &a = image.pixels[i], &b = reference.pixels[i];
-        const bool finite = isFinite(a) && isFinite(b);
+        const bool finite = math::isFinite(a) && math::isFinite(b);
         a = finite ? glm::clamp(a * factor, 0.0f, 1.0f) : Rgb(0.0f);
         b = finite ? glm::clamp(b * factor, 0.0f, 1.0f) : Rgb(0.0f);
     }
@@ -99,7 +98,7 @@ Image<double> errorMap(const RgbImage& image, const RgbImage& reference, ErrorMe
                                    : Image<double>(image.width, image.height);
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
         const Rgb &a = image.pixels[i], &r = reference.pixels[i];
-        if (!isFinite(a) || !isFinite(r))
+        if (!math::isFinite(a) || !math::isFinite(r))
             map.pixels[i] = kNaN;
         else if (!perceptual)
             map.pixels[i] = pixelError(a, r, metric);
@@ -171,7 +170,8 @@ ErrorMeasures measureErrors(const RgbImage& image, const RgbImage& reference, co
     RgbSum difference(0.0);
     all.pixels = static_cast<long long>(image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const bool finiteImage = isFinite(image.pixels[i]), finiteReference = isFinite(reference.pixels[i]);
+        const bool finiteImage = math::isFinite(image.pixels[i]),
+                   finiteReference = math::isFinite(reference.pixels[i]);
         all.nonFiniteImage += !finiteImage;
         all.nonFiniteReference += !finiteReference;
         if (!finiteImage || !finiteReference) continue;

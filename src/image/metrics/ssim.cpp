@@ -2,6 +2,7 @@
 
 #include "image/metrics/perceptual.h"
 #include "image/srgb.h"
+#include "math/vectors.h"
 
 namespace rayscope::image {
 
@@ -11,7 +12,7 @@ Plane encodedLuminance(const RgbImage& image) {
     Plane plane(image.width, image.height);
     for (std::size_t i = 0; i < plane.pixels.size(); ++i) {
         const Rgb& c = image.pixels[i];
-        plane.pixels[i] = static_cast<double>(linearToSrgb(0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z));
+        plane.pixels[i] = static_cast<double>(linearToSrgb(math::luminance(c)));
     }
     return plane;
 }

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <tuple>
 
+#include "math/vectors.h"
 #include "trace/motion_group.h"
 
 namespace rayscope::measure {
 
 namespace {
-
-bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Neither two equal corners nor three on a line, as far as double can tell.
 bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -42,7 +41,7 @@ LabMesh::LabMesh(const SceneDescription& scene) {
 void LabMesh::weld(std::span<const glm::vec3> vertices, std::span<const glm::uvec3> triangles) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
-        if (isFinite(vertices[i])) order.push_back(i);
+        if (math::isFinite(vertices[i])) order.push_back(i);
     const auto key = [&](std::uint32_t i) { return std::tuple(vertices[i].x, vertices[i].y, vertices[i].z); };
     std::sort(order.begin(), order.end(), [&](auto i, auto j) { return key(i) < key(j); });
     constexpr std::uint32_t kNone = ~0u;

@@ -1,5 +1,7 @@
 #include "measure/target/sample_allocation.h"
 
+#include "math/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,7 +16,7 @@ double variancePerPixel(const render::Film& pilot, int tile, bool relative) {
     const double n = copy.samples;
     double sum = 0.0;
     for (const render::PixelSums& pixel : copy.pixels) {
-        const double mean = render::luminance(pixel.radiance) / n;
+        const double mean = math::luminance(pixel.radiance) / n;
         double variance = render::varianceOfLuminance(pixel, n);
         if (relative) variance /= mean * mean + 0.01;
         if (std::isfinite(variance)) sum += variance;

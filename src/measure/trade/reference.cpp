@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vectors.h"
 #include "measure/trade/content_hash.h"
 #include "measure/trade/film_file.h"
 #include "post/display_transform.h"
@@ -15,8 +16,6 @@ namespace {
 
 /// Apart from all seeds that people choose.
 constexpr std::array<std::uint64_t, 2> kSeeds{0x7265666572656e41u, 0x7265666572656e42u};
-
-bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
 /// The mean over pixels and channels of what `product` gives for pixel i, over finite ones.
 template <class Product>
@@ -91,7 +90,8 @@ double Reference::error() const {
 
 long long Reference::nonFinitePixels() const {
     const RgbImage image = mean();
-    return std::count_if(image.pixels.begin(), image.pixels.end(), [](const Rgb& c) { return !isFinite(c); });
+    return std::count_if(image.pixels.begin(), image.pixels.end(),
+                         [](const Rgb& c) { return !math::isFinite(c); });
 }
 
 std::string Reference::contentHash() const { return filmContentHash(request_, *world_); }

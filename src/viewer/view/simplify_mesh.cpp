@@ -1,5 +1,7 @@
 #include "viewer/view/simplify_mesh.h"
 
+#include "math/vectors.h"
+
 #include <rayscope/diagnostics.h>
 #include <algorithm>
 #include <cmath>
@@ -18,12 +20,10 @@ struct Extent {
     double longest = 0.0;
 };
 
-bool isFinite(glm::vec3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
 Extent extentOf(const std::vector<glm::vec3>& positions) {
     glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
     for (const glm::vec3& position : positions) {
-        if (!isFinite(position)) continue;
+        if (!math::isFinite(position)) continue;
         lower = glm::min(lower, glm::dvec3(position));
         upper = glm::max(upper, glm::dvec3(position));
     }
@@ -40,8 +40,8 @@ std::vector<std::uint64_t> cellsOf(const std::vector<glm::vec3>& positions, cons
     for (const glm::vec3& position : positions) {
         const glm::dvec3 place = (glm::dvec3(position) - extent.lower) * scale;
         const auto axis = [&](double value) { return static_cast<std::uint64_t>(value); };
-        numbers.push_back(isFinite(position) ? axis(place.x) << 42 | axis(place.y) << 21 | axis(place.z)
-                                             : kNoCell);
+        numbers.push_back(math::isFinite(position) ? axis(place.x) << 42 | axis(place.y) << 21 | axis(place.z)
+                                                   : kNoCell);
     }
     return numbers;
 }
