@@ -8,7 +8,7 @@
 
 namespace rayscope {
 
-/// A rectangle of pixels, row by row from the top left corner.
+/// A rectangle of pixels, row by row from the top left corner; pixels.size() == width * height.
 template <class Pixel>
 struct Image {
     int width = 0;
@@ -29,35 +29,36 @@ struct Image {
 
 using RgbImage = Image<Rgb>;
 
-/// Name and value pairs that travel inside the file: settings, seed, version.
+/// Name and value pairs stored in an image file: settings, seed, version.
 using ImageMetadata = std::map<std::string, std::string>;
 
 /// How linear values become the bytes of an 8-bit file.
 enum class Encoding {
     Srgb,  ///< the piecewise curve of IEC 61966-2-1
-    None   ///< none: clamp and truncate, to compare with pictures of programs that do no colour management
+    None   ///< clamp and truncate, to compare with images of programs without colour management
 };
 
-/// Larger images are refused before anything is allocated for them.
-inline constexpr long long kMaxImagePixels = 1LL << 26;
+/// The limit of width times height for images that are read or rendered. Files that announce more are refused
+/// before memory is allocated.
+inline constexpr long long kMaxImagePixels = 1LL << 28;
 
-/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; the kind is told from the content. Files of 8
-/// or 16 bits are decoded with the sRGB curve; alpha is left out. Throws InputError if the file is missing,
-/// empty, damaged or holds more than kMaxImagePixels.
+/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; the format is detected from the content.
+/// Files with 8 or 16 bits per channel are decoded with the sRGB curve; alpha is ignored. Throws InputError
+/// if the file is missing, empty, damaged, in another format or larger than kMaxImagePixels.
 RgbImage readImage(const std::string& path);
 
-/// The same for a file that already is in memory; messages call it `name`.
+/// readImage() for a file in memory; `name` is its name in messages.
 RgbImage decodeImage(std::span<const std::byte> file, const std::string& name);
 
-/// Writes by suffix: .png (8 bit, with `curve`), .exr, .pfm, .hdr (linear). Metadata goes into .png and .exr,
-/// under names that begin with "rayscope:"; the other formats have no place for it. NaN and infinite values
-/// stay as they are in .exr and .pfm; in .png NaN becomes 0 and infinity 255. The file appears whole or not
-/// at all. Throws InputError if it cannot be written or the suffix is unknown.
+/// Writes the format of the suffix: .png (8 bits, with `encoding`), .exr, .pfm, .hdr (linear). Metadata is
+/// stored in .png and .exr, under names with the prefix "rayscope:"; the other formats cannot store it. NaN
+/// and infinite values are kept in .exr and .pfm; in .png NaN becomes 0 and infinity 255. Replaces an
+/// existing file atomically. Throws InputError if the image is empty, the suffix is unknown or the file
+/// cannot be written.
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
-                Encoding curve = Encoding::Srgb);
+                Encoding encoding = Encoding::Srgb);
 
-/// Throws InputError unless writeImage(path, …) could write there: the suffix is known and the folder is
-/// writable.
+/// Throws InputError unless writeImage() could write `path`: a known suffix and a writable folder.
 void checkImageDestination(const std::string& path);
 
 }  // namespace rayscope

@@ -102,7 +102,7 @@ RenderRequest openScene(const SceneOptions& options, bool quiet) {
         for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
     RenderRequest request;
     const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
-    if (static_cast<std::int64_t>(size.x) * size.y > std::int64_t{1} << 28)
+    if (static_cast<long long>(size.x) * size.y > kMaxImagePixels)
         throw CLI::ValidationError("--size", "more than 2^28 pixels");
     request.width = size.x;
     request.height = size.y;

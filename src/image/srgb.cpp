@@ -23,10 +23,10 @@ float decodeByte(std::uint8_t code) {
     return table[code];
 }
 
-std::uint8_t encodeByte(float linear, Encoding curve) {
+std::uint8_t encodeByte(float linear, Encoding encoding) {
     if (!(linear > 0.0f)) return 0;  // also NaN
     if (linear >= 1.0f) return 255;
-    if (curve == Encoding::None) return static_cast<std::uint8_t>(255.0f * linear);
+    if (encoding == Encoding::None) return static_cast<std::uint8_t>(255.0f * linear);
     return static_cast<std::uint8_t>(255.0f * linearToSrgb(linear) + 0.5f);
 }
 

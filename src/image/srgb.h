@@ -4,15 +4,15 @@
 
 namespace rayscope::image {
 
-/// The two directions of the piecewise curve of IEC 61966-2-1, for values from 0 to 1.
+/// The piecewise sRGB transfer function of IEC 61966-2-1 and its inverse, for values from 0 to 1.
 float srgbToLinear(float encoded);
 float linearToSrgb(float linear);
 
-/// The linear value of an 8-bit sRGB code.
+/// The linear value, 0 … 1, of an 8-bit sRGB code.
 float decodeByte(std::uint8_t code);
 
-/// The 8-bit code of a linear value: with Srgb the nearest one, with None the one below. Values outside 0 …
-/// 1 are clamped and NaN becomes 0.
-std::uint8_t encodeByte(float linear, Encoding curve);
+/// The 8-bit code of a linear value: the nearest code with Srgb, the truncated one with None. Values outside
+/// 0 … 1 are clamped; NaN becomes 0.
+std::uint8_t encodeByte(float linear, Encoding encoding);
 
 }  // namespace rayscope::image

@@ -1,4 +1,4 @@
-// Error measures against closed forms, against figures of the authors' own program, and against direct sums.
+// Error metrics against closed forms, values of the authors' own programs, and direct sums.
 #include <gtest/gtest.h>
 
 #include <rayscope/compare.h>
@@ -32,7 +32,7 @@ TEST(Compare, EqualImagesHaveNoError) {
     EXPECT_EQ(errors.pixelsCompared, 40 * 30);
 }
 
-TEST(Compare, KnowsThePlainMeasuresOfAKnownDifference) {
+TEST(Compare, LinearMetricsOfAKnownDifference) {
     RgbImage reference = plain(10, 10, Rgb(0.5f)), image = reference;
     for (Rgb& pixel : image.pixels) pixel += Rgb(0.25f);
     image.at(3, 7) = Rgb(0.5f, 0.5f, 1.5f);
@@ -91,8 +91,8 @@ TEST(Compare, SsimIsTheDirectSumOverItsWindow) {
     EXPECT_NEAR(errorMap(a, b, ErrorMetric::Ssim).at(x, y), 1.0 - ssim, 1e-9);
 }
 
-// The figures of the authors' program (github.com/NVlabs/flip, run on the same images); between programs the
-// mean is expected to agree to 1e-4.
+// Values of the authors' program (github.com/NVlabs/flip) on the same images; the means of two
+// implementations should agree to 1e-4.
 TEST(Compare, FlipAgreesWithItsAuthorsOnAShiftedSquare) {
     const Image<double> map = errorMap(whiteSquare(65), whiteSquare(64), ErrorMetric::Flip);
     EXPECT_NEAR(scoreOf(map, ErrorMetric::Flip), 0.013150, 1e-5);
@@ -105,13 +105,13 @@ TEST(Compare, FlipAgreesWithItsAuthorsOnFlatColours) {
     EXPECT_NEAR(measureErrors(b, a).flip, 0.125606, 1e-4);
 }
 
-TEST(Compare, FlipOfBlackAndWhiteIsOneAlmost) {
-    // The largest redistributed difference belongs to green and blue; black and white come close to it.
+TEST(Compare, FlipOfBlackAndWhiteIsAlmostOne) {
+    // Green and blue have the largest redistributed difference; black and white are close to it.
     EXPECT_GT(measureErrors(plain(32, 32, Rgb(0.0f)), plain(32, 32, Rgb(1.0f))).flip, 0.9);
     EXPECT_LE(measureErrors(plain(32, 32, Rgb(0, 1, 0)), plain(32, 32, Rgb(0, 0, 1))).flip, 1.0 + 1e-9);
 }
 
-TEST(Compare, FlipIsSymmetricAndSeesExposure) {
+TEST(Compare, FlipIsSymmetricAndDependsOnExposure) {
     const RgbImage a = test::gradient(50, 40), b = plain(50, 40, Rgb(0.3f));
     EXPECT_NEAR(measureErrors(a, b).flip, measureErrors(b, a).flip, 1e-12);
     CompareOptions dark;
@@ -120,7 +120,7 @@ TEST(Compare, FlipIsSymmetricAndSeesExposure) {
     EXPECT_EQ(measureErrors(a, b, dark).rmse, measureErrors(a, b).rmse);
 }
 
-TEST(Compare, LeavesOutAndCountsWhatIsNotFinite) {
+TEST(Compare, SkipsAndCountsNonFinitePixels) {
     const RgbImage reference = plain(32, 32, Rgb(0.5f));
     RgbImage image = reference;
     image.at(4, 4) = Rgb(NAN, 0.0f, 0.0f);
@@ -130,34 +130,34 @@ TEST(Compare, LeavesOutAndCountsWhatIsNotFinite) {
     EXPECT_EQ(errors.nonFiniteReference, 0);
     EXPECT_EQ(errors.pixelsCompared, 32 * 32 - 2);
     for (const std::string_view name : errorMetricNames())
-        EXPECT_NEAR(errors.of(errorMetricNamed(name)), 0.0, 1e-12) << name << ": it spread to a neighbour";
+        EXPECT_NEAR(errors.of(errorMetricNamed(name)), 0.0, 1e-12) << name << ": spread to a neighbour";
     EXPECT_TRUE(std::isnan(errorMap(image, reference, ErrorMetric::Flip).at(4, 4)));
 }
 
-TEST(Compare, HasNoScoreWhereNothingIsFinite) {
+TEST(Compare, ScoreIsNanWithoutFinitePixels) {
     const ErrorMeasures errors = measureErrors(plain(8, 8, Rgb(NAN)), plain(8, 8, Rgb(0.0f)));
     for (const std::string_view name : errorMetricNames())
         EXPECT_TRUE(std::isnan(errors.of(errorMetricNamed(name)))) << name;
     EXPECT_EQ(errors.pixelsCompared, 0);
 }
 
-TEST(Compare, TakesTheExtremes) {
+TEST(Compare, HandlesOnePixelAndHugeValues) {
     const ErrorMeasures one = measureErrors(plain(1, 1, Rgb(3.0f)), plain(1, 1, Rgb(1.0f)));
     EXPECT_NEAR(one.rmse, 2.0, 1e-12);
-    EXPECT_NEAR(one.flip, 0.0, 1e-12) << "a display shows both as white";
+    EXPECT_NEAR(one.flip, 0.0, 1e-12) << "both clamp to white";
     const ErrorMeasures huge = measureErrors(plain(4, 4, Rgb(3e38f)), plain(4, 4, Rgb(-3e38f)));
     EXPECT_NEAR(huge.rmse / 6e38, 1.0, 1e-6);
     EXPECT_TRUE(std::isfinite(huge.smape));
 }
 
-TEST(Compare, RefusesImagesOfDifferentSize) {
+TEST(Compare, ImagesOfDifferentSizeAreAnError) {
     const std::string error =
         test::inputErrorOf([] { measureErrors(plain(3, 2, Rgb(0)), plain(2, 3, Rgb(0))); });
     EXPECT_NE(error.find("3 x 2 and 2 x 3"), std::string::npos) << error;
     EXPECT_NE(test::inputErrorOf([] { errorMetricNamed("rsme"); }).find("'rmse'"), std::string::npos);
 }
 
-TEST(Compare, TheScoreOfAPartIsThatOfTheCutImage) {
+TEST(Compare, ScoreOfARegionEqualsThatOfTheCroppedImage) {
     const RgbImage a = test::gradient(20, 20), b = plain(20, 20, Rgb(0.25f));
     const Image<double> map = errorMap(a, b, ErrorMetric::Rmse);
     double squares = 0.0;
@@ -169,11 +169,11 @@ TEST(Compare, TheScoreOfAPartIsThatOfTheCutImage) {
     EXPECT_NEAR(scoreOf(map, ErrorMetric::Rmse, {5, 10, 3, 9}), std::sqrt(squares / 30.0), 1e-9);
 }
 
-TEST(Compare, TheColourMapGrowsLighterAndMarksWhatIsNotFinite) {
+TEST(Compare, ColourMapIsMonotonicAndMarksNonFiniteValues) {
     Image<double> map(101, 1);
     for (int x = 0; x <= 100; ++x) map.at(x, 0) = 0.02 * x;
     const RgbImage colors = applyColorMap(map, 2.0);
-    // The spiral is even in the weights that its author used, of encoded values.
+    // The lightness is linear in the weights of the paper, which apply to encoded values.
     double before = -1e-3;
     for (const Rgb& c : colors.pixels) {
         const double lightness = 0.30 * static_cast<double>(image::linearToSrgb(c.x)) +

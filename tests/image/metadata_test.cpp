@@ -32,8 +32,8 @@ std::vector<Chunk> chunksOf(const std::string& png) {
     return chunks;
 }
 
-/// CRC-32 bit by bit, straight from its definition as a division of polynomials.
-std::uint32_t slowCrc(const std::string& bytes) {
+/// CRC-32 bit by bit, as the polynomial division of its definition.
+std::uint32_t bitwiseCrc(const std::string& bytes) {
     std::uint32_t crc = ~0u;
     for (const char byte : bytes) {
         crc ^= static_cast<std::uint8_t>(byte);
@@ -42,7 +42,7 @@ std::uint32_t slowCrc(const std::string& bytes) {
     return ~crc;
 }
 
-TEST(Metadata, PngHoldsItAsTextWhereReadersLookForIt) {
+TEST(Metadata, PngHasTextChunksBeforeThePixels) {
     const std::string png = image::encodePng(
         gradient(5, 4), {{"seed", "7"}, {"scene", "K\u00fcche.toml"}, {"command", ""}}, Encoding::Srgb);
     const std::vector<Chunk> chunks = chunksOf(png);
@@ -62,8 +62,8 @@ TEST(Metadata, EveryPngChunkHasItsChecksum) {
     const std::string png = image::encodePng(gradient(5, 4), {{"seed", "7"}}, Encoding::None);
     std::size_t at = 8;
     for (const Chunk& chunk : chunksOf(png)) {
-        EXPECT_NE(chunk.type, "sRGB") << "values without the curve must not claim to have it";
-        EXPECT_EQ(bigEndianAt(png, at + 8 + chunk.data.size()), slowCrc(chunk.type + chunk.data))
+        EXPECT_NE(chunk.type, "sRGB") << "the values are not sRGB-encoded";
+        EXPECT_EQ(bigEndianAt(png, at + 8 + chunk.data.size()), bitwiseCrc(chunk.type + chunk.data))
             << chunk.type;
         at += 12 + chunk.data.size();
     }
@@ -71,10 +71,10 @@ TEST(Metadata, EveryPngChunkHasItsChecksum) {
     EXPECT_EQ(test::decode(png).width, 5);
 }
 
-TEST(Metadata, ExrHoldsItAsAttributes) {
+TEST(Metadata, ExrHasAttributes) {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("a.exr");
-    // Keys that are also names of attributes which OpenEXR defines itself, with other types.
+    // Some keys are also names of attributes that OpenEXR defines with other types.
     const ImageMetadata metadata{
         {"seed", "7"}, {"version", "1.2.3"}, {"channels", "all"}, {"settings", "spp = 4\n"}};
     writeImage(path, gradient(5, 4), metadata);

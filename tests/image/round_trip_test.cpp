@@ -58,15 +58,15 @@ TEST(RoundTrip, HdrKeepsValuesToItsEightBitMantissa) {
     const RgbImage read = writtenAndRead(image, "a.hdr");
     ASSERT_EQ(read.pixels.size(), image.pixels.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        // The largest channel has 8 bits, of which the first is set: all are off by at most 1/128 of the
-        // largest.
+        // The shared exponent makes the leading bit of the largest channel 1: 8 bits, an error of at most
+        // 1/128.
         const Rgb& pixel = image.pixels[i];
         const float step = std::max({pixel.x, pixel.y, pixel.z}) / 128.0f;
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(read.pixels[i][c], pixel[c], step);
     }
 }
 
-TEST(RoundTrip, PngHoldsTheCodesOfTheCurve) {
+TEST(RoundTrip, PngHoldsSrgbCodes) {
     const RgbImage image = gradient(13, 6);
     const RgbImage read = writtenAndRead(image, "a.PNG");
     ASSERT_EQ(read.pixels.size(), image.pixels.size());
@@ -76,13 +76,13 @@ TEST(RoundTrip, PngHoldsTheCodesOfTheCurve) {
                       image::decodeByte(image::encodeByte(image.pixels[i][c], Encoding::Srgb)));
 }
 
-TEST(RoundTrip, PngWithTheCourseCurveHoldsTruncatedValues) {
+TEST(RoundTrip, PngWithoutEncodingHoldsTruncatedValues) {
     const TemporaryFolder folder;
     writeImage(folder.file("a.png"), RgbImage(2, 2, Rgb(0.5f)), {}, Encoding::None);
     EXPECT_EQ(readImage(folder.file("a.png")).at(1, 1).x, image::decodeByte(127));
 }
 
-TEST(RoundTrip, NoPixelThatIsNotANumberReachesItsNeighbourInAPng) {
+TEST(RoundTrip, NonFinitePixelsOfAPngDoNotAffectNeighbours) {
     RgbImage image(3, 1, Rgb(0.5f));
     image.at(1, 0) =
         Rgb(std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1.0f);
@@ -109,7 +109,7 @@ TEST(Read, EightBitFormatsDecodeToTheSameValues) {
     }
 }
 
-TEST(Read, JpegComesNear) {
+TEST(Read, JpegIsClose) {
     const std::string codes = test::allCodes();
     const RgbImage image = decode(stbFile(
         [&](auto* write, void* file) { stbi_write_jpg_to_func(write, file, 16, 16, 3, codes.data(), 100); }));
@@ -118,7 +118,7 @@ TEST(Read, JpegComesNear) {
         EXPECT_NEAR(image::encodeByte(image.at(code % 16, code / 16).y, Encoding::Srgb), code, 3);
 }
 
-TEST(Read, AlphaIsLeftOutAndGreyIsSpread) {
+TEST(Read, AlphaIsIgnoredAndGreyFillsAllChannels) {
     const unsigned char greyAndAlpha[]{100, 7, 200, 255};
     const RgbImage image = decode(stbFile(
         [&](auto* write, void* file) { stbi_write_png_to_func(write, file, 2, 1, 2, greyAndAlpha, 4); }));

@@ -22,7 +22,7 @@ TEST(Srgb, EveryCodeSurvivesDecodingAndEncoding) {
                   code);
 }
 
-TEST(Srgb, CodesGrowWithTheValue) {
+TEST(Srgb, CodesAreMonotonic) {
     int last = 0;
     for (int i = 0; i <= 100000; ++i) {
         const int code = image::encodeByte(static_cast<float>(i) / 100000.0f, Encoding::Srgb);
@@ -32,10 +32,10 @@ TEST(Srgb, CodesGrowWithTheValue) {
     EXPECT_EQ(last, 255);
 }
 
-TEST(Srgb, CodesAreTheNearest) {
+TEST(Srgb, CodesAreNearest) {
     for (int i = 0; i <= 20000; ++i) {
         const float linear = static_cast<float>(i) / 20000.0f;
-        // Half a code, and what a float near 255 rounds to in the few operations of the curve.
+        // Half a code, plus the rounding of the few float operations of the curve near 255.
         const double slack = 0.5 + 255.0 * 8.0 * static_cast<double>(std::numeric_limits<float>::epsilon());
         ASSERT_LE(std::abs(image::encodeByte(linear, Encoding::Srgb) -
                            255.0 * exactEncoded(static_cast<double>(linear))),
@@ -53,20 +53,21 @@ TEST(Srgb, KnownPointsOfTheCurve) {
     EXPECT_EQ(image::decodeByte(255), 1.0f);
 }
 
-TEST(Srgb, TheCourseCurveTruncates) {
+TEST(Srgb, NoneTruncates) {
     EXPECT_EQ(image::encodeByte(0.5f, Encoding::None), 127);  // 127.5
     EXPECT_EQ(image::encodeByte(254.99f / 255.0f, Encoding::None), 254);
     EXPECT_EQ(image::encodeByte(1.0f, Encoding::None), 255);
 }
 
-TEST(Srgb, ValuesThatNoCodeHoldsAreClamped) {
-    for (const Encoding curve : {Encoding::Srgb, Encoding::None}) {
-        EXPECT_EQ(image::encodeByte(-1.0f, curve), 0);
-        EXPECT_EQ(image::encodeByte(-kInfinity, curve), 0);
-        EXPECT_EQ(image::encodeByte(kNan, curve), 0);
-        EXPECT_EQ(image::encodeByte(7.0f, curve), 255);
-        EXPECT_EQ(image::encodeByte(kInfinity, curve), 255);
-        EXPECT_EQ(image::encodeByte(std::nextafter(1.0f, 0.0f), curve), curve == Encoding::Srgb ? 255 : 254);
+TEST(Srgb, ValuesOutsideTheRangeAreClamped) {
+    for (const Encoding encoding : {Encoding::Srgb, Encoding::None}) {
+        EXPECT_EQ(image::encodeByte(-1.0f, encoding), 0);
+        EXPECT_EQ(image::encodeByte(-kInfinity, encoding), 0);
+        EXPECT_EQ(image::encodeByte(kNan, encoding), 0);
+        EXPECT_EQ(image::encodeByte(7.0f, encoding), 255);
+        EXPECT_EQ(image::encodeByte(kInfinity, encoding), 255);
+        EXPECT_EQ(image::encodeByte(std::nextafter(1.0f, 0.0f), encoding),
+                  encoding == Encoding::Srgb ? 255 : 254);
     }
 }
 

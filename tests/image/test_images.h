@@ -6,7 +6,7 @@
 
 namespace rayscope::test {
 
-/// A small image with different values everywhere, some above 1 if `brightest` is.
+/// A small image with distinct pixels; values reach `brightest`.
 inline RgbImage gradient(int width, int height, float brightest = 1.0f) {
     RgbImage image(width, height);
     for (int y = 0; y < height; ++y)
@@ -35,8 +35,7 @@ inline std::string allCodes() {
     return bytes;
 }
 
-/// What stb writes, as a file in memory: `write` is one of its stbi_write_…_to_func with the last arguments
-/// bound.
+/// The file that `write` makes, one of stbi_write_…_to_func with its last arguments bound.
 template <class Write>
 std::string stbFile(Write write) {
     std::string file;

@@ -1,5 +1,5 @@
 #pragma once
-// One pair of functions per kind of image file. All work on whole files in memory.
+// One encoder and one decoder per image format. All work on whole files in memory.
 #include <rayscope/image.h>
 #include <cstddef>
 #include <span>
@@ -9,27 +9,28 @@ namespace rayscope::image {
 
 using FileBytes = std::span<const std::byte>;
 
-/// Decoders throw InputError, in which they call the file `name`.
+/// Decoders throw InputError; its messages name the file `name`.
 RgbImage decodeExr(FileBytes file, const std::string& name);
 RgbImage decodePfm(FileBytes file, const std::string& name);
 RgbImage decodeStb(FileBytes file, const std::string& name);  ///< .png .jpg .bmp .tga .hdr
 
-/// Whether a file begins like one of that kind.
+/// Whether the file starts with the signature of the format.
 bool looksLikeExr(FileBytes file);
 bool looksLikePfm(FileBytes file);
 
 std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata);
 std::string encodePfm(const RgbImage& image);
 std::string encodeHdr(const RgbImage& image);
-std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding curve);
+std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding encoding);
 
-/// The name under which a metadata key stands in a file, so that it is not taken for one of the format's own.
+/// The name of a metadata key in a file, distinct from the names that the format itself defines.
 inline std::string metadataName(const std::string& key) { return "rayscope:" + key; }
 
-/// Throws InputError unless width × height is an image that may be read.
-void checkImageSize(long long width, long long height, const std::string& name);
+/// Throws InputError if an announced size is not positive, exceeds kMaxImagePixels, or cannot be compressed
+/// into a file of `fileSize` bytes. To be called before pixels are allocated.
+void checkImageSize(long long width, long long height, std::size_t fileSize, const std::string& name);
 
-/// Throws InputError: the file is damaged, `why`.
-[[noreturn]] void throwDamaged(const std::string& name, const std::string& why);
+/// Throws InputError: the file is damaged, because of `reason`.
+[[noreturn]] void throwDamaged(const std::string& name, const std::string& reason);
 
 }  // namespace rayscope::image

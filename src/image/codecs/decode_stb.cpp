@@ -13,11 +13,11 @@ namespace rayscope::image {
 
 namespace {
 
-/// Feeds stb from memory and notes when it wants bytes that are not there: several of its decoders would
-/// silently go on with zeros.
+/// Supplies stb with bytes from memory and records reads beyond the end, after which several of its decoders
+/// continue silently with zeros.
 class Source {
   public:
-    enum class AtEnd { Stop, GoOnWithOnes };
+    enum class AtEnd { Stop, RepeatOnes };
 
     explicit Source(FileBytes file, AtEnd atEnd = AtEnd::Stop) : file_(file), atEnd_(atEnd) {}
 
@@ -32,8 +32,8 @@ class Source {
     bool overrun() const { return overrun_; }
 
   private:
-    // stb fills its own buffer in steps of this many bytes, and the last step may well be short; every other
-    // read asks for what the decoder needs.
+    // stb fills its own buffer in steps of this size, of which the last may be short; every other read
+    // requests what the decoder needs.
     static constexpr int kBufferStep = 128;
 
     std::size_t left() const { return file_.size() - position_; }
@@ -69,7 +69,7 @@ RgbImage load(Source source, const std::string& name, Load loadFromCallbacks, Co
     int width = 0, height = 0, channels = 0;
     const Samples<T> samples(loadFromCallbacks(&Source::callbacks(), &source, &width, &height, &channels, 3),
                              stbi_image_free);
-    if (source.overrun()) throwDamaged(name, "it ends too early");
+    if (source.overrun()) throwDamaged(name, "unexpected end of file");
     if (!samples) throwDamaged(name, stbi_failure_reason());
     RgbImage image(width, height);
     const T* sample = samples.get();
@@ -86,19 +86,19 @@ RgbImage decodeStb(FileBytes file, const std::string& name) {
     int width = 0, height = 0, channels = 0;
     Source header(file);
     if (!stbi_info_from_callbacks(&Source::callbacks(), &header, &width, &height, &channels)) {
-        if (header.overrun()) throwDamaged(name, "it ends too early");
-        throw InputError(
-            fmt::format("cannot be read as an image ({}); expected PNG, JPEG, BMP, TGA, HDR, EXR or PFM",
-                        stbi_failure_reason()),
-            {name});
+        if (header.overrun()) throwDamaged(name, "unexpected end of file");
+        throw InputError(fmt::format("not an image ({}); expected PNG, JPEG, BMP, TGA, HDR, EXR or PFM",
+                                     stbi_failure_reason()),
+                         {name});
     }
-    checkImageSize(width, height, name);
+    checkImageSize(width, height, file.size(), name);
 
     Source probe(file);
     if (stbi_is_hdr_from_callbacks(&Source::callbacks(), &probe)) {
-        // After the end stb takes zeros, and in the pixels of an HDR file a run of length zero is one that it
-        // repeats forever. The header, where ones would do the same, has just been read to its end.
-        return load<float>(Source(file, Source::AtEnd::GoOnWithOnes), name, stbi_loadf_from_callbacks,
+        // Beyond the end stb reads zeros, and a run of length zero in the pixels of an HDR file is an endless
+        // loop; ones end it. In the header ones would be an endless loop, but it has just been read
+        // completely.
+        return load<float>(Source(file, Source::AtEnd::RepeatOnes), name, stbi_loadf_from_callbacks,
                            [](float value) { return value; });
     }
     probe = Source(file);

@@ -27,7 +27,7 @@ class MemoryInput : public Imf::IStream {
     bool read(char data[], int size) override {
         const std::size_t count = static_cast<std::size_t>(size);
         if (position_ > file_.size() || count > file_.size() - position_)
-            throw std::runtime_error("it ends too early");
+            throw std::runtime_error("unexpected end of file");
         std::memcpy(data, file_.data() + position_, count);
         position_ += count;
         return position_ < file_.size();
@@ -63,9 +63,9 @@ using ChannelNames = std::array<const char*, 3>;
 constexpr ChannelNames kColour{"R", "G", "B"};
 constexpr ChannelNames kLuminance{"Y", "Y", "Y"};
 
-/// Describes to OpenEXR where the pixels lie. Its slices begin at the pixel with the coordinates 0, 0, which
-/// need not be in memory when the first pixel is `left`, `top`; hence an address that is a number, not a
-/// pointer.
+/// The memory layout of the pixels for OpenEXR. A slice starts at pixel (0, 0) of the data window's
+/// coordinates, which lies outside the allocation unless the first pixel (`left`, `top`) is (0, 0); hence
+/// integer arithmetic instead of pointer arithmetic.
 Imf::FrameBuffer describeMemory(const RgbImage& image, int left, int top, const ChannelNames& names) {
     const std::intptr_t first = static_cast<std::intptr_t>(top) * image.width + left;
     const std::intptr_t pixelSize = sizeof(Rgb);
@@ -83,33 +83,32 @@ struct Window {
     int left, top, width, height;
 };
 
-/// Throws InputError if the image that the header announces may not be read.
-Window checkedWindow(const Imf::Header& header, const std::string& name) {
+/// The data window. Throws InputError if its size is invalid, see checkImageSize().
+Window checkedWindow(const Imf::Header& header, std::size_t fileSize, const std::string& name) {
     const auto& window = header.dataWindow();
     const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
     const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
-    checkImageSize(width, height, name);
+    checkImageSize(width, height, fileSize, name);
     return {window.min.x, window.min.y, static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// The header alone. OpenEXR's own readers go on at once and allocate tables for as many lines as it
-/// announces.
+/// Reads the header only: Imf::InputFile also allocates a table for all lines that the header announces.
 Imf::Header readHeader(FileBytes file, const std::string& name) {
     constexpr std::uint64_t kAfterMagicAndVersion = 8;
     MemoryInput stream(file, name);
     stream.seekg(kAfterMagicAndVersion);
-    int version = 2;  // the only one there is
+    int version = 2;  // the only version of the file format
     Imf::Header header;
     header.readFrom(stream, version);
     return header;
 }
 
-RgbImage readPixels(Imf::InputFile& input, const std::string& name) {
-    const Window window = checkedWindow(input.header(), name);
+RgbImage readPixels(Imf::InputFile& input, std::size_t fileSize, const std::string& name) {
+    const Window window = checkedWindow(input.header(), fileSize, name);
     const Imf::ChannelList& channels = input.header().channels();
     const bool coloured = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
     if (!coloured && !channels.findChannel("Y"))
-        throw InputError("the EXR image has no channels R, G, B or Y; export it with one of these", {name});
+        throw InputError("EXR image without channels R, G, B or Y; export it with one of these", {name});
 
     RgbImage image(window.width, window.height);
     input.setFrameBuffer(describeMemory(image, window.left, window.top, coloured ? kColour : kLuminance));
@@ -127,10 +126,10 @@ bool looksLikeExr(FileBytes file) {
 }
 
 RgbImage decodeExr(FileBytes file, const std::string& name) try {
-    checkedWindow(readHeader(file, name), name);
+    checkedWindow(readHeader(file, name), file.size(), name);
     MemoryInput stream(file, name);
     Imf::InputFile input(stream);
-    return readPixels(input, name);
+    return readPixels(input, file.size(), name);
 } catch (const InputError&) {
     throw;
 } catch (const std::exception& error) {
@@ -148,7 +147,7 @@ std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
         Imf::OutputFile output(stream, header);
         output.setFrameBuffer(describeMemory(image, 0, 0, kColour));
         output.writePixels(image.height);
-    }  // the destructor writes the table of line offsets
+    }  // the destructor of `output` writes the table of line offsets
     return std::move(stream.bytes);
 }
 

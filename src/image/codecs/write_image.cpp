@@ -17,21 +17,20 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kSuffixes{".png", ".exr", ".pfm", ".hdr"};
 
-/// The suffix in lower case. Throws InputError if nothing is written under it.
+/// The suffix in lower case. Throws InputError if no encoder has it.
 std::string checkedSuffix(const std::string& path) {
     std::string suffix = std::filesystem::path(path).extension().string();
     for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
-        throw InputError(
-            fmt::format("cannot tell the kind of image to write: the name should end in {}, not '{}'{}",
-                        base::joinChoices(kSuffixes), suffix, base::didYouMean(suffix, kSuffixes)),
-            {path});
+        throw InputError(fmt::format("unknown image format '{}'{}; expected {}", suffix,
+                                     base::didYouMean(suffix, kSuffixes), base::joinChoices(kSuffixes)),
+                         {path});
     return suffix;
 }
 
 std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
-                   Encoding curve) {
-    if (suffix == ".png") return image::encodePng(image, metadata, curve);
+                   Encoding encoding) {
+    if (suffix == ".png") return image::encodePng(image, metadata, encoding);
     if (suffix == ".exr") return image::encodeExr(image, metadata);
     if (suffix == ".pfm") return image::encodePfm(image);
     return image::encodeHdr(image);
@@ -40,10 +39,10 @@ std::string encode(const std::string& suffix, const RgbImage& image, const Image
 }  // namespace
 
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
-                Encoding curve) {
+                Encoding encoding) {
     checkImageDestination(path);
-    if (image.empty()) throw InputError("there are no pixels to write", {path});
-    base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, curve));
+    if (image.empty()) throw InputError("the image has no pixels", {path});
+    base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, encoding));
 }
 
 void checkImageDestination(const std::string& path) {

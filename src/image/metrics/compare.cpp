@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "base/nearest_name.h"
-#include "image/metrics/perceptual.h"
+#include "image/metrics/perceptual_metrics.h"
 #include "math/vectors.h"
 
 namespace rayscope {
@@ -16,17 +16,16 @@ namespace rayscope {
 namespace {
 
 constexpr std::array<std::string_view, 6> kNames{"rmse", "relmse", "smape", "max", "ssim", "flip"};
-/// Keeps relative measures finite where the reference is black.
-constexpr double kDark = 0.01;
+/// Added to the denominators of relative metrics, so that they stay finite where the reference is black.
+constexpr double kEpsilon = 0.01;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void checkSameSize(const RgbImage& image, const RgbImage& reference) {
     if (image.width != reference.width || image.height != reference.height)
         throw InputError(
-            fmt::format("the images differ in size: {} x {} and {} x {} pixels; render both with "
-                        "the same --size",
+            fmt::format("image sizes differ: {} x {} and {} x {} pixels; render both with the same --size",
                         image.width, image.height, reference.width, reference.height));
-    if (image.empty()) throw InputError("there are no pixels to compare");
+    if (image.empty()) throw InputError("the images have no pixels");
 }
 
 double pixelError(const Rgb& pixel, const Rgb& reference, ErrorMetric metric) {
@@ -35,11 +34,11 @@ double pixelError(const Rgb& pixel, const Rgb& reference, ErrorMetric metric) {
         case ErrorMetric::Rmse:
             return std::sqrt(glm::dot(d, d) / 3.0);
         case ErrorMetric::RelMse: {
-            const glm::dvec3 relative = d * d / (r * r + kDark);
+            const glm::dvec3 relative = d * d / (r * r + kEpsilon);
             return (relative.x + relative.y + relative.z) / 3.0;
         }
         case ErrorMetric::Smape: {
-            const glm::dvec3 relative = glm::abs(d) / (glm::abs(a) + glm::abs(r) + kDark);
+            const glm::dvec3 relative = glm::abs(d) / (glm::abs(a) + glm::abs(r) + kEpsilon);
             return (relative.x + relative.y + relative.z) / 3.0;
         }
         default:
@@ -47,8 +46,9 @@ double pixelError(const Rgb& pixel, const Rgb& reference, ErrorMetric metric) {
     }
 }
 
-/// What a display shows of both, black where either is not finite so that it disturbs no neighbour.
-void cutToDisplay(RgbImage& image, RgbImage& reference, float exposure) {
+/// Exposes and clamps both to what a display shows. Pixels that are not finite in either become black in
+/// both, so that they do not spread through the filters.
+void clampToDisplay(RgbImage& image, RgbImage& reference, float exposure) {
     const float factor = std::exp2(exposure);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         Rgb &a = image.pixels[i], &b = reference.pixels[i];
@@ -60,7 +60,7 @@ void cutToDisplay(RgbImage& image, RgbImage& reference, float exposure) {
 
 Image<double> perceptualMap(RgbImage image, RgbImage reference, ErrorMetric metric,
                             const CompareOptions& options) {
-    cutToDisplay(image, reference, options.exposure);
+    clampToDisplay(image, reference, options.exposure);
     if (metric == ErrorMetric::Flip) return image::flipMap(image, reference, options.pixelsPerDegree);
     Image<double> map = image::ssimMap(image, reference);
     for (double& value : map.pixels) value = 1.0 - value;
@@ -85,8 +85,8 @@ std::string_view nameOf(ErrorMetric metric) { return kNames[static_cast<std::siz
 ErrorMetric errorMetricNamed(std::string_view name) {
     const auto found = std::find(kNames.begin(), kNames.end(), name);
     if (found == kNames.end())
-        throw InputError(fmt::format("unknown metric '{}': expected {}{}", name, base::joinChoices(kNames),
-                                     base::didYouMean(name, kNames)));
+        throw InputError(fmt::format("unknown metric '{}'{}; expected {}", name,
+                                     base::didYouMean(name, kNames), base::joinChoices(kNames)));
     return static_cast<ErrorMetric>(found - kNames.begin());
 }
 

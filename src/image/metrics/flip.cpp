@@ -1,11 +1,11 @@
-// ꟻLIP for low dynamic range, section by section of the paper. Numbers in comments are its sections.
+// ꟻLIP for low dynamic range. Numbers in comments are sections of the paper (Andersson et al. 2020).
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "image/metrics/perceptual.h"
+#include "image/metrics/perceptual_metrics.h"
 
 namespace rayscope::image {
 
@@ -15,13 +15,13 @@ using Color = glm::dvec3;
 using ColorPlanes = std::array<Plane, 3>;
 
 constexpr double kPi = std::numbers::pi;
-/// CIE XYZ of linear sRGB, as exact fractions, and of its white.
+/// CIE XYZ of linear sRGB, as exact fractions, and its white point.
 const glm::dmat3 kXyzOfRgb(10135552.0 / 24577794.0, 2613072.0 / 12288897.0, 1425312.0 / 73733382.0,
                            8788810.0 / 24577794.0, 8788810.0 / 12288897.0, 8788810.0 / 73733382.0,
                            4435075.0 / 24577794.0, 887015.0 / 12288897.0, 70074185.0 / 73733382.0);
 const Color kWhite(0.950428545, 1.0, 1.088900371);
 
-/// The linearised opponent space Y Cx Cz in which eyes are filters.
+/// The linearised opponent space YCxCz, in which the contrast sensitivity filters work.
 Color opponentOf(const Color& rgb) {
     const Color n = kXyzOfRgb * rgb / kWhite;
     return {116.0 * n.y - 16.0, 500.0 * (n.x - n.y), 200.0 * (n.y - n.z)};
@@ -38,7 +38,7 @@ double labCurve(double t) {
     return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0 * kDelta * kDelta) + 4.0 / 29.0;
 }
 
-/// CIE L*a*b*, with chroma reduced where it is dark (the Hunt effect).
+/// CIE L*a*b* with chroma scaled by lightness (the Hunt effect).
 Color huntLabOf(const Color& rgb) {
     const Color n = kXyzOfRgb * rgb / kWhite;
     const double x = labCurve(n.x), y = labCurve(n.y), z = labCurve(n.z);
@@ -46,7 +46,7 @@ Color huntLabOf(const Color& rgb) {
     return {lightness, 0.01 * lightness * 500.0 * (x - y), 0.01 * lightness * 200.0 * (y - z)};
 }
 
-/// The HyAB distance, made for large differences (Abasi et al. 2020).
+/// The HyAB distance, suited to large colour differences (Abasi et al. 2020).
 double hyab(const Color& a, const Color& b) { return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z); }
 
 ColorPlanes opponentPlanes(const RgbImage& image) {
@@ -59,19 +59,19 @@ ColorPlanes opponentPlanes(const RgbImage& image) {
     return planes;
 }
 
-/// Contrast sensitivity of one channel, in space: a sum of Gaussians a √(π / b) exp(−π² d² / b), d in
-/// degrees.
+/// Contrast sensitivity of one channel in the spatial domain: a sum of Gaussians a √(π / b) exp(−π² d² / b),
+/// d in degrees.
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
 constexpr std::array<Sensitivity, 3> kSensitivities{
     {{1.0, 0.0047, 0.0, 1e-5}, {1.0, 0.0053, 0.0, 1e-5}, {34.1, 0.04, 13.5, 0.025}}};
 
-/// 4.1.1: what is left of a channel at the distance of the observer.
-Plane seenFromAfar(const Plane& channel, const Sensitivity& s, double pixelsPerDegree) {
-    constexpr double kWidest = 0.04;
+/// 4.1.1: the channel filtered by the contrast sensitivity at the viewing distance.
+Plane filterByContrastSensitivity(const Plane& channel, const Sensitivity& s, double pixelsPerDegree) {
+    constexpr double kMaxB = 0.04;  // the widest Gaussian of kSensitivities
     const int radius =
-        static_cast<int>(std::ceil(3.0 * std::sqrt(kWidest / (2.0 * kPi * kPi)) * pixelsPerDegree));
+        static_cast<int>(std::ceil(3.0 * std::sqrt(kMaxB / (2.0 * kPi * kPi)) * pixelsPerDegree));
     Plane result(channel.width, channel.height);
     double total = 0.0;
     for (const auto& [a, b] : {std::pair{s.a1, s.b1}, std::pair{s.a2, s.b2}}) {
@@ -89,11 +89,13 @@ Plane seenFromAfar(const Plane& channel, const Sensitivity& s, double pixelsPerD
 }
 
 std::vector<Color> perceivedColors(const ColorPlanes& planes, double pixelsPerDegree) {
-    ColorPlanes seen;
-    for (std::size_t k = 0; k < 3; ++k) seen[k] = seenFromAfar(planes[k], kSensitivities[k], pixelsPerDegree);
+    ColorPlanes filtered;
+    for (std::size_t k = 0; k < 3; ++k)
+        filtered[k] = filterByContrastSensitivity(planes[k], kSensitivities[k], pixelsPerDegree);
     std::vector<Color> colors;
-    for (std::size_t i = 0; i < seen[0].pixels.size(); ++i) {
-        const Color rgb = rgbOfOpponent({seen[0].pixels[i], seen[1].pixels[i], seen[2].pixels[i]});
+    for (std::size_t i = 0; i < filtered[0].pixels.size(); ++i) {
+        const Color rgb =
+            rgbOfOpponent({filtered[0].pixels[i], filtered[1].pixels[i], filtered[2].pixels[i]});
         colors.push_back(huntLabOf(glm::clamp(rgb, 0.0, 1.0)));
     }
     return colors;
@@ -101,24 +103,24 @@ std::vector<Color> perceivedColors(const ColorPlanes& planes, double pixelsPerDe
 
 constexpr double kColorExponent = 0.7;
 
-/// 4.1.3: spreads the colour difference over 0 … 1, most of it for small differences.
-double redistributed(double difference) {
-    static const double kLargest =
+/// 4.1.3: maps the colour difference to 0 … 1; the lower 40 % of the range takes 95 % of the output.
+double redistribute(double difference) {
+    static const double kMaxDifference =
         std::pow(hyab(huntLabOf({0.0, 1.0, 0.0}), huntLabOf({0.0, 0.0, 1.0})), kColorExponent);
     constexpr double kBend = 0.4, kAtBend = 0.95;
-    const double d = std::pow(difference, kColorExponent), bend = kBend * kLargest;
+    const double d = std::pow(difference, kColorExponent), bend = kBend * kMaxDifference;
     if (d < bend) return kAtBend / bend * d;
-    return kAtBend + (d - bend) / (kLargest - bend) * (1.0 - kAtBend);
+    return kAtBend + (d - bend) / (kMaxDifference - bend) * (1.0 - kAtBend);
 }
 
-/// Scales positive weights to a sum of 1 and negative ones to −1.
-void balance(std::vector<double>& kernel) {
+/// Scales the positive weights to a sum of 1 and the negative ones to −1.
+void normalizeBySign(std::vector<double>& kernel) {
     double positive = 0.0, negative = 0.0;
     for (const double w : kernel) (w > 0.0 ? positive : negative) += std::abs(w);
     for (double& w : kernel) w /= w > 0.0 ? positive : negative;
 }
 
-/// The first and second derivatives of a Gaussian as wide as a feature that is just seen, and the Gaussian.
+/// A Gaussian of the width of a just visible feature, and its first and second derivatives.
 struct FeatureKernels {
     explicit FeatureKernels(double pixelsPerDegree) {
         const double sigma = 0.5 * 0.082 * pixelsPerDegree;
@@ -131,13 +133,13 @@ struct FeatureKernels {
         }
         const double sum = std::accumulate(smooth.begin(), smooth.end(), 0.0);
         for (double& w : smooth) w /= sum;
-        balance(edge);
-        balance(point);
+        normalizeBySign(edge);
+        normalizeBySign(point);
     }
     std::vector<double> smooth, edge, point;
 };
 
-/// 4.2: how much of an edge (or of a point) each pixel is.
+/// 4.2: the magnitude of the edge (or point) detector at each pixel.
 Plane featureStrength(const Plane& y, const std::vector<double>& kernel, const std::vector<double>& smooth) {
     Plane alongX = convolve(y, kernel, smooth);
     const Plane alongY = convolve(y, smooth, kernel);
@@ -162,7 +164,7 @@ Plane flipMap(const RgbImage& image, const RgbImage& reference, double pixelsPer
 
     Plane flip(image.width, image.height);
     for (std::size_t i = 0; i < flip.pixels.size(); ++i) {
-        const double color = redistributed(hyab(colorsA[i], colorsB[i]));
+        const double color = redistribute(hyab(colorsA[i], colorsB[i]));
         const double feature = std::max(std::abs(edgeA.pixels[i] - edgeB.pixels[i]),
                                         std::abs(pointA.pixels[i] - pointB.pixels[i]));
         flip.pixels[i] = std::pow(color, 1.0 - std::sqrt(std::min(1.0, feature / std::numbers::sqrt2)));

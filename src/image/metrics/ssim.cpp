@@ -1,6 +1,6 @@
 #include <numeric>
 
-#include "image/metrics/perceptual.h"
+#include "image/metrics/perceptual_metrics.h"
 #include "image/srgb.h"
 #include "math/vectors.h"
 

@@ -10,16 +10,16 @@ namespace rayscope {
 
 namespace {
 
-/// Green's cube helix: a spiral around the grey diagonal of the colour cube, from black to white, on which
-/// lightness grows evenly, so that the order of values survives printing in grey. Start, turns and hue are
-/// the author's.
+/// Green's cube helix: a spiral around the grey diagonal of the colour cube from black to white, with
+/// lightness proportional to `f`, so that the order of values is kept in greyscale. Start, turns and hue are
+/// the paper's.
 Rgb cubeHelix(double f) {
     constexpr double kStart = 0.5, kTurns = -1.5, kHue = 1.0;
     const double angle = 2.0 * std::numbers::pi * (kStart / 3.0 + 1.0 + kTurns * f);
-    const double swing = kHue * f * (1.0 - f) / 2.0;
+    const double amplitude = kHue * f * (1.0 - f) / 2.0;
     const double c = std::cos(angle), s = std::sin(angle);
-    const glm::dvec3 encoded(f + swing * (-0.14861 * c + 1.78277 * s),
-                             f + swing * (-0.29227 * c - 0.90649 * s), f + swing * 1.97294 * c);
+    const glm::dvec3 encoded(f + amplitude * (-0.14861 * c + 1.78277 * s),
+                             f + amplitude * (-0.29227 * c - 0.90649 * s), f + amplitude * 1.97294 * c);
     Rgb linear;
     for (int k = 0; k < 3; ++k)
         linear[k] = image::srgbToLinear(static_cast<float>(std::clamp(encoded[k], 0.0, 1.0)));

@@ -1,4 +1,4 @@
-#include "image/metrics/plane.h"
+#include "image/metrics/convolution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@ namespace rayscope::image {
 
 namespace {
 
-/// Convolves along x; the second pass is the same on the transposed plane.
-Plane convolvedRowsTransposed(const Plane& plane, std::span<const double> kernel) {
+/// Convolves along x and transposes, so that calling it twice convolves along both axes.
+Plane convolveRowsAndTranspose(const Plane& plane, std::span<const double> kernel) {
     const int radius = static_cast<int>(kernel.size() / 2);
     const auto width = static_cast<std::size_t>(plane.width);
     Plane result(plane.height, plane.width);
@@ -27,7 +27,7 @@ Plane convolvedRowsTransposed(const Plane& plane, std::span<const double> kernel
 }  // namespace
 
 Plane convolve(const Plane& plane, std::span<const double> alongX, std::span<const double> alongY) {
-    return convolvedRowsTransposed(convolvedRowsTransposed(plane, alongX), alongY);
+    return convolveRowsAndTranspose(convolveRowsAndTranspose(plane, alongX), alongY);
 }
 
 std::vector<double> gaussianWeights(double sigma, int radius) {

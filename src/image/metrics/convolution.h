@@ -1,5 +1,5 @@
 #pragma once
-// Single channels and their convolution, as perceptual measures need them.
+// Separable convolution of single-channel images, for the perceptual metrics.
 #include <rayscope/image.h>
 #include <span>
 
@@ -7,8 +7,8 @@ namespace rayscope::image {
 
 using Plane = Image<double>;
 
-/// Convolves with `along x` in rows and `along y` in columns; both kernels have an odd number of weights.
-/// Beyond the border the nearest pixel counts.
+/// Convolves rows with `alongX`, then columns with `alongY`; both kernels have an odd number of weights.
+/// Beyond the border the nearest pixel is repeated.
 Plane convolve(const Plane& plane, std::span<const double> alongX, std::span<const double> alongY);
 
 /// exp(−x² / (2 sigma²)) for x = −radius … radius, not normalised.
