@@ -1,13 +1,13 @@
 #version 330 core
-// Linear radiance to what the screen shows: exposure, then the tone curve.
-in vec2 place;
+// Display transform of linear radiance: exposure, then the encoding.
+in vec2 uv;
 
 uniform sampler2D image;
 uniform sampler2D other;
-uniform bool difference;    // show what `image` and `other` differ by
+uniform bool difference;    // show the absolute difference of `image` and `other`
 uniform bool onePixelEach;  // image and screen have the same size
 uniform float exposureFactor;
-uniform bool courseCurve;
+uniform bool clampOnly;     // no sRGB encoding
 
 out vec4 fragment;
 
@@ -21,11 +21,11 @@ void main() {
     ivec2 size = textureSize(image, 0);
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     vec3 radiance = onePixelEach ? texelFetch(image, ivec2(pixel.x, size.y - 1 - pixel.y), 0).rgb
-                                 : texture(image, vec2(place.x, 1.0 - place.y)).rgb;
-    if (difference) radiance = abs(radiance - texture(other, vec2(place.x, 1.0 - place.y)).rgb);
+                                 : texture(image, vec2(uv.x, 1.0 - uv.y)).rgb;
+    if (difference) radiance = abs(radiance - texture(other, vec2(uv.x, 1.0 - uv.y)).rgb);
     radiance *= exposureFactor;
-    // What is not a number shows as magenta, never as black.
+    // Non-finite values are shown in magenta, never as black.
     if (any(isnan(radiance)) || any(isinf(radiance))) radiance = vec3(1.0, 0.0, 1.0);
     radiance = clamp(radiance, 0.0, 1.0);
-    fragment = vec4(courseCurve ? radiance : srgb(radiance), 1.0);
+    fragment = vec4(clampOnly ? radiance : srgb(radiance), 1.0);
 }

@@ -12,15 +12,15 @@ uniform float hiddenOpacity;
 
 out vec4 fragment;
 
-// A line that lies on a surface is not hidden: depths have 24 bits.
-const float kStepOfDepth = 1.0 / 8388608.0;
+// Two steps of a 24-bit depth buffer, so that a line on a surface is not hidden.
+const float kDepthTolerance = 1.0 / 8388608.0;
 
 void main() {
     float coverage = clamp(halfWidth + 0.5 - abs(across), 0.0, 1.0);
     if (style == 1 && mod(along, 10.0 * scale) > 6.0 * scale) discard;
     if (style == 2 && mod(along, 5.0 * scale) > 2.0 * scale) discard;
     float opacity = lineColor.a * coverage;
-    if (depthKnown && gl_FragCoord.z > texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r + kStepOfDepth)
+    if (depthKnown && gl_FragCoord.z > texelFetch(sceneDepth, ivec2(gl_FragCoord.xy), 0).r + kDepthTolerance)
         opacity *= hiddenOpacity;
     fragment = vec4(lineColor.rgb, opacity);
 }

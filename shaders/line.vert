@@ -1,5 +1,5 @@
 #version 330 core
-// Spans a screen-aligned rectangle of the wanted width over the segment from..to.
+// Expands the segment from..to to a screen-aligned rectangle of the line's width.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 color;
@@ -10,7 +10,7 @@ uniform vec2 viewport;
 uniform float scale;
 
 noperspective out float along;   // pixels from the start of the line
-noperspective out float across;  // pixels from its middle
+noperspective out float across;  // pixels from the centre of the line
 flat out vec4 lineColor;
 flat out float halfWidth;
 flat out int style;
@@ -19,7 +19,7 @@ void main() {
     vec4 start = viewProjection * vec4(from, 1.0);
     vec4 end = viewProjection * vec4(to, 1.0);
 
-    // What lies before the near plane has no place on the screen: cut it off before the division by w.
+    // Clip at the near plane before the division by w.
     float startSide = start.z + start.w, endSide = end.z + end.w;
     lineColor = color;
     halfWidth = 0.5 * widthAndStyle.x * scale;
@@ -41,10 +41,10 @@ void main() {
 
     bool atEnd = (gl_VertexID & 2) != 0;
     float side = (gl_VertexID & 1) != 0 ? 1.0 : -1.0;
-    float reach = halfWidth + 1.0;  // one pixel more for the soft edge
+    float extent = halfWidth + 1.0;  // one more pixel for antialiasing
     vec4 here = atEnd ? end : start;
-    vec2 offset = (normal * side + direction * (atEnd ? 0.5 : -0.5)) * reach;
+    vec2 offset = (normal * side + direction * (atEnd ? 0.5 : -0.5)) * extent;
     along = atEnd ? pixels : 0.0;
-    across = side * reach;
+    across = side * extent;
     gl_Position = here + vec4(offset / (0.5 * viewport) * here.w, 0.0, 0.0);
 }

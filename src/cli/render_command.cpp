@@ -211,8 +211,8 @@ int runRender(const RenderOptions& options) {
     const ImageMetadata metadata =
         render::imageMetadata(*request.scene, request.settings, request.seed, status.samples);
     for (const std::string& output : options.outputs)
-        writeImage(output, post::develop(mean, request.settings, post::isDisplayFormat(output)), metadata,
-                   request.settings.tone);
+        writeImage(output, post::applyDisplayTransform(mean, request.settings, post::isDisplayFormat(output)),
+                   metadata, request.settings.tone);
     if (exitCode != kInterrupted) writeAovs(options, aovs, request, rendered, metadata);
     if (!options.statsFile.empty() && rendered.world) {
         const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

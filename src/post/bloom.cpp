@@ -16,8 +16,8 @@ double gaussianOverPixel(int i, double sigma) {
     return 0.5 * (std::erf((i + 0.5) * scale) - std::erf((i - 0.5) * scale));
 }
 
-/// Convolves along x. The vertical pass is the same on the transposed image.
-RgbImage filteredRowsTransposed(const RgbImage& image, const std::vector<double>& kernel) {
+/// Convolves along x and transposes, so that calling it twice convolves along both axes.
+RgbImage convolveRowsAndTranspose(const RgbImage& image, const std::vector<double>& kernel) {
     const int radius = static_cast<int>(kernel.size() / 2);
     RgbImage result(image.height, image.width);
     for (int y = 0; y < image.height; ++y) {
@@ -56,7 +56,7 @@ RgbImage bloomThresholded(const RgbImage& image, float threshold) {
 }
 
 RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel) {
-    return filteredRowsTransposed(filteredRowsTransposed(image, kernel), kernel);
+    return convolveRowsAndTranspose(convolveRowsAndTranspose(image, kernel), kernel);
 }
 
 RgbImage applyBloom(const RgbImage& image, const Settings& settings) {

@@ -5,20 +5,21 @@
 
 namespace rayscope::post {
 
-/// One-dimensional filter weights for offsets −radius … radius; they sum to 1. The two-dimensional filter is
-/// the outer product with itself. A Gaussian weight is the integral over its pixel, by error functions, so
-/// that the filter tends to a single 1 as sigma goes to 0 and to a box as it grows; sigma 0 is the single 1.
+/// One-dimensional filter weights for offsets −radius … radius in pixels, normalised to a sum of 1. The
+/// two-dimensional filter is the outer product of the kernel with itself. A Gaussian weight is the integral
+/// over its pixel, by error functions, so that the kernel tends to a unit impulse for sigma → 0 (exact at
+/// sigma 0) and to a box for sigma → ∞.
 std::vector<double> bloomKernel(BloomFilter filter, int radius, double sigma);
 
-/// Pixels with a channel above the threshold, whole; all others black. Pixels that are not finite stay out,
-/// so that they cannot spread.
+/// Keeps pixels with a channel above the threshold unchanged; all others become black, non-finite pixels too,
+/// so that they do not spread.
 RgbImage bloomThresholded(const RgbImage& image, float threshold);
 
-/// Convolution with the outer product of the kernel; beyond the border the image is black.
+/// Convolution with the outer product of the kernel; the image is black beyond its border.
 RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel);
 
-/// The image with its bloom as the settings say, or, in the debug view, one stage of it. Without bloom the
-/// image itself.
+/// The image with bloom as in the settings, or one stage of it if bloomDebug is on. Without bloom the image
+/// itself.
 RgbImage applyBloom(const RgbImage& image, const Settings& settings);
 
 }  // namespace rayscope::post

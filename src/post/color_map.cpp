@@ -28,9 +28,9 @@ bool inGamut(const glm::dvec3& c) {
            glm::all(glm::lessThanEqual(c, glm::dvec3(1.0)));
 }
 
-/// Takes away chroma, never lightness, until the colour can be shown: by bisection, so that the map stays
-/// smooth.
-Rgb fitted(const Oklab& color) {
+/// Reduces chroma, at constant lightness, until the colour is in the sRGB gamut; by bisection, so that the
+/// map stays smooth.
+Rgb fitToGamut(const Oklab& color) {
     const auto withChroma = [&](double kept) {
         return toLinearRgb({color.lightness, kept * color.a, kept * color.b});
     };
@@ -42,22 +42,22 @@ Rgb fitted(const Oklab& color) {
 
 }  // namespace
 
-Rgb mapColor(ColorMap map, double share) {
-    if (std::isnan(share)) return {1.0f, 0.0f, 1.0f};
-    const double x = std::clamp(share, 0.0, 1.0);
+Rgb mapColor(ColorMap map, double value) {
+    if (std::isnan(value)) return {1.0f, 0.0f, 1.0f};
+    const double x = std::clamp(value, 0.0, 1.0);
     const double lightness = 0.22 + 0.70 * x;
     switch (map) {
         case ColorMap::Spectrum: {
-            // The hue turns from violet (310°) over blue and green to yellow (108°).
+            // From violet (310°) through blue and green to yellow (108°).
             const double hue = (310.0 - 202.0 * x) * std::numbers::pi / 180.0;
-            return fitted({lightness, 0.15 * std::cos(hue), 0.15 * std::sin(hue)});
+            return fitToGamut({lightness, 0.15 * std::cos(hue), 0.15 * std::sin(hue)});
         }
         case ColorMap::BlueGold:
-            return fitted({lightness, 0.0, 0.13 * (2.0 * x - 1.0)});
+            return fitToGamut({lightness, 0.0, 0.13 * (2.0 * x - 1.0)});
         case ColorMap::Grey:
             break;
     }
-    return fitted({lightness, 0.0, 0.0});
+    return fitToGamut({lightness, 0.0, 0.0});
 }
 
 }  // namespace rayscope::post

@@ -5,17 +5,17 @@
 
 namespace rayscope::post {
 
-/// How a number becomes a colour. All three grow evenly in lightness, so that people with any colour vision,
-/// and black-and-white prints, keep the order of the values.
+/// False-colour maps. The lightness of all three increases monotonically, so that the order of values is kept
+/// in greyscale and with colour vision deficiencies.
 enum class ColorMap {
-    Spectrum,  ///< dark violet over green to yellow
-    BlueGold,  ///< dark blue over grey to gold: no red and green at all
+    Spectrum,  ///< dark violet through green to yellow
+    BlueGold,  ///< dark blue through grey to gold, without red and green
     Grey
 };
 inline constexpr std::string_view kColorMapNames[] = {"spectrum", "blue-gold", "grey"};
 
-/// Linear colour of a share 0 … 1 of the range; beyond it the ends. NaN is magenta, which no map contains.
-/// Computed along a path in Oklab (Ottosson 2020, "A perceptual color space for image processing").
-Rgb mapColor(ColorMap map, double share);
+/// Linear colour of a value, clamped to 0 … 1. NaN is magenta, which no map contains. Computed along a path
+/// in Oklab (Ottosson 2020, "A perceptual color space for image processing").
+Rgb mapColor(ColorMap map, double value);
 
 }  // namespace rayscope::post

@@ -6,7 +6,7 @@
 
 namespace rayscope::post {
 
-RgbImage develop(const RgbImage& mean, const Settings& settings, bool forDisplay) {
+RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings, bool forDisplay) {
     RgbImage image = applyBloom(mean, settings);
     if (!forDisplay || settings.exposure == 0.0f) return image;
     const float factor = std::exp2(settings.exposure);

@@ -5,11 +5,11 @@
 
 namespace rayscope::post {
 
-/// The film's mean as a file should hold it: with bloom; and with exposure if `forDisplay`, that is for
-/// formats whose values are meant to be looked at rather than computed with.
-RgbImage develop(const RgbImage& mean, const Settings& settings, bool forDisplay);
+/// Applies bloom to the mean of the film and, if `forDisplay`, exposure. Exposure is for display formats
+/// only, so that linear formats keep radiance. The encoding is applied when the image is written.
+RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings, bool forDisplay);
 
-/// Whether the suffix of a file name stands for an 8-bit format.
+/// Whether the suffix of the path is that of an 8-bit display format.
 bool isDisplayFormat(std::string_view path);
 
 }  // namespace rayscope::post

@@ -28,7 +28,7 @@ TEST(BloomKernel, SumsToOneForEverySigma) {
         }
 }
 
-TEST(BloomKernel, HasTheRightLimits) {
+TEST(BloomKernel, HasTheLimitsOfSigma) {
     EXPECT_EQ(post::bloomKernel(BloomFilter::Gaussian, 2, 0.0), (std::vector<double>{0, 0, 1, 0, 0}));
     EXPECT_EQ(post::bloomKernel(BloomFilter::Gaussian, 2, 1e-6), (std::vector<double>{0, 0, 1, 0, 0}));
     for (const double weight : post::bloomKernel(BloomFilter::Gaussian, 2, 1e6))
@@ -38,7 +38,7 @@ TEST(BloomKernel, HasTheRightLimits) {
 
 TEST(BloomKernel, IntegratesTheGaussianOverEachPixel) {
     const std::vector<double> kernel = post::bloomKernel(BloomFilter::Gaussian, 6, 1.0);
-    // Simpson's rule over the pixel as an independent integral.
+    // An independent integral over the pixel, by Simpson's rule.
     const auto density = [](double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * 3.14159265358979); };
     for (int i = -6; i <= 6; ++i) {
         double sum = 0.0;
@@ -92,7 +92,7 @@ TEST(Bloom, ThresholdKeepsWholePixels) {
     const RgbImage bright = post::bloomThresholded(image, 0.7f);
     EXPECT_EQ(bright.at(0, 0), Rgb(0.0f));
     EXPECT_EQ(bright.at(1, 0), image.at(1, 0));
-    EXPECT_EQ(bright.at(2, 0), Rgb(0.0f));  // must not spread
+    EXPECT_EQ(bright.at(2, 0), Rgb(0.0f));  // would spread
 }
 
 TEST(Bloom, StagesAddUp) {
@@ -112,13 +112,13 @@ TEST(Bloom, StagesAddUp) {
     EXPECT_EQ(post::applyBloom(image, settings).pixels, image.pixels);
 }
 
-TEST(Develop, ExposureBelongsToDisplaysOnly) {
+TEST(DisplayTransform, AppliesExposureForDisplayOnly) {
     const RgbImage image = noise(4, 4);
     Settings settings;
     settings.exposure = 1.0f;
-    EXPECT_EQ(post::develop(image, settings, false).pixels, image.pixels);
+    EXPECT_EQ(post::applyDisplayTransform(image, settings, false).pixels, image.pixels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        EXPECT_EQ(post::develop(image, settings, true).pixels[i], 2.0f * image.pixels[i]);
+        EXPECT_EQ(post::applyDisplayTransform(image, settings, true).pixels[i], 2.0f * image.pixels[i]);
 }
 
 }  // namespace

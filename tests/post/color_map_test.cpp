@@ -15,7 +15,7 @@ double luminance(const Rgb& c) {
            0.0722 * static_cast<double>(c.b);
 }
 
-TEST(ColorMap, GrowsInLuminanceAndStaysOnTheScreen) {
+TEST(ColorMap, LuminanceIsMonotonicAndColoursAreInGamut) {
     for (const post::ColorMap map : kMaps) {
         double before = -1.0;
         for (int i = 0; i <= 1000; ++i) {
@@ -30,25 +30,25 @@ TEST(ColorMap, GrowsInLuminanceAndStaysOnTheScreen) {
     }
 }
 
-/// Machado, Oliveira and Fernandes 2009: what people without green-sensitive cones see.
-Rgb seenWithoutGreen(const Rgb& c) {
+/// Simulates deuteranopia after Machado, Oliveira and Fernandes 2009.
+Rgb simulateDeuteranopia(const Rgb& c) {
     return {0.367322f * c.r + 0.860646f * c.g - 0.227968f * c.b,
             0.280085f * c.r + 0.672501f * c.g + 0.047413f * c.b,
             -0.011820f * c.r + 0.042940f * c.g + 0.968881f * c.b};
 }
 
-TEST(ColorMap, KeepsTheOrderForRedGreenBlindness) {
+TEST(ColorMap, KeepsTheOrderWithDeuteranopia) {
     for (const post::ColorMap map : kMaps) {
         double before = -1.0;
         for (int i = 0; i <= 100; ++i) {
-            const double seen = luminance(seenWithoutGreen(post::mapColor(map, i / 100.0)));
+            const double seen = luminance(simulateDeuteranopia(post::mapColor(map, i / 100.0)));
             EXPECT_GT(seen, before) << post::kColorMapNames[static_cast<int>(map)] << " " << i;
             before = seen;
         }
     }
 }
 
-TEST(ColorMap, EndsHoldBeyondTheRangeAndNanIsMagenta) {
+TEST(ColorMap, ClampsToTheRangeAndMapsNanToMagenta) {
     for (const post::ColorMap map : kMaps) {
         EXPECT_EQ(post::mapColor(map, -5.0), post::mapColor(map, 0.0));
         EXPECT_EQ(post::mapColor(map, std::numeric_limits<double>::infinity()), post::mapColor(map, 1.0));

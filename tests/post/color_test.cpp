@@ -1,4 +1,4 @@
-// Exposure and the two tone curves against known pairs.
+// Exposure and the two encodings against known pairs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace rayscope {
 namespace {
 
-TEST(Color, MeetsTheKnownPairsOfSrgb) {
+TEST(Encoding, SrgbMatchesKnownPairs) {
     // Linear value and 8-bit code, from the definition in IEC 61966-2-1.
     const std::pair<double, int> pairs[] = {{0.0, 0},         {0.0003035, 1},   {0.0031308, 10},
                                             {0.02028856, 39}, {0.1844, 119},    {0.2158605, 128},
@@ -26,52 +26,53 @@ TEST(Color, MeetsTheKnownPairsOfSrgb) {
     }
 }
 
-TEST(Color, OfTheCourseIsClampedAndCutOff) {
+TEST(Encoding, NoneClampsAndTruncates) {
     const std::pair<float, int> pairs[] = {{0.0f, 0},     {0.0039f, 0}, {0.00393f, 1}, {0.5f, 127},
                                            {0.999f, 254}, {1.0f, 255},  {7.0f, 255},   {-1.0f, 0}};
     for (const auto& [linear, code] : pairs)
         EXPECT_EQ(int{image::encodeByte(linear, Encoding::None)}, code) << linear;
 }
 
-TEST(Color, RisesSteadilyAndSurvivesEverything) {
-    for (const Encoding curve : {Encoding::Srgb, Encoding::None}) {
+TEST(Encoding, IsMonotonicAndHandlesNonFiniteValues) {
+    for (const Encoding encoding : {Encoding::Srgb, Encoding::None}) {
         int before = 0;
         for (float x = 0.0f; x <= 1.0f; x += 1.0f / 4096.0f) {
-            const int code = image::encodeByte(x, curve);
+            const int code = image::encodeByte(x, encoding);
             EXPECT_GE(code, before);
             before = code;
         }
-        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::quiet_NaN(), curve)}, 0);
-        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::infinity(), curve)}, 255);
+        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::quiet_NaN(), encoding)}, 0);
+        EXPECT_EQ(int{image::encodeByte(std::numeric_limits<float>::infinity(), encoding)}, 255);
     }
 }
 
-TEST(Exposure, CountsInStops) {
+TEST(Exposure, IsInStops) {
     const RgbImage image(1, 1, Rgb(0.25f, 0.5f, 1.0f));
     Settings settings;
     for (const float stops : {-20.0f, -1.0f, 0.5f, 2.0f, 20.0f}) {
         settings.exposure = stops;
         const double factor = std::pow(2.0, static_cast<double>(stops));
-        EXPECT_NEAR(static_cast<double>(post::develop(image, settings, true).pixels[0].x) / (0.25 * factor),
+        EXPECT_NEAR(static_cast<double>(post::applyDisplayTransform(image, settings, true).pixels[0].x) /
+                        (0.25 * factor),
                     1.0, 1e-6);
     }
 }
 
 /// Bloom works on linear values, before exposure: the glow of a light of 8 is 8 times that of 1.
-TEST(Exposure, ComesAfterBloom) {
+TEST(Exposure, IsAppliedAfterBloom) {
     RgbImage image(5, 5, Rgb(0.0f));
     image.at(2, 2) = Rgb(8.0f);
     Settings settings;
     settings.bloom = true;
     settings.exposure = -3.0f;
-    const RgbImage developed = post::develop(image, settings, true),
+    const RgbImage exposed = post::applyDisplayTransform(image, settings, true),
                    bloomed = post::applyBloom(image, settings);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
-        EXPECT_EQ(developed.pixels[i], bloomed.pixels[i] * 0.125f);
-    EXPECT_GT(developed.at(1, 2).x, 0.0f);
+        EXPECT_EQ(exposed.pixels[i], bloomed.pixels[i] * 0.125f);
+    EXPECT_GT(exposed.at(1, 2).x, 0.0f);
 }
 
-TEST(BloomExtremes, GiveNumbersAtBothEndsOfEverySetting) {
+TEST(Bloom, IsFiniteAtTheLimitsOfItsSettings) {
     RgbImage image(9, 7, Rgb(0.2f));
     image.at(4, 3) = Rgb(50.0f);
     for (const BloomFilter filter : {BloomFilter::Box, BloomFilter::Gaussian})

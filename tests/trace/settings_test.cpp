@@ -24,7 +24,7 @@ std::vector<std::uint8_t> pictureOf(const Settings& settings) {
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) mean.at(x, y) = Rgb(pixelMean(*world, 1, x, y, settings.spp));
     std::vector<std::uint8_t> bytes;
-    for (const Rgb& pixel : post::develop(mean, settings, true).pixels)
+    for (const Rgb& pixel : post::applyDisplayTransform(mean, settings, true).pixels)
         for (int c = 0; c < 3; ++c) bytes.push_back(image::encodeByte(pixel[c], settings.tone));
     return bytes;
 }

@@ -69,7 +69,8 @@ bool Reference::extend(int samples, const std::stop_token& stop) {
 }
 
 RgbImage Reference::half(int which) const {
-    return post::develop(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings, false);
+    return post::applyDisplayTransform(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings,
+                                       false);
 }
 
 RgbImage Reference::mean() const {

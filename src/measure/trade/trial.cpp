@@ -30,7 +30,7 @@ std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& req
             if (!render::renderPass(*world, seed, film, render::nextPassTarget(done, wanted, false),
                                     {deadline.token(), {}}, counters))
                 return std::nullopt;
-        trial.image = post::develop(film.mean(), request.settings, false);
+        trial.image = post::applyDisplayTransform(film.mean(), request.settings, false);
         trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         trial.rays = counters.rays;
         trial.world = std::move(world);

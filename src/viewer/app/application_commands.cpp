@@ -148,8 +148,8 @@ void Application::saveImage() {
             metadataOf(workspace_.edit, 0, workspace_.view.traced ? workspace_.render.status().samples : 0);
         const auto film = workspace_.render.session().film();
         if (workspace_.view.traced && film)
-            writeImage(path, post::develop(film->mean(), settings, post::isDisplayFormat(path)), metadata,
-                       settings.tone);
+            writeImage(path, post::applyDisplayTransform(film->mean(), settings, post::isDisplayFormat(path)),
+                       metadata, settings.tone);
         else
             writeImage(path, picture_.rasterImage(workspace_), metadata, Encoding::Srgb);
         workspace_.notify("Saved " + path);

@@ -63,8 +63,10 @@ void RenderJob::update() {
         } else if (status.state == RenderState::Done) {
             phase_ = Phase::Writing;
             writing_ = std::async(std::launch::async, [this, film = session_.film(), status] {
-                writeImage(path_, post::develop(film->mean(), state_.settings, post::isDisplayFormat(path_)),
-                           metadataOf(state_, 0, status.samples), state_.settings.tone);
+                writeImage(
+                    path_,
+                    post::applyDisplayTransform(film->mean(), state_.settings, post::isDisplayFormat(path_)),
+                    metadataOf(state_, 0, status.samples), state_.settings.tone);
             });
         }
     }

@@ -125,7 +125,7 @@ void TracedView::drawImage(const RgbImage& image, int version, glm::ivec2 size) 
     fill(otherTexture_, size, 1.0f, false);
 }
 
-void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve,
+void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool clampOnly,
                       const GlTexture* other) {
     shader_.use();
     shader_.set("image", 0);
@@ -134,7 +134,7 @@ void TracedView::fill(const GlTexture& texture, glm::ivec2 size, float exposureF
     if (other != nullptr) other->bind(1);
     shader_.set("onePixelEach", texture.width() == size.x && texture.height() == size.y ? 1 : 0);
     shader_.set("exposureFactor", exposureFactor);
-    shader_.set("courseCurve", courseCurve ? 1 : 0);
+    shader_.set("clampOnly", clampOnly ? 1 : 0);
     texture.bind(0);
     glBindVertexArray(emptyVertexArray_);
     glDrawArrays(GL_TRIANGLES, 0, 3);

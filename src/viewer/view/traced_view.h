@@ -43,7 +43,7 @@ class TracedView {
     void resize(int width, int height);
     bool updateBloom(const Settings& settings);
     /// With `other`, what the two differ by.
-    void fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool courseCurve,
+    void fill(const GlTexture& texture, glm::ivec2 size, float exposureFactor, bool clampOnly,
               const GlTexture* other = nullptr);
     void markChanged(const PixelBounds& bounds);
 
