@@ -5,7 +5,7 @@
 
 namespace rayscope {
 
-/// A place in a text file. Lines and columns count from 1; 0 means unknown.
+/// A position in a text file. Lines and columns count from 1; 0 means unknown.
 struct SourcePosition {
     std::string file;
     int line = 0;
@@ -14,20 +14,20 @@ struct SourcePosition {
 
 enum class Severity { Note, Warning, Error };
 
-/// One message to the person who wrote the input.
+/// One message about the input, for the user.
 struct Diagnostic {
     Severity severity = Severity::Error;
     std::string message;
     SourcePosition position;
 };
 
-/// "file:line:column: error: message", without the parts of the position that are unknown.
+/// "file:line:column: error: message", without unknown parts of the position.
 std::string toString(const Diagnostic& diagnostic);
 
-/// What readers collect while they go on: notes and warnings in the order of their discovery.
+/// Notes and warnings in the order in which a reader found them.
 using Diagnostics = std::vector<Diagnostic>;
 
-/// A scene, a setting or a file is wrong. `what()` is the whole line that a user should see.
+/// An invalid scene, setting or file. `what()` is the complete line to show to the user, see toString().
 class InputError : public std::runtime_error {
   public:
     explicit InputError(std::string message, SourcePosition position = {});
@@ -37,7 +37,7 @@ class InputError : public std::runtime_error {
     Diagnostic diagnostic_;
 };
 
-/// Thrown by long work (loading, building) that was asked to stop.
+/// Thrown by long operations (loading, building) after a stop request.
 struct Stopped : std::exception {
     const char* what() const noexcept override { return "stopped"; }
 };

@@ -5,8 +5,8 @@
 
 namespace rayscope {
 
-/// A half-line: the points origin + t * direction with tMin < t <= tMax.
-/// The direction need not be of unit length; t is in its units. A negative tMin counts as 0.
+/// The points origin + t * direction with tMin < t <= tMax.
+/// The direction need not have unit length; t is in units of its length. A negative tMin counts as 0.
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0.0f, 0.0f, 1.0f};
@@ -14,18 +14,20 @@ struct Ray {
     float tMax = std::numeric_limits<float>::infinity();
 };
 
+/// Center and radius in scene units.
 struct Sphere {
     glm::vec3 center{0.0f};
     float radius = 1.0f;
 };
 
+/// The primitive of a miss.
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 
-/// The answer to a ray query. Triangles count first, then spheres. `u` and `v` are the barycentric weights of
-/// the triangle's second and third vertex; both are 0 for a sphere.
+/// The result of a ray query; the default is a miss. `u` and `v` are the barycentric weights of the
+/// triangle's second and third vertex; both are 0 for a sphere.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
-    std::uint32_t primitive = kNoPrimitive;
+    std::uint32_t primitive = kNoPrimitive;  ///< triangles count first, then spheres
     float u = 0.0f;
     float v = 0.0f;
 };

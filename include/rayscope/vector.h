@@ -1,13 +1,13 @@
 #pragma once
-// The one door through which GLM enters.
+// Vector types; the public headers include GLM through this file only.
 #include <glm/glm.hpp>
 
 namespace rayscope {
 
-/// A linear colour or radiance with the primaries of sRGB (Rec. 709). Not a spectrum.
+/// A linear colour or radiance with the primaries of sRGB (ITU-R BT.709).
 using Rgb = glm::vec3;
 
-/// A sum of many colours: double, so that 10^8 addends lose nothing that shows.
+/// A sum of colours in double precision, so that the rounding of 10^8 terms stays invisible.
 using RgbSum = glm::dvec3;
 
 }  // namespace rayscope

@@ -21,21 +21,20 @@ namespace fs = std::filesystem;
     throw InputError("cannot be written: " + std::generic_category().message(error), {path});
 }
 
-/// The file that a write to `path` would end in: the target of a symbolic link, even one that does not exist
-/// yet.
+/// `path`, or the target of a symbolic link at `path`, even if the target does not exist yet.
 fs::path destinationOf(const std::string& path) {
     std::error_code error;
     const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : fs::path(path);
     return error ? fs::path(path) : target;
 }
 
-/// Whether there is something at `path` that has no content of its own to be replaced.
+/// Whether there is something at `path` that cannot be replaced by a regular file.
 bool isPipeOrDevice(const fs::path& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// A new file beside `target`, which is removed again unless it becomes the target.
+/// A new file in the folder of `target`, deleted by the destructor unless it was moved to the target.
 class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) {
@@ -55,12 +54,12 @@ class TemporaryFile {
 
     int descriptor() const { return descriptor_; }
 
-    /// Closes the file and gives it its final name. Returns false, with errno, if it cannot.
+    /// Closes the file and renames it to `target`. Returns false and sets errno on failure.
     bool moveTo(const fs::path& target) {
         struct stat old {};
         if (::stat(target.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777) != 0)
             return false;
-        // A network file system may report only now that the disk is full.
+        // Network file systems may report a full disk only here.
         if (::close(std::exchange(descriptor_, -1)) != 0) return false;
         exists_ = ::rename(path_.c_str(), target.c_str()) != 0;
         return !exists_;
@@ -72,7 +71,7 @@ class TemporaryFile {
     bool exists_ = false;
 };
 
-/// Returns false, with errno, if not all bytes could be written.
+/// Returns false and sets errno unless all bytes were written.
 bool writeAll(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -82,7 +81,7 @@ bool writeAll(int descriptor, std::string_view bytes) {
     return true;
 }
 
-/// A pipe or device, which is written to as it is.
+/// An open pipe or device.
 class OpenDevice {
   public:
     explicit OpenDevice(const std::string& path) : descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {}
@@ -97,14 +96,13 @@ class OpenDevice {
     int descriptor_;
 };
 
-/// The file that takes the place of `target` later. Throws InputError, about `path`, if there can be none.
+/// A temporary file for `target`. Throws InputError, with the position `path`, if its folder cannot hold one.
 std::unique_ptr<TemporaryFile> createBeside(const fs::path& target, const std::string& path) {
     std::error_code ignored;
-    if (fs::is_directory(target, ignored)) throw InputError("is a folder; name a file in it", {path});
+    if (fs::is_directory(target, ignored)) throw InputError("is a folder, not a file", {path});
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
-        throw InputError("cannot be written: there is no folder '" + folder.string() + "'; create it first",
-                         {path});
+        throw InputError("cannot be written: no folder '" + folder.string() + "'; create it first", {path});
     return std::make_unique<TemporaryFile>(target);
 }
 
@@ -112,7 +110,7 @@ std::unique_ptr<TemporaryFile> createBeside(const fs::path& target, const std::s
 
 struct AtomicFile::State {
     explicit State(const std::string& p) : path(p) {
-        if (path.empty()) throw InputError("cannot write to a file without a name");
+        if (path.empty()) throw InputError("the name of the file to write is empty");
         if (isPipeOrDevice(path)) {
             device = std::make_unique<OpenDevice>(path);
         } else {
@@ -147,13 +145,13 @@ void writeFileAtomically(const std::string& path, std::string_view bytes) {
 }
 
 void checkFileDestination(const std::string& path) {
-    if (path.empty()) throw InputError("cannot write to a file without a name");
+    if (path.empty()) throw InputError("the name of the file to write is empty");
     if (isPipeOrDevice(path)) {
         if (::access(path.c_str(), W_OK) != 0) throwReason(path, errno);
         return;
     }
-    // Only an attempt tells: the rights of a folder say nothing about file systems that refuse for other
-    // reasons.
+    // Creating a file is the only reliable check: permission bits do not cover read-only or full file
+    // systems.
     if (createBeside(destinationOf(path), path)->descriptor() < 0) throwReason(path, errno);
 }
 

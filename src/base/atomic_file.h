@@ -5,14 +5,13 @@
 
 namespace rayscope::base {
 
-/// Writes a file whole or not at all: a temporary file in the same folder takes its place once all bytes are
-/// in it; until then an old file of that name stays as it was. A symbolic link keeps its name and its target
-/// is replaced; pipes and devices are written to directly. Throws InputError that names the file and the
-/// reason.
+/// Creates or replaces a file atomically: writes a temporary file in the same folder and renames it. The
+/// target of a symbolic link is replaced, not the link; pipes and devices are written to directly. Throws
+/// InputError with the file and the reason.
 void writeFileAtomically(const std::string& path, std::string_view bytes);
 
-/// The same for what is too long to hold in memory: write() any number of times, then commit(). Without
-/// commit() nothing has happened to the file.
+/// writeFileAtomically() in several pieces, for content that does not fit in memory: write() any number of
+/// times, then commit(). Without commit() an existing file stays unchanged.
 class AtomicFile {
   public:
     explicit AtomicFile(const std::string& path);
@@ -28,7 +27,7 @@ class AtomicFile {
     std::unique_ptr<State> state_;
 };
 
-/// Throws InputError unless a file could be created at (or replaced under) this path now.
+/// Throws InputError unless a file can be created or replaced at this path now.
 void checkFileDestination(const std::string& path);
 
 }  // namespace rayscope::base

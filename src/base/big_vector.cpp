@@ -19,11 +19,11 @@ std::align_val_t alignmentFor(std::size_t bytes) {
 }  // namespace
 
 void* allocateBig(std::size_t bytes) {
-    // What fills almost all of a last huge page gets one; little is wasted.
+    // A last huge page that is at least 7/8 used is allocated whole.
     const std::size_t inHugePages = (bytes + kHugePage / 8) / kHugePage * kHugePage;
     void* const memory = ::operator new(std::max(bytes, inHugePages), alignmentFor(bytes));
 #ifdef MADV_HUGEPAGE
-    // Where the advice is not taken, all works as before.
+    // Only advice: failure leaves small pages.
     if (inHugePages > 0) madvise(memory, inHugePages, MADV_HUGEPAGE);
 #endif
     return memory;

@@ -1,5 +1,5 @@
 #pragma once
-// Memory for arrays that may become very large.
+// Vectors in huge pages, for large arrays.
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -8,14 +8,13 @@
 
 namespace rayscope::base {
 
-/// Memory for `bytes` bytes, aligned for anything up to a cache line. From two megabytes on it lies in huge
-/// pages where the system has them: of pages of 4 KiB each has to be faulted in by itself, and the processor
-/// remembers the addresses of a few megabytes only. Throws std::bad_alloc.
+/// Allocates memory aligned to a cache line, from two megabytes on in huge pages where the system has them:
+/// fewer page faults, and fewer TLB misses than with 4 KiB pages. Throws std::bad_alloc.
 void* allocateBig(std::size_t bytes);
 void freeBig(void* memory, std::size_t bytes) noexcept;
 
-/// For BigVector. Elements without a constructor of their own are not filled with zeros: whoever writes them
-/// first, often one of several threads, faults their pages in.
+/// The allocator of BigVector. Elements of trivial types are not zeroed, so that the threads that write them
+/// first also fault in their pages.
 template <class T>
 struct BigAllocator {
     using value_type = T;
@@ -40,7 +39,7 @@ struct BigAllocator {
     friend bool operator==(const BigAllocator&, const BigAllocator&) { return true; }
 };
 
-/// A vector in huge pages, whose resize() leaves new elements as they are in memory.
+/// A vector in huge pages; resize() leaves new elements of trivial types uninitialised.
 template <class T>
 using BigVector = std::vector<T, BigAllocator<T>>;
 

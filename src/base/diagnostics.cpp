@@ -19,12 +19,12 @@ const char* nameOf(Severity severity) {
 
 std::string toString(const Diagnostic& diagnostic) {
     const SourcePosition& at = diagnostic.position;
-    std::string place;
-    if (!at.file.empty()) place = at.file + ":";
-    if (at.line > 0) place += fmt::format("{}:", at.line);
-    if (at.line > 0 && at.column > 0) place += fmt::format("{}:", at.column);
-    if (!place.empty()) place += " ";
-    return fmt::format("{}{}: {}", place, nameOf(diagnostic.severity), diagnostic.message);
+    std::string position;
+    if (!at.file.empty()) position = at.file + ":";
+    if (at.line > 0) position += fmt::format("{}:", at.line);
+    if (at.line > 0 && at.column > 0) position += fmt::format("{}:", at.column);
+    if (!position.empty()) position += " ";
+    return fmt::format("{}{}: {}", position, nameOf(diagnostic.severity), diagnostic.message);
 }
 
 InputError::InputError(std::string message, SourcePosition position)

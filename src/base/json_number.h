@@ -4,7 +4,7 @@
 
 namespace rayscope::base {
 
-/// A number for JSON, which knows neither infinity nor NaN: null in their place.
+/// A JSON number, or null for infinity and NaN, which JSON does not have.
 inline nlohmann::json numberOrNull(double value) {
     return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
 }

@@ -6,8 +6,7 @@
 
 namespace rayscope::base {
 
-/// The candidate that is nearest to `name` by edit distance, if it is near enough to be a slip of the pen;
-/// else "".
+/// The candidate with the smallest edit distance to `name`, or "" if none is close enough to be a typo.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
 /// " (did you mean 'x'?)" or "".

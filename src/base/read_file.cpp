@@ -18,8 +18,7 @@ namespace {
 
 std::string readFile(const std::string& path) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-        throw InputError("is a folder; name a file in it", {path});
+    if (std::filesystem::is_directory(path, ignored)) throw InputError("is a folder, not a file", {path});
 
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"));

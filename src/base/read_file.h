@@ -3,7 +3,7 @@
 
 namespace rayscope::base {
 
-/// All bytes of a file. Throws InputError that names the file and the reason.
+/// All bytes of a file or pipe. Throws InputError with the path and the reason.
 std::string readFile(const std::string& path);
 
 }  // namespace rayscope::base

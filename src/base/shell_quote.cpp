@@ -5,9 +5,9 @@ namespace rayscope::base {
 std::string shellQuote(const std::string& word) {
     constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./";
     if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-    std::string inQuotes;
-    for (const char c : word) inQuotes += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return "'" + inQuotes + "'";
+    std::string escaped;
+    for (const char c : word) escaped += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return "'" + escaped + "'";
 }
 
 }  // namespace rayscope::base

@@ -3,7 +3,7 @@
 
 namespace rayscope::base {
 
-/// A word as a POSIX shell reads it back: as it is where nothing in it is special, else in single quotes.
+/// A word quoted for a POSIX shell: unchanged if it has no special characters, else in single quotes.
 std::string shellQuote(const std::string& word);
 
 }  // namespace rayscope::base

@@ -4,12 +4,13 @@
 
 namespace rayscope::math {
 
-/// Two unit vectors that make a right-handed orthonormal frame with a unit vector.
+/// The tangents of a right-handed orthonormal frame u, v, n.
 struct Frame {
     glm::dvec3 u, v;
 };
 
-/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited": no branch, no loss near any axis.
+/// A frame around the unit vector n. Duff et al. 2017, "Building an Orthonormal Basis, Revisited": branchless
+/// and accurate near all axes.
 inline Frame frameAround(const glm::dvec3& n) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1.0 / (sign + n.z);

@@ -15,12 +15,12 @@ glm::vec3 spawnOrigin(const glm::dvec3& point, const glm::dvec3& magnitude, cons
     const glm::dvec3 offset = spawnDistance(point, magnitude, normal) * normal;
     glm::vec3 origin;
     for (int axis = 0; axis < 3; ++axis) {
-        const double wanted = point[axis] + offset[axis];
-        float rounded = static_cast<float>(wanted);
-        // Round away from the surface: never back towards it.
-        if (offset[axis] > 0.0 && static_cast<double>(rounded) < wanted)
+        const double exact = point[axis] + offset[axis];
+        float rounded = static_cast<float>(exact);
+        // Round away from the surface.
+        if (offset[axis] > 0.0 && static_cast<double>(rounded) < exact)
             rounded = std::nextafter(rounded, std::numeric_limits<float>::infinity());
-        if (offset[axis] < 0.0 && static_cast<double>(rounded) > wanted)
+        if (offset[axis] < 0.0 && static_cast<double>(rounded) > exact)
             rounded = std::nextafter(rounded, -std::numeric_limits<float>::infinity());
         origin[axis] = rounded;
     }

@@ -1,12 +1,12 @@
 #pragma once
-// What vectors of any element type need beyond GLM.
+// Vector functions that GLM lacks.
 #include <rayscope/vector.h>
 
 #include <cmath>
 
 namespace rayscope::math {
 
-/// Whether no element is infinite or NaN.
+/// Whether all elements are finite.
 template <class T>
 bool isFinite(const glm::vec<3, T>& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -13,7 +13,7 @@ bool isAligned(const void* memory, std::uintptr_t to) {
     return reinterpret_cast<std::uintptr_t>(memory) % to == 0;
 }
 
-TEST(BigVector, KeepsItsElementsWhileItGrowsPastHugePages) {
+TEST(BigVector, KeepsElementsWhileGrowingPastHugePages) {
     base::BigVector<std::uint32_t> numbers;
     for (std::uint32_t i = 0; i < 3'000'000; ++i) numbers.push_back(i);
     const base::BigVector<std::uint32_t> copy = numbers;
@@ -23,7 +23,7 @@ TEST(BigVector, KeepsItsElementsWhileItGrowsPastHugePages) {
     EXPECT_EQ(std::accumulate(numbers.begin(), numbers.end(), 0u), 4950u);
 }
 
-TEST(BigVector, IsAlignedForCacheLinesAndFromAHugePageOnForThose) {
+TEST(BigVector, IsAlignedToCacheLinesOrHugePages) {
     for (const std::size_t size : {1u, 63u, 4096u, 1000000u, 1834999u}) {
         const base::BigVector<char> bytes(size);
         EXPECT_TRUE(isAligned(bytes.data(), 64)) << size;
@@ -39,7 +39,7 @@ struct WithDefault {
     int value = 7;
 };
 
-TEST(BigVector, RunsConstructorsWhereThereAreSome) {
+TEST(BigVector, RunsNonTrivialConstructors) {
     base::BigVector<WithDefault> some(5);
     some.resize(9);
     for (const WithDefault& each : some) EXPECT_EQ(each.value, 7);
@@ -47,7 +47,7 @@ TEST(BigVector, RunsConstructorsWhereThereAreSome) {
     EXPECT_EQ(std::accumulate(filled.begin(), filled.end(), 0), 3000);
 }
 
-TEST(BigVector, ThrowsWhenMoreIsAskedForThanCanBeAddressed) {
+TEST(BigVector, ThrowsBeyondTheAddressSpace) {
     base::BigVector<std::uint64_t> numbers(4, 1u);
     EXPECT_THROW(numbers.resize(std::size_t{1} << 62), std::length_error);
     EXPECT_EQ(numbers, base::BigVector<std::uint64_t>(4, 1u));

@@ -4,21 +4,21 @@
 namespace rayscope {
 namespace {
 
-TEST(Diagnostics, TextHasOnlyTheKnownPartsOfThePosition) {
-    EXPECT_EQ(toString({Severity::Error, "odd", {"a.toml", 3, 7}}), "a.toml:3:7: error: odd");
-    EXPECT_EQ(toString({Severity::Warning, "odd", {"a.toml", 3, 0}}), "a.toml:3: warning: odd");
-    EXPECT_EQ(toString({Severity::Note, "odd", {"a.toml", 0, 0}}), "a.toml: note: odd");
-    EXPECT_EQ(toString({Severity::Error, "odd", {}}), "error: odd");
+TEST(Diagnostics, TextOmitsUnknownPartsOfThePosition) {
+    EXPECT_EQ(toString({Severity::Error, "bad key", {"a.toml", 3, 7}}), "a.toml:3:7: error: bad key");
+    EXPECT_EQ(toString({Severity::Warning, "bad key", {"a.toml", 3, 0}}), "a.toml:3: warning: bad key");
+    EXPECT_EQ(toString({Severity::Note, "bad key", {"a.toml", 0, 0}}), "a.toml: note: bad key");
+    EXPECT_EQ(toString({Severity::Error, "bad key", {}}), "error: bad key");
 }
 
-TEST(Diagnostics, AColumnWithoutALineIsNotShown) {
-    EXPECT_EQ(toString({Severity::Error, "odd", {"a.toml", 0, 7}}), "a.toml: error: odd");
+TEST(Diagnostics, ColumnWithoutLineIsOmitted) {
+    EXPECT_EQ(toString({Severity::Error, "bad key", {"a.toml", 0, 7}}), "a.toml: error: bad key");
 }
 
-TEST(Diagnostics, InputErrorSaysTheWholeLineAndKeepsTheParts) {
-    const InputError error("odd", {"a.toml", 3, 7});
-    EXPECT_STREQ(error.what(), "a.toml:3:7: error: odd");
-    EXPECT_EQ(error.diagnostic().message, "odd");
+TEST(Diagnostics, InputErrorHasTheLineAndItsParts) {
+    const InputError error("bad key", {"a.toml", 3, 7});
+    EXPECT_STREQ(error.what(), "a.toml:3:7: error: bad key");
+    EXPECT_EQ(error.diagnostic().message, "bad key");
     EXPECT_EQ(error.diagnostic().position.line, 3);
 }
 

@@ -10,25 +10,25 @@ namespace {
 using Names = std::array<std::string_view, 3>;
 constexpr Names kNames{"max_depth", "shading", "spp"};
 
-TEST(NearestName, ForgivesSlipsOfThePen) {
-    EXPECT_EQ(base::nearestName("max_dept", kNames), "max_depth");    // a letter left out
-    EXPECT_EQ(base::nearestName("maxx_depth", kNames), "max_depth");  // one too many
-    EXPECT_EQ(base::nearestName("max-depth", kNames), "max_depth");   // a wrong one
-    EXPECT_EQ(base::nearestName("shadign", kNames), "shading");       // two swapped
+TEST(NearestName, FindsTypos) {
+    EXPECT_EQ(base::nearestName("max_dept", kNames), "max_depth");    // deletion
+    EXPECT_EQ(base::nearestName("maxx_depth", kNames), "max_depth");  // insertion
+    EXPECT_EQ(base::nearestName("max-depth", kNames), "max_depth");   // substitution
+    EXPECT_EQ(base::nearestName("shadign", kNames), "shading");       // transposition
 }
 
-TEST(NearestName, OffersNothingForAWordFromElsewhere) {
+TEST(NearestName, ReturnsNothingForUnrelatedNames) {
     EXPECT_EQ(base::nearestName("photon_count", kNames), "");
     EXPECT_EQ(base::didYouMean("photon_count", kNames), "");
     EXPECT_EQ(base::nearestName("x", std::span<const std::string_view>{}), "");
 }
 
-TEST(NearestName, TakesTheNearerOfTwo) {
+TEST(NearestName, ReturnsTheNearest) {
     constexpr std::array<std::string_view, 2> names{"bvh_bins", "bvh_binz"};
     EXPECT_EQ(base::nearestName("bvh_binz", names), "bvh_binz");
 }
 
-TEST(NearestName, WritesChoicesAsASentenceWould) {
+TEST(NearestName, JoinsChoices) {
     EXPECT_EQ(base::joinChoices(kNames), "max_depth, shading or spp");
     EXPECT_EQ(base::joinChoices(std::span(kNames).first(2)), "max_depth or shading");
     EXPECT_EQ(base::joinChoices(std::span(kNames).first(1)), "max_depth");

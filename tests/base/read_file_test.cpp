@@ -19,7 +19,7 @@ TEST(ReadFile, ReturnsEveryByte) {
     EXPECT_EQ(base::readFile(folder.write("empty", "")), "");
 }
 
-TEST(ReadFile, SaysWhatIsWrongWithTheName) {
+TEST(ReadFile, ErrorsHaveThePathAndTheReason) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { base::readFile(folder.file("none.obj")); }),
                 AllOf(HasSubstr("none.obj"), HasSubstr("No such file")));

@@ -5,7 +5,7 @@
 namespace rayscope {
 namespace {
 
-TEST(ShellWord, QuotesWhatTheShellWouldTakeApart) {
+TEST(ShellQuote, QuotesSpecialCharacters) {
     EXPECT_EQ(base::shellQuote("scenes/a-b_c.toml"), "scenes/a-b_c.toml");
     EXPECT_EQ(base::shellQuote("max_depth=3"), "max_depth=3");
     EXPECT_EQ(base::shellQuote(""), "''");

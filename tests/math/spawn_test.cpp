@@ -1,4 +1,4 @@
-// Where rays start that leave a surface: on its right side, and no farther than promised.
+// Origins of spawned rays: on the right side of the surface, and within the stated distance.
 #include "math/spawn.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +11,20 @@
 namespace rayscope::test {
 namespace {
 
-/// Triangles of all shapes and sizes, near and far from the origin.
-struct SomeTriangle {
+/// A random triangle of any shape and size, close to or far from the origin.
+struct RandomTriangle {
     glm::vec3 a, b, c;
     glm::dvec3 normal;
     bool hasArea;
 };
 
-SomeTriangle someTriangle(std::mt19937_64& random) {
+RandomTriangle randomTriangle(std::mt19937_64& random) {
     std::uniform_real_distribution<double> real(-1.0, 1.0);
     const auto point = [&] { return glm::dvec3(real(random), real(random), real(random)); };
     const double size = std::exp2(60.0 * real(random)),
                  offset = random() % 2 ? std::pow(10.0, 3.0 + 3.0 * real(random)) : 0.0;
     const glm::dvec3 at = size * offset * point();
-    SomeTriangle t;
+    RandomTriangle t;
     t.a = glm::vec3(at + size * point());
     t.b = glm::vec3(glm::dvec3(t.a) + size * std::exp2(-5.0 + 5.0 * real(random)) * point());
     t.c = glm::vec3(glm::dvec3(t.a) + size * std::exp2(-5.0 + 5.0 * real(random)) * point());
@@ -35,13 +35,13 @@ SomeTriangle someTriangle(std::mt19937_64& random) {
     return t;
 }
 
-TEST(Spawn, TheOriginLiesOnTheSideOfTheNormalAndNotFar) {
+TEST(Spawn, OriginIsOnTheSideOfTheNormalAndClose) {
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> real(0.0, 1.0);
     double farthest = 0.0;
     int tried = 0;
     for (int i = 0; i < 300000; ++i) {
-        const SomeTriangle t = someTriangle(random);
+        const RandomTriangle t = randomTriangle(random);
         if (!t.hasArea) continue;
         double u = real(random), v = real(random);
         if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
@@ -58,7 +58,8 @@ TEST(Spawn, TheOriginLiesOnTheSideOfTheNormalAndNotFar) {
         }
     }
     EXPECT_GT(tried, 400000);
-    // The offset itself, and a last rounding of up to a whole unit in each coordinate: two bounds more.
+    // The offset itself, plus the final rounding by up to one unit in the last place per coordinate: two
+    // more.
     EXPECT_LE(farthest, 3.1);
     EXPECT_GE(farthest, 0.5);
 }
