@@ -13,45 +13,47 @@
 
 namespace rayscope {
 
-/// A lens makes depth of field; without one a camera is a pinhole. Lengths in scene units.
+/// A thin lens, for depth of field. Lengths in scene units, all positive.
 struct Lens {
     float fNumber = 2.8f;  ///< aperture diameter = focal length / f-number
     float focalLength = 0.05f;
-    float focusDistance = 3.0f;  ///< distance of the plane that is imaged sharply
+    float focusDistance = 3.0f;  ///< from the lens to the plane in focus
     bool operator==(const Lens&) const = default;
 };
 
+/// A perspective camera. Positions in scene units.
 struct CameraDescription {
     std::string name = "main";
     glm::vec3 lookFrom{0.0f, 0.0f, 3.0f};
     glm::vec3 lookAt{0.0f};
-    glm::vec3 up{0.0f, 1.0f, 0.0f};
-    float fov = 50.0f;  ///< vertical angle of view, degrees
-    std::optional<Lens> lens;
+    glm::vec3 up{0.0f, 1.0f, 0.0f};  ///< any length; not parallel to the view
+    float fov = 50.0f;               ///< vertical angle of view, degrees, above 0 and below 180
+    std::optional<Lens> lens;        ///< none: a pinhole
     bool operator==(const CameraDescription&) const = default;
 };
 
+/// The value of texture coordinates outside 0 … 1.
 enum class TextureWrap { Repeat, Clamp };
 
 struct Texture {
-    std::string file;
-    RgbImage image;  ///< linear
+    std::string file;  ///< path, or "generated"
+    RgbImage image;    ///< linear
     TextureWrap wrap = TextureWrap::Repeat;
 };
 
-/// Phong's reflection model. Kd and Ks are the fractions of light that are reflected diffusely and
+/// Phong's reflection model. kd and ks are the fractions of light, 0 … 1, that are reflected diffusely and
 /// specularly.
 struct Material {
     std::string name;
     Rgb kd{0.8f};
     Rgb ks{0.0f};
-    float shininess = 1.0f;
-    float opacity = 1.0f;  ///< 1 is opaque, 0 invisible
-    int illum = -1;        ///< MTL's illumination model; -1: not given
-    std::shared_ptr<const Texture> kdTexture{};
+    float shininess = 1.0f;                      ///< exponent of the highlight, at least 0
+    float opacity = 1.0f;                        ///< 1 is opaque, 0 invisible
+    int illum = -1;                              ///< illumination model of MTL, 0 … 10; -1: not given
+    std::shared_ptr<const Texture> kdTexture{};  ///< replaces kd
 };
 
-/// Triangles with shared vertices, immutable once read. `normals` and `texCoords` are empty or as long as
+/// An indexed triangle mesh, immutable once read. `normals` and `texCoords` are empty or have the size of
 /// `positions`.
 struct MeshData {
     std::vector<glm::vec3> positions{};
@@ -61,7 +63,7 @@ struct MeshData {
     std::vector<std::uint16_t> materialSlots{};  ///< per triangle, or empty if all use slot 0
 };
 
-/// scale, then rotation about x, y, z in this order (degrees), then translation; or any affine map.
+/// Scale, then rotation about x, y and z in this order (degrees), then translation; or any affine map.
 struct Transform {
     float scale = 1.0f;
     glm::vec3 rotate{0.0f};
@@ -70,27 +72,29 @@ struct Transform {
     bool operator==(const Transform&) const = default;
     bool isIdentity() const { return *this == Transform{}; }
 };
+/// Multiplies column vectors from the left.
 glm::dmat4 matrixOf(const Transform& transform);
 
 struct MeshInstance {
     std::string name{};
     std::shared_ptr<const MeshData> data{};
     Transform transform{};
-    std::vector<std::uint32_t> materials{};  ///< slot of the mesh → index into SceneDescription::materials
-    glm::vec3 motion{0.0f};                  ///< displacement during the shutter, scene units
+    std::vector<std::uint32_t> materials{};  ///< per material slot: index into SceneDescription::materials
+    glm::vec3 motion{0.0f};                  ///< displacement while the shutter is open, scene units
 };
 
 struct SphereInstance {
     std::string name;
     Sphere sphere;
-    std::uint32_t material = 0;
-    glm::vec3 motion{0.0f};
+    std::uint32_t material = 0;  ///< index into SceneDescription::materials
+    glm::vec3 motion{0.0f};      ///< displacement while the shutter is open, scene units
     bool operator==(const SphereInstance& o) const {
         return name == o.name && sphere.center == o.sphere.center && sphere.radius == o.sphere.radius &&
                material == o.material && motion == o.motion;
     }
 };
 
+/// Attenuation of a light with distance.
 enum class Falloff { None, InverseSquare };
 
 struct PointLight {
@@ -99,14 +103,14 @@ struct PointLight {
     bool operator==(const PointLight&) const = default;
 };
 
-/// A line whose colour goes linearly from one end to the other.
+/// A line segment; colours are linear between its endpoints.
 struct SegmentLight {
     std::array<glm::vec3, 2> endpoints{glm::vec3(0.0f), glm::vec3(1.0f)};
     std::array<Rgb, 2> colors{Rgb(1.0f), Rgb(1.0f)};
     bool operator==(const SegmentLight&) const = default;
 };
 
-/// Colours stand at corner, corner + edge 0, corner + edge 1, corner + both; bilinear between.
+/// Colours are at corner, corner + edge 0, corner + edge 1 and corner + both; bilinear between.
 struct ParallelogramLight {
     glm::vec3 corner{0.0f};
     std::array<glm::vec3, 2> edges{glm::vec3(1.0f, 0.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f)};
@@ -120,22 +124,22 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
-/// What rays see that leave the scene: six faces in the order +x −x +y −y +z −z, or one latitude-longitude
-/// image.
+/// The radiance of rays that hit nothing: six cube faces in the order +x −x +y −y +z −z, or one
+/// latitude-longitude image. Either `cube` is complete or `equirect` is set.
 struct Environment {
     std::array<std::shared_ptr<const Texture>, 6> cube;
     std::shared_ptr<const Texture> equirect;
 };
 
-/// A setting that the scene file asks for, with the place where it does.
+/// A setting of the scene file, with its position there.
 struct SettingAssignment {
     std::string key, value;
     SourcePosition position;
 };
 
-/// What a scene file says; editable. Copies are cheap: meshes and textures are shared.
+/// The content of a scene file, editable. Copies are cheap: meshes and textures are shared.
 struct SceneDescription {
-    std::string path;   ///< as given: a file or "builtin:NAME"
+    std::string path;   ///< as passed to loadScene(): a file or "builtin:NAME"
     std::string title;  ///< one sentence on what the scene shows
     std::vector<CameraDescription> cameras;
     std::vector<MeshInstance> meshes;
@@ -146,53 +150,54 @@ struct SceneDescription {
     std::vector<SettingAssignment> settings;
 };
 
-/// Opens a .toml scene, a bare .obj (with a framing camera and a light) or "builtin:NAME".
-/// Throws InputError with file, line and column at the first thing that is wrong; what is only odd goes to
-/// `notes`.
+/// Loads a .toml scene, a bare .obj (with a framing camera and a point light) or "builtin:NAME".
+/// Throws InputError with file, line and column at the first error; appends notes and warnings to `notes`.
 SceneDescription loadScene(const std::string& path, Diagnostics& notes);
 
-/// The names that "builtin:" knows, in the order in which they are best shown, and a sentence on each.
+/// The name, without "builtin:", and the title of a built-in scene.
 struct BuiltinScene {
     std::string name, title;
 };
+/// In the order in which menus and lists show them.
 std::vector<BuiltinScene> builtinScenes();
 
-/// Bounds of all geometry at the start of the shutter; an empty scene gives the unit box around the origin.
 struct SceneBounds {
     glm::vec3 lower{-0.5f}, upper{0.5f};
 };
+/// Bounds of all finite geometry at the start of the shutter; of an empty scene the unit box around the
+/// origin.
 SceneBounds boundsOf(const SceneDescription& scene);
 
-/// A camera that shows the whole scene from the front, slightly from above.
+/// A camera that shows the whole box from the front (+z), slightly from above.
 CameraDescription framingCamera(const SceneBounds& bounds);
 
-/// One facility that tracing this scene needs or does without, and because of what.
+/// A feature of the renderer that the scene needs or does not need, and the reason.
 struct Requirement {
     std::string name;  ///< e.g. "area lights"
     bool needed = false;
-    std::string because;  ///< e.g. "1 parallelogram light"
+    std::string reason;  ///< e.g. "1 parallelogram light"
 };
 
-/// What a scene needs; everything else is neither built, stored, sampled nor drawn.
+/// The features that a scene needs; all others cost neither time nor memory.
 struct SceneRequirements {
     std::size_t triangles = 0, spheres = 0;
     bool smoothNormals = false, textures = false, reflections = false, transparency = false;
     bool pointLights = false, segmentLights = false, parallelogramLights = false;
     bool environment = false, lens = false, motion = false;
-    std::vector<Requirement> list;  ///< the same facts in words
+    std::vector<Requirement> list;  ///< the same, as texts for users
 };
 SceneRequirements requirementsOf(const SceneDescription& scene);
 
-/// Whether a lens or motion blurs pixels: what applyPreset() asks.
+/// Whether a lens or motion blurs pixels; the `blurred` of applyPreset().
 inline bool blursPixels(const SceneRequirements& scene, const CameraDescription& camera) {
     return camera.lens || scene.motion;
 }
 
-/// Why the setting with this key changes nothing in this scene, or an empty text if it may change something.
+/// Why the setting with this key has no effect in this scene; empty if it may have one.
 std::string_view inactiveReason(const SceneRequirements& scene, std::string_view setting);
 
-/// What is odd about the scene, for the person who made it: energy above one, degenerate triangles, unused
-/// things …
+/// Probable mistakes in the scene: materials that do not conserve energy, degenerate triangles, unused
+/// materials, sizes beyond the range of accurate hits …
 Diagnostics lint(const SceneDescription& scene);
 
 }  // namespace rayscope

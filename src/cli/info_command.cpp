@@ -51,7 +51,7 @@ void printText(const SceneDescription& scene, const SceneRequirements& needs, co
     fmt::print("\nRequirements\n");
     for (const Requirement& requirement : needs.list)
         fmt::print("  {} {:<22} {}\n", requirement.needed ? "needs" : "not: ", requirement.name,
-                   requirement.because);
+                   requirement.reason);
     fmt::print("\nLint\n");
     for (const Diagnostic& finding : findings) fmt::print("  {}\n", toString(finding));
     if (findings.empty()) fmt::print("  nothing found\n");
@@ -78,7 +78,7 @@ nlohmann::json infoJson(const SceneDescription& scene, const SceneRequirements& 
     for (const SettingAssignment& setting : scene.settings) j["settings"][setting.key] = setting.value;
     for (const Requirement& requirement : needs.list)
         j["requirements"].push_back(
-            {{"name", requirement.name}, {"needed", requirement.needed}, {"because", requirement.because}});
+            {{"name", requirement.name}, {"needed", requirement.needed}, {"because", requirement.reason}});
     for (const Diagnostic& finding : findings) j["lint"].push_back(diagnosticJson(finding));
     return j;
 }

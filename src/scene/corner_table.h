@@ -5,14 +5,14 @@
 
 namespace rayscope::scene {
 
-/// One corner of a face: zero-based indices of position, texture coordinate and normal; −1: not given.
+/// A corner of a face: zero-based indices of position, texture coordinate and normal; −1: not given.
 struct Corner {
     std::int32_t position = -1, texCoord = -1, normal = -1;
     bool operator==(const Corner&) const = default;
 };
 
-/// Gives equal corners the same number, in the order in which they are first seen. Open addressing: 20 to 28
-/// bytes per distinct corner.
+/// Numbers distinct corners in the order of their first occurrence. Open addressing: 20 to 28 bytes per
+/// distinct corner.
 class CornerTable {
   public:
     std::uint32_t indexOf(const Corner& corner) {

@@ -1,4 +1,4 @@
-// Small questions about a description: where things stand and how to look at them.
+// Transforms, bounds and the framing camera of a scene description.
 #include <rayscope/scene.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -46,9 +46,9 @@ CameraDescription framingCamera(const SceneBounds& bounds) {
     const glm::dvec3 lower(bounds.lower), upper(bounds.upper);
     const glm::dvec3 center = 0.5 * (lower + upper);
     double radius = 0.5 * glm::length(upper - lower);
-    // A single point has no size: stand off by what its coordinates can resolve.
+    // A single point: a distance that its float coordinates resolve.
     if (radius == 0.0) radius = std::max(0.5, glm::length(center) * 0x1p-10);
-    // The bounding sphere touches the edge of the view when its distance is radius / sin(fov / 2).
+    // The bounding sphere touches the edges of the view at the distance radius / sin(fov / 2).
     const double distance = 1.05 * radius / std::sin(glm::radians(0.5 * static_cast<double>(camera.fov)));
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.0, 0.35, 1.0));
     camera.lookAt = glm::vec3(center);

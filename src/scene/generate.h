@@ -1,6 +1,6 @@
 #pragma once
-// Meshes made by formula. Every generator gives outward counter-clockwise triangles, unit normals and texture
-// coordinates where they make sense, Y up, around the origin.
+// Procedural meshes around the origin, Y up: triangles counter-clockwise seen from outside, unit normals, and
+// texture coordinates for quads, boxes, UV spheres and tori.
 #include <rayscope/scene.h>
 
 namespace rayscope::scene {
@@ -11,14 +11,14 @@ struct QuadShape {
 };
 MeshData generate(const QuadShape& shape);
 
-/// Twelve triangles with flat normals; each face shows the whole texture. Seen from inside it is a room.
+/// Twelve triangles with flat normals; each face has the whole texture.
 struct BoxShape {
     glm::vec3 size{1.0f};
-    bool inward = false;  ///< turn the faces inward
+    bool inward = false;  ///< faces point inward, for rooms
 };
 MeshData generate(const BoxShape& shape);
 
-/// Latitude and longitude; the poles lie on the y axis. 2 segments (rings − 1) triangles.
+/// A grid of latitude and longitude with poles on the y axis; 2 segments (rings − 1) triangles.
 struct UvSphereShape {
     float radius = 1.0f;
     int segments = 64;
@@ -26,7 +26,7 @@ struct UvSphereShape {
 };
 MeshData generate(const UvSphereShape& shape);
 
-/// An icosahedron whose triangles are split in four, `subdivisions` times: 20 · 4^subdivisions triangles.
+/// An icosahedron with each triangle split in four, `subdivisions` times: 20 · 4^subdivisions triangles.
 struct IcosphereShape {
     float radius = 1.0f;
     int subdivisions = 3;
@@ -45,7 +45,7 @@ MeshData generate(const TorusShape& shape);
 /// Hills over the plane y = 0 by layered value noise; 2 cells[0] · cells[1] triangles.
 struct TerrainShape {
     glm::vec2 size{2.0f, 2.0f};  ///< along x and z
-    float height = 0.4f;         ///< of the highest possible summit
+    float height = 0.4f;         ///< upper bound of y
     int cellsX = 256;
     int cellsZ = 256;
     int seed = 1;
@@ -59,9 +59,9 @@ struct TeapotShape {
 };
 MeshData generate(const TeapotShape& shape);
 
-/// A stylised monkey's head that looks along −z: blended ellipsoids, polygonised on a grid. About one unit in
-/// radius and watertight; 16 gives 960 triangles. At other resolutions four triangles may meet at an edge
-/// where a fold is thinner than a cell of the grid.
+/// A stylised monkey's head facing −z, with a radius of about 1: blended ellipsoids, polygonised on a grid.
+/// Closed; 16 gives 960 triangles. At other resolutions an edge may have four triangles where a fold is
+/// thinner than a grid cell.
 struct MonkeyShape {
     int resolution = 16;
 };

@@ -1,16 +1,16 @@
-// Flat things: the rectangle and the box.
+// The rectangle and the box.
 #include "scene/generate.h"
 
 namespace rayscope::scene {
 
 namespace {
 
-/// Appends the rectangle with the given middle and half sides u, v; its normal is that of u × v.
-void addFace(MeshData& mesh, glm::vec3 middle, glm::vec3 u, glm::vec3 v) {
+/// Appends the rectangle with the given centre and half sides u, v; its normal is u × v.
+void addFace(MeshData& mesh, glm::vec3 center, glm::vec3 u, glm::vec3 v) {
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
     const glm::vec3 normal = glm::normalize(glm::cross(u, v));
     for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
-        mesh.positions.push_back(middle + (2.0f * corner.x - 1.0f) * u + (2.0f * corner.y - 1.0f) * v);
+        mesh.positions.push_back(center + (2.0f * corner.x - 1.0f) * u + (2.0f * corner.y - 1.0f) * v);
         mesh.normals.push_back(normal);
         mesh.texCoords.push_back(corner);
     }
@@ -31,7 +31,7 @@ MeshData generate(const BoxShape& shape) {
     const glm::vec3 half = 0.5f * shape.size;
     for (int axis = 0; axis < 3; ++axis)
         for (const float side : {1.0f, -1.0f}) {
-            // u and v are horizontal and upright on the walls, so that textures stand upright.
+            // On the walls u is horizontal and v vertical, so that textures are upright.
             glm::vec3 outward(0.0f), u(0.0f), v(0.0f);
             outward[axis] = side * half[axis];
             if (axis == 0) u.z = -side * half.z, v.y = half.y;

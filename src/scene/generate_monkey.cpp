@@ -1,6 +1,6 @@
-// A head for the scene "monkey": ellipsoids that melt into one another, cut into triangles where the surface
-// crosses a grid. The method is naive surface nets (Gibson 1998): one vertex per crossed cell at the mean of
-// its edge crossings, one quad per crossed grid edge.
+// The head of the scene "monkey": a smooth union of ellipsoids, polygonised by naive surface nets (Gibson
+// 1998): one vertex per cell that the surface crosses, at the mean of its edge crossings, and one quad per
+// crossed grid edge.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,36 +14,37 @@ namespace {
 
 using Vec3 = glm::dvec3;
 
-/// Distance to an ellipsoid around `center`, exact on its surface and of the right sign everywhere.
+/// Approximate signed distance to an ellipsoid: zero on its surface, with the right sign everywhere.
 double ellipsoid(const Vec3& p, const Vec3& center, const Vec3& radii) {
     const Vec3 q = (p - center) / radii;
     const double scaled = glm::length(q), slope = glm::length(q / radii);
     return slope == 0.0 ? -std::min({radii.x, radii.y, radii.z}) : scaled * (scaled - 1.0) / slope;
 }
 
-/// The smaller of two distances, rounded off over a width of k (Quílez' quadratic smooth minimum).
-double melt(double a, double b, double k) {
+/// Smooth union of two distances over a width of k (Quílez' quadratic smooth minimum).
+double smoothUnion(double a, double b, double k) {
     const double h = std::max(k - std::abs(a - b), 0.0) / k;
     return std::min(a, b) - 0.25 * h * h * k;
 }
-double carve(double a, double b, double k) { return -melt(-a, b, k); }
+double smoothDifference(double a, double b, double k) { return -smoothUnion(-a, b, k); }
 
-/// Negative inside. Symmetric in x; the face looks along −z.
+/// Negative inside. Symmetric in x; the face points along −z.
 double monkey(Vec3 p) {
     p.x = std::abs(p.x);
-    double d = ellipsoid(p, {0, 0.10, 0.08}, {0.52, 0.50, 0.52});               // skull
-    d = melt(d, ellipsoid(p, {0, -0.30, -0.30}, {0.33, 0.26, 0.30}), 0.14);     // muzzle
-    d = melt(d, ellipsoid(p, {0.17, 0.20, -0.38}, {0.20, 0.09, 0.12}), 0.10);   // brow
-    d = carve(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.13, 0.11, 0.12}), 0.14);  // eye socket
-    d = melt(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.09, 0.08, 0.08}), 0.05);   // eye
-    d = carve(d, ellipsoid(p, {0, -0.36, -0.64}, {0.24, 0.07, 0.16}), 0.10);    // mouth
+    double d = ellipsoid(p, {0, 0.10, 0.08}, {0.52, 0.50, 0.52});                          // skull
+    d = smoothUnion(d, ellipsoid(p, {0, -0.30, -0.30}, {0.33, 0.26, 0.30}), 0.14);         // muzzle
+    d = smoothUnion(d, ellipsoid(p, {0.17, 0.20, -0.38}, {0.20, 0.09, 0.12}), 0.10);       // brow
+    d = smoothDifference(d, ellipsoid(p, {0.19, 0.06, -0.50}, {0.13, 0.11, 0.12}), 0.14);  // eye socket
+    d = smoothUnion(d, ellipsoid(p, {0.19, 0.05, -0.40}, {0.09, 0.08, 0.08}), 0.05);       // eye
+    d = smoothDifference(d, ellipsoid(p, {0, -0.36, -0.64}, {0.24, 0.07, 0.16}), 0.10);    // mouth
     double ear = ellipsoid(p, {0.70, 0.10, 0.08}, {0.27, 0.30, 0.13});
-    ear = carve(ear, ellipsoid(p, {0.74, 0.10, -0.10}, {0.19, 0.22, 0.16}), 0.06);  // its cup
-    return melt(d, ear, 0.08);
+    ear = smoothDifference(ear, ellipsoid(p, {0.74, 0.10, -0.10}, {0.19, 0.22, 0.16}),
+                           0.06);  // its hollow
+    return smoothUnion(d, ear, 0.08);
 }
 
 Vec3 normalAt(const Vec3& p) {
-    constexpr double h = 0x1p-17;  // about the cube root of the rounding error: best for central differences
+    constexpr double h = 0x1p-17;  // about the cube root of the rounding error
     Vec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 step(0.0);
@@ -81,8 +82,8 @@ class SurfaceNet {
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     static std::size_t cube(int n) { return static_cast<std::size_t>(n) * static_cast<std::size_t>(n * n); }
-    /// Shifted by a fraction of a cell: no grid point may lie on the plane of symmetry, where sign changes
-    /// would pair up.
+    /// Shifted by a fraction of a cell, because edge crossings would coincide at grid points on the plane of
+    /// symmetry.
     Vec3 pointAt(const Vec3& grid) const { return (grid - 0.5 * n_) * cell_ + Vec3(0.0, 0.0, 0.05 * cell_); }
     double& value(int x, int y, int z) {
         return values_[static_cast<std::size_t>((z * (n_ + 1) + y) * (n_ + 1) + x)];
@@ -123,11 +124,11 @@ class SurfaceNet {
         const auto at = [&](glm::ivec3 c) { return vertex(c.x, c.y, c.z); };
         std::array quad{at(p - u - v), at(p - v), at(p), at(p - u)};
         if (!inside) std::swap(quad[1], quad[3]);
-        // Along the shorter diagonal: rounder triangles.
+        // Split along the shorter diagonal, for better shaped triangles.
         const auto& at3 = mesh_.positions;
-        const bool turn =
+        const bool useOther =
             glm::distance(at3[quad[1]], at3[quad[3]]) < glm::distance(at3[quad[0]], at3[quad[2]]);
-        const std::size_t s = turn ? 1 : 0;
+        const std::size_t s = useOther ? 1 : 0;
         mesh_.triangles.emplace_back(quad[s], quad[s + 1], quad[s + 2]);
         mesh_.triangles.emplace_back(quad[s], quad[s + 2], quad[(s + 3) % 4]);
     }

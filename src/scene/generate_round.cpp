@@ -1,4 +1,4 @@
-// Round things: spheres and the torus.
+// Spheres and the torus.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// cos and sin of step i of n around a circle; the last step gives the same bits as the first.
+/// cos and sin of step i of n around a circle; steps 0 and n are bit-identical.
 glm::dvec2 onCircle(int i, int n) {
     const double angle = 2.0 * kPi * (i % n) / n;
     return {std::cos(angle), std::sin(angle)};
@@ -37,7 +37,7 @@ MeshData generate(const UvSphereShape& shape) {
         for (int i = 0; i <= columns; ++i) {
             const glm::dvec2 around = onCircle(i, columns);
             const glm::dvec3 normal(ring * around.x, std::sin(latitude), -ring * around.y);
-            // A pole has one vertex per triangle, with the texture coordinate of the triangle's middle.
+            // A pole has one vertex per triangle, with the texture coordinate at the middle of the triangle.
             addVertex(mesh, radius * normal, normal, (i + (pole ? 0.5 : 0.0)) / columns,
                       static_cast<double>(j) / rows);
         }
@@ -73,7 +73,7 @@ MeshData generate(const TorusShape& shape) {
 
 namespace {
 
-/// The icosahedron around the unit sphere: three golden rectangles.
+/// The icosahedron in the unit sphere, from three golden rectangles; normals only.
 MeshData icosahedron() {
     MeshData mesh;
     const double golden = std::numbers::phi;
@@ -85,8 +85,7 @@ MeshData icosahedron() {
                 point[(axis + 1) % 3] = b;
                 mesh.normals.emplace_back(glm::normalize(point));
             }
-    // Two vertices share an edge when they are nearest neighbours: their dot product is 1/√5, others have
-    // −1/√5 or −1.
+    // Vertices that share an edge have a dot product of 1/√5, others of −1/√5 or −1.
     const auto isEdge = [&](std::uint32_t a, std::uint32_t b) {
         return glm::dot(mesh.normals[a], mesh.normals[b]) > 0.0f;
     };

@@ -1,6 +1,6 @@
-// The Utah teapot of Martin Newell, 1975: 32 bicubic Bézier patches, z up in his coordinates. The body and
-// the lid are surfaces of revolution and the handle and the spout are symmetric, so the 306 control points
-// follow from the few that are written here.
+// The Utah teapot of Martin Newell, 1975: 32 bicubic Bézier patches, with z up in the original coordinates.
+// Body and lid are surfaces of revolution, handle and spout are symmetric, so that the 306 control points
+// follow from the few below.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -38,8 +38,7 @@ constexpr std::array<Revolved, 6> kRevolved{{
     {{{{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}}}, 16},             // lid
 }};
 
-/// Half of a piece of the handle or spout; each row is half a ring, from the plane y = 0 over y > 0 back to
-/// it.
+/// Half of a part of the handle or spout; each row is half a ring, from y = 0 through y > 0 back to y = 0.
 struct Tube {
     Vec3 rings[4][4];
     int around, steps;
@@ -83,7 +82,8 @@ Patch revolve(const Profile& profile, int quarter) {
     return patch;
 }
 
-/// One side of a tube; the other is its mirror image, run backwards so that both turn the same way.
+/// One half of a tube. The other half is its mirror image with reversed columns, so that both have the same
+/// orientation.
 Patch halfTube(const Tube& tube, bool mirrored) {
     Patch patch;
     for (std::size_t row = 0; row < 4; ++row)
@@ -111,11 +111,11 @@ Vec3 blend(const Patch& patch, const Weights& u, const Weights& v) {
     return sum;
 }
 
-/// Collects patches into one mesh. Neighbours evaluate their common edge from the same control points with
-/// the same weights, so their vertices there agree bit for bit and are found by looking them up.
+/// Joins patches into one mesh. Neighbours evaluate their common edge from the same control points with the
+/// same weights, so that its vertices are bit-identical and shared by look-up.
 class PatchMesh {
   public:
-    /// `outward` is 1 or −1: the side of du × dv that looks out.
+    /// `outward` is 1 or −1: the sign of du × dv along the outward normal.
     void add(const Patch& patch, int stepsU, int stepsV, double outward) {
         std::vector<std::uint32_t> grid;
         for (int j = 0; j <= stepsV; ++j)
@@ -143,7 +143,7 @@ class PatchMesh {
         // At a pole the edge v = const is one point; the normal is the limit from inside the patch.
         if (alongU == Vec3(0.0)) normal = (v < 0.5 ? 1.0 : -1.0) * glm::cross(blend(patch, du, dv), alongV);
         normal = outward * glm::normalize(normal);
-        // From z up to y up, by a turn about the x axis. Adding 0 turns −0 into 0.
+        // From z up to y up, by a rotation about the x axis. Adding 0 turns −0 into 0.
         const auto upright = [](const Vec3& p) { return glm::vec3(p.x, p.z, -p.y) + 0.0f; };
         const glm::vec3 position = upright(blend(patch, bu, bv));
         const std::array key{std::bit_cast<std::uint32_t>(position.x),
@@ -171,7 +171,7 @@ class PatchMesh {
 }  // namespace
 
 MeshData generate(const TeapotShape& shape) {
-    // Half a tube needs two steps to have an inside.
+    // At least two steps, so that half a tube is not flat.
     const auto scaled = [&](int steps) { return std::max(2, (steps * shape.resolution + 8) / 16); };
     PatchMesh mesh;
     for (const Revolved& part : kRevolved)

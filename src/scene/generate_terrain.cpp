@@ -10,7 +10,7 @@ namespace rayscope::scene {
 
 namespace {
 
-/// A number in [0, 1) for each point of the integer grid.
+/// A pseudo-random number in [0, 1) for each point of the integer grid.
 double hashAt(std::int64_t x, std::int64_t z, std::int64_t seed) {
     auto h = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
              static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4full ^
@@ -20,10 +20,10 @@ double hashAt(std::int64_t x, std::int64_t z, std::int64_t seed) {
     return static_cast<double>((h ^ (h >> 31)) >> 11) * 0x1p-53;
 }
 
-/// Value and gradient of something over the plane: {value, d/dx, d/dz}.
+/// Value and gradient of a height field: {value, d/dx, d/dz}.
 using Slope = glm::dvec3;
 
-/// Value noise with a quintic between grid points, so that its second derivative is continuous.
+/// Value noise with quintic interpolation, so that its second derivative is continuous.
 Slope noiseAt(double x, double z, std::int64_t seed) {
     const auto fade = [](double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); };
     const auto fadeSlope = [](double t) { return 30.0 * t * t * (t * (t - 2.0) + 1.0); };
@@ -37,7 +37,7 @@ Slope noiseAt(double x, double z, std::int64_t seed) {
             (c - a + mixed * u) * fadeSlope(z - floorZ)};
 }
 
-/// Eight octaves; values in [0, 1). Squaring makes flat valleys and pointed summits.
+/// Eight octaves of noise, squared for flat valleys and pointed summits; values in [0, 1).
 Slope heightAt(double x, double z, std::int64_t seed) {
     constexpr int kOctaves = 8;
     Slope sum(0.0);
@@ -46,7 +46,7 @@ Slope heightAt(double x, double z, std::int64_t seed) {
         const Slope noise = noiseAt(x * frequency, z * frequency, seed + octave);
         sum += amplitude * Slope(noise.x, noise.y * frequency, noise.z * frequency);
         total += amplitude;
-        frequency *= 2.03;  // not 2: the grid lines of the octaves should not coincide
+        frequency *= 2.03;  // not 2, so that the grid lines of the octaves do not coincide
         amplitude *= 0.46;
     }
     sum /= total;
@@ -67,7 +67,7 @@ MeshData generate(const TerrainShape& shape) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows + 1), [&](const auto& range) {
         for (std::size_t k = range.begin(); k != range.end(); ++k)
             for (std::size_t i = 0; i <= columns; ++i) {
-                // Noise is measured in units of the longer side: the landscape has the same grain both ways.
+                // Noise coordinates in units of the longer side, for isotropic noise.
                 const double x = size.x * (static_cast<double>(i) / static_cast<double>(columns) - 0.5);
                 const double z = size.y * (static_cast<double>(k) / static_cast<double>(rows) - 0.5);
                 const double unit = std::max(size.x, size.y);

@@ -18,7 +18,7 @@ struct GeneratedTexture {
 };
 
 std::pair<int, int> readPair(const TomlValue& value) {
-    const toml::array& array = readArray(value, 2, "whole numbers");
+    const toml::array& array = readArray(value, 2, "integers");
     return {readInteger({value.file, array[0], value.key}, 1, 4096),
             readInteger({value.file, array[1], value.key}, 1, 4096)};
 }
@@ -31,7 +31,7 @@ std::vector<Rgb> readColors(const TomlValue& value, std::size_t count) {
     return colors;
 }
 
-/// Each field of the board is `kTexels` wide, so that bilinear filtering keeps its edges crisp.
+/// Each field is `kTexels` wide, so that its edges stay sharp with bilinear filtering.
 RgbImage checker(const GeneratedTexture& texture) {
     constexpr int kTexels = 16;
     RgbImage image(std::min(texture.columns * kTexels, 4096), std::min(texture.rows * kTexels, 4096));
@@ -62,7 +62,7 @@ RgbImage readGeneratedTexture(const TomlValue& value) {
     const std::string_view sizeKey = isChecker ? "cells" : "size";
     if (const toml::node* other = body.get(isChecker ? "size" : "cells"))
         TomlValue{value.file, *other, isChecker ? "size" : "cells"}.fail(
-            fmt::format("a {} has '{}' instead", isChecker ? "checker" : "texel image", sizeKey));
+            fmt::format("a {} has the key '{}' instead", isChecker ? "checker" : "texel image", sizeKey));
     GeneratedTexture texture{.colors = {Rgb(0.8f), Rgb(0.2f)}};
     if (const toml::node* size = body.get(sizeKey))
         std::tie(texture.columns, texture.rows) = readPair({value.file, *size, sizeKey});
@@ -87,7 +87,7 @@ RgbImage generateSky(int width, int height) {
             const glm::dvec3 direction(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                                        -std::cos(elevation) * std::cos(azimuth));
             glm::dvec3 color = glm::mix(horizon, zenith, std::pow(std::max(direction.y, 0.0), 0.55));
-            // A haze of some degrees instead of a hard horizon.
+            // Haze over a few degrees instead of a sharp horizon.
             color = glm::mix(color, ground, glm::smoothstep(0.02, -0.06, direction.y));
             const double toSun = glm::dot(direction, sun);
             color += glm::dvec3(1.0, 0.85, 0.6) * 0.35 * std::pow(std::max(toSun, 0.0), 60.0);

@@ -1,4 +1,4 @@
-// Which settings a scene leaves without effect, because it does not contain what they are about.
+// Settings without effect in a scene, because it does not contain what they apply to.
 #include <rayscope/scene.h>
 
 namespace rayscope {
@@ -8,15 +8,15 @@ namespace {
 struct Dependence {
     std::string_view key;
     bool SceneRequirements::*needs;
-    std::string_view otherwise;
+    std::string_view reason;  ///< why there is no effect otherwise
 };
 
 constexpr std::string_view kNoPoint = "the scene has no point light";
 constexpr std::string_view kNoSegment = "the scene has no segment light";
 constexpr std::string_view kNoParallelogram = "the scene has no parallelogram light";
 constexpr std::string_view kNoReflection = "no material of the scene has ks above 0";
-constexpr std::string_view kOpaque = "everything in the scene is opaque";
-constexpr std::string_view kNoTexture = "nothing in the scene has a texture";
+constexpr std::string_view kOpaque = "all materials of the scene are opaque";
+constexpr std::string_view kNoTexture = "no material of the scene has a texture";
 constexpr std::string_view kNoEnvironment = "the scene has no environment";
 constexpr std::string_view kNoLens = "no camera of the scene has a lens";
 
@@ -41,7 +41,7 @@ constexpr Dependence kDependences[] = {
     {"lens_samples", &SceneRequirements::lens, kNoLens},
     {"lens_shape", &SceneRequirements::lens, kNoLens},
     {"sharp_zone", &SceneRequirements::lens, kNoLens},
-    {"motion_blur", &SceneRequirements::motion, "nothing in the scene moves"},
+    {"motion_blur", &SceneRequirements::motion, "no object of the scene moves"},
 };
 
 }  // namespace
@@ -51,7 +51,7 @@ std::string_view inactiveReason(const SceneRequirements& scene, std::string_view
     if ((setting == "soft_shadows" || setting == "light_sample_count") && !areaLights)
         return "the scene has no segment or parallelogram light";
     for (const Dependence& dependence : kDependences)
-        if (dependence.key == setting && !(scene.*dependence.needs)) return dependence.otherwise;
+        if (dependence.key == setting && !(scene.*dependence.needs)) return dependence.reason;
     return {};
 }
 

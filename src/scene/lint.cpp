@@ -21,7 +21,7 @@ class Linter {
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) lintLight(scene_.lights[i], i);
         for (const CameraDescription& camera : scene_.cameras) lintCamera(camera);
         if (scene_.lights.empty()) warn("no light: surfaces are black unless shading is off");
-        if (scene_.meshes.empty() && scene_.spheres.empty()) warn("no mesh and no sphere: nothing to see");
+        if (scene_.meshes.empty() && scene_.spheres.empty()) warn("no geometry: neither meshes nor spheres");
         for (Diagnostic& found : scene::lintRange(scene_)) found_.push_back(std::move(found));
         return std::move(found_);
     }
@@ -34,53 +34,55 @@ class Linter {
 
     void lintMesh(const MeshInstance& mesh) {
         const MeshData& data = *mesh.data;
-        std::size_t stray = 0, flat = 0, firstFlat = 0;
+        std::size_t nonFinite = 0, degenerate = 0, firstDegenerate = 0;
         for (std::size_t i = 0; i < data.triangles.size(); ++i) {
             const glm::uvec3 t = data.triangles[i];
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
             if (!math::isFinite(a) || !math::isFinite(b) || !math::isFinite(c)) {
-                ++stray;
+                ++nonFinite;
                 continue;
             }
             const glm::dvec3 area = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
-            if (area == glm::dvec3(0.0) && flat++ == 0) firstFlat = i;
+            if (area == glm::dvec3(0.0) && degenerate++ == 0) firstDegenerate = i;
         }
-        if (stray > 0)
+        if (nonFinite > 0)
             warn(fmt::format("mesh '{}': {} triangles have NaN or infinite vertices; rays never hit them",
-                             mesh.name, stray));
-        if (flat > 0)
-            note(fmt::format("mesh '{}': {} triangles have no area, the first is number {}", mesh.name, flat,
-                             firstFlat));
+                             mesh.name, nonFinite));
+        if (degenerate > 0)
+            note(fmt::format("mesh '{}': {} degenerate triangles (zero area), the first has index {}",
+                             mesh.name, degenerate, firstDegenerate));
         lintNormals(mesh);
         lintTexCoords(mesh);
     }
 
     void lintNormals(const MeshInstance& mesh) {
         const MeshData& data = *mesh.data;
-        const auto isBad = [](const glm::vec3& n) { return !math::isFinite(n) || n == glm::vec3(0.0f); };
-        const auto bad = std::count_if(data.normals.begin(), data.normals.end(), isBad);
-        if (bad > 0) warn(fmt::format("mesh '{}': {} vertex normals are zero or not finite", mesh.name, bad));
+        const auto isInvalid = [](const glm::vec3& n) { return !math::isFinite(n) || n == glm::vec3(0.0f); };
+        const auto invalid = std::count_if(data.normals.begin(), data.normals.end(), isInvalid);
+        if (invalid > 0)
+            warn(fmt::format("mesh '{}': {} vertex normals are zero or not finite", mesh.name, invalid));
         if (data.normals.empty()) return;
-        std::size_t against = 0;
+        std::size_t flipped = 0;
         for (const glm::uvec3& t : data.triangles) {
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
             const glm::vec3 area = glm::cross(b - a, c - a);
             const glm::vec3* n = data.normals.data();
-            against += glm::dot(n[t.x], area) < 0.0f && glm::dot(n[t.y], area) < 0.0f &&
+            flipped += glm::dot(n[t.x], area) < 0.0f && glm::dot(n[t.y], area) < 0.0f &&
                        glm::dot(n[t.z], area) < 0.0f;
         }
-        if (against > 0)
-            note(fmt::format("mesh '{}': {} of {} triangles face against their vertex normals", mesh.name,
-                             against, data.triangles.size()));
+        if (flipped > 0)
+            note(fmt::format("mesh '{}': {} of {} triangles are oriented against their vertex normals",
+                             mesh.name, flipped, data.triangles.size()));
     }
 
     void lintTexCoords(const MeshInstance& mesh) {
         if (!mesh.data->texCoords.empty()) return;
         for (const std::uint32_t index : mesh.materials)
             if (const Material& material = scene_.materials[index]; material.kdTexture) {
-                warn(fmt::format(
-                    "mesh '{}' has no texture coordinates, so the texture of material '{}' shows one texel",
-                    mesh.name, material.name));
+                warn(
+                    fmt::format("mesh '{}' has no texture coordinates; the texture of material '{}' is "
+                                "sampled at (0, 0) only",
+                                mesh.name, material.name));
                 return;
             }
     }
@@ -95,31 +97,32 @@ class Linter {
 
     void lintMaterial(const Material& material, bool used) {
         if (!used) note(fmt::format("material '{}' is not used", material.name));
-        const Rgb kd = material.kdTexture ? brightestOf(material.kdTexture->image) : material.kd;
+        const Rgb kd = material.kdTexture ? maximumOf(material.kdTexture->image) : material.kd;
         const Rgb sum = kd + material.ks;
-        const float most = std::max({sum.r, sum.g, sum.b});
-        // Fractions that were meant to add up to 1 may miss it by the rounding of two floats.
-        if (most > 1.0f + 0x1p-22f)
-            note(fmt::format("material '{}' sends back more light than it gets: kd + ks reaches {:.3g}",
-                             material.name, most));
+        const float largest = std::max({sum.r, sum.g, sum.b});
+        // Fractions with an exact sum of 1 may exceed it by the rounding of two floats.
+        if (largest > 1.0f + 0x1p-22f)
+            note(fmt::format("material '{}' is not energy-conserving: kd + ks = {:.3g}", material.name,
+                             largest));
         if (material.ks != Rgb(0.0f) && material.shininess == 0.0f)
-            note(fmt::format("material '{}' has ks but shininess 0: its highlight covers everything",
+            note(fmt::format("material '{}' has ks and shininess 0: its highlight covers the hemisphere",
                              material.name));
     }
 
-    static Rgb brightestOf(const RgbImage& image) {
-        Rgb most(0.0f);
-        for (const Rgb& pixel : image.pixels) most = glm::max(most, pixel);
-        return most;
+    static Rgb maximumOf(const RgbImage& image) {
+        Rgb maximum(0.0f);
+        for (const Rgb& pixel : image.pixels) maximum = glm::max(maximum, pixel);
+        return maximum;
     }
 
     void lintLight(const Light& light, std::size_t index) {
         if (const auto* segment = std::get_if<SegmentLight>(&light.shape))
             if (segment->endpoints[0] == segment->endpoints[1])
-                note(fmt::format("light {}: the segment has no length; a point light is cheaper", index + 1));
+                note(
+                    fmt::format("light {}: the segment has zero length; a point light is faster", index + 1));
         if (const auto* area = std::get_if<ParallelogramLight>(&light.shape))
             if (glm::cross(glm::dvec3(area->edges[0]), glm::dvec3(area->edges[1])) == glm::dvec3(0.0))
-                note(fmt::format("light {}: the parallelogram has no area", index + 1));
+                note(fmt::format("light {}: the parallelogram has zero area", index + 1));
         const bool isBlack =
             std::visit([](const auto& shape) { return sumOf(shape) == Rgb(0.0f); }, light.shape);
         if (isBlack) note(fmt::format("light {} is black", index + 1));
@@ -135,9 +138,9 @@ class Linter {
             if (glm::distance(camera.lookFrom, instance.sphere.center) < instance.sphere.radius)
                 note(fmt::format("camera '{}' is inside '{}'", camera.name, instance.name));
         if (camera.lens && camera.lens->focusDistance <= camera.lens->focalLength)
-            warn(
-                fmt::format("camera '{}': focus_distance is not beyond focal_length, where no lens can focus",
-                            camera.name));
+            warn(fmt::format(
+                "camera '{}': a lens cannot focus at or within its focal_length; increase focus_distance",
+                camera.name));
     }
 
     const SceneDescription& scene_;

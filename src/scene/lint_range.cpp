@@ -14,14 +14,14 @@ namespace {
 
 float largestOf(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The distance between neighbouring floats near x.
+/// The distance between adjacent floats near x.
 double spacingAt(float x) {
     const float above = std::nextafter(std::abs(x), std::numeric_limits<float>::infinity());
     return static_cast<double>(above) - static_cast<double>(std::abs(x));
 }
 
-/// Fewer steps of float than this across a shape, and its form is mostly rounding.
-constexpr double kFewSteps = 4.0;
+/// Shapes smaller than this many float steps are dominated by rounding.
+constexpr double kMinSteps = 4.0;
 
 class RangeLinter {
   public:
@@ -30,7 +30,7 @@ class RangeLinter {
     Diagnostics run() {
         for (const MeshInstance& mesh : scene_.meshes) lintMesh(mesh);
         for (const SphereInstance& sphere : scene_.spheres) lintSphere(sphere);
-        if (!scene_.meshes.empty() || !scene_.spheres.empty()) lintPlace();
+        if (!scene_.meshes.empty() || !scene_.spheres.empty()) lintExtent();
         return std::move(found_);
     }
 
@@ -52,20 +52,21 @@ class RangeLinter {
         }
         if (overflowing > 0)
             warn(
-                fmt::format("mesh '{}': {} vertices are too far away for a float where its transform puts "
-                            "them; their triangles are never hit",
+                fmt::format("mesh '{}': {} vertices overflow float after the transform; rays never hit their "
+                            "triangles",
                             mesh.name, overflowing));
         std::size_t coarse = 0;
         for (const glm::uvec3& t : mesh.data->triangles) coarse += isCoarse(mesh.data->positions, placed, t);
         if (coarse > 0)
             warn(fmt::format(
-                "mesh '{}': {} of {} triangles have sides of less than {:g} steps of float, which "
-                "are up to {:.3g} units there, so rounding decides their shape; move the mesh "
-                "nearer to the origin, or make it larger",
-                mesh.name, coarse, mesh.data->triangles.size(), kFewSteps, spacingAt(largest)));
+                "mesh '{}': {} of {} triangles have edges shorter than {:g} float steps, which are up to "
+                "{:.3g} units there; rounding dominates their shape; move the mesh closer to the origin or "
+                "enlarge it",
+                mesh.name, coarse, mesh.data->triangles.size(), kMinSteps, spacingAt(largest)));
     }
 
-    /// Whether a triangle with three different corners has, once placed, a side of only a few steps.
+    /// Whether a triangle with three distinct vertices has an edge of less than kMinSteps after the
+    /// transform.
     static bool isCoarse(const std::vector<glm::vec3>& given, const std::vector<glm::vec3>& placed,
                          const glm::uvec3& t) {
         for (int k = 0; k < 3; ++k) {
@@ -75,8 +76,8 @@ class RangeLinter {
         }
         for (int k = 0; k < 3; ++k) {
             const glm::vec3 a = placed[t[k]], b = placed[t[(k + 1) % 3]];
-            const double side = glm::length(glm::dvec3(b) - glm::dvec3(a));
-            if (side < kFewSteps * spacingAt(std::max(largestOf(a), largestOf(b)))) return true;
+            const double edge = glm::length(glm::dvec3(b) - glm::dvec3(a));
+            if (edge < kMinSteps * spacingAt(std::max(largestOf(a), largestOf(b)))) return true;
         }
         return false;
     }
@@ -84,27 +85,27 @@ class RangeLinter {
     void lintSphere(const SphereInstance& instance) {
         const Sphere& sphere = instance.sphere;
         const double spacing = spacingAt(largestOf(sphere.center));
-        if (sphere.radius > 0.0f && static_cast<double>(sphere.radius) < kFewSteps * spacing)
-            warn(
-                fmt::format("sphere '{}': its radius {:.3g} is less than {:g} steps of float at its centre, "
-                            "where they are {:.3g} units; move it nearer to the origin, or make it larger",
-                            instance.name, sphere.radius, kFewSteps, spacing));
+        if (sphere.radius > 0.0f && static_cast<double>(sphere.radius) < kMinSteps * spacing)
+            warn(fmt::format(
+                "sphere '{}': its radius {:.3g} is less than {:g} float steps of {:.3g} units at its "
+                "centre; move it closer to the origin or enlarge it",
+                instance.name, sphere.radius, kMinSteps, spacing));
     }
 
-    void lintPlace() {
+    void lintExtent() {
         const SceneBounds bounds = boundsOf(scene_);
         const glm::dvec3 lower(bounds.lower), upper(bounds.upper);
-        const double size = glm::length(upper - lower), away = glm::length(0.5 * (lower + upper));
+        const double size = glm::length(upper - lower), distance = glm::length(0.5 * (lower + upper));
         if (!(size >= kMinSceneSize) || !(size <= kMaxSceneSize))
             warn(fmt::format(
-                "the scene is {:.3g} units large; hits are proven right from {:.2g} to {:.2g}, so scale "
-                "it by {:.0e}",
+                "the scene has a size of {:.3g}; hits are proven correct from {:.2g} to {:.2g}; scale it by "
+                "{:.0e}",
                 size, kMinSceneSize, kMaxSceneSize, size > 0.0 ? 1.0 / size : 1.0 / kMinSceneSize));
-        else if (away > kMaxRelativeDistance * size)
+        else if (distance > kMaxRelativeDistance * size)
             warn(fmt::format(
-                "the scene is {:.3g} units large and {:.3g} from the origin, {:.2g} times its size; hits "
-                "are proven right up to {:.0e} times, so move it nearer",
-                size, away, away / size, kMaxRelativeDistance));
+                "the scene has a size of {:.3g} and a distance of {:.3g} from the origin, {:.2g} times its "
+                "size; hits are proven correct up to {:.0e} times; move it closer",
+                size, distance, distance / size, kMaxRelativeDistance));
     }
 
     const SceneDescription& scene_;

@@ -1,4 +1,4 @@
-// The door of the room: which reader opens a path, and what a bare mesh is shown with.
+// Entry point: selects the reader by file type, and completes bare meshes to scenes.
 #include <fmt/format.h>
 #include <rayscope/scene.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kBuiltin = "builtin:";
 
-/// In the order in which they are best shown.
+/// In the order of menus and lists.
 constexpr std::array<std::string_view, 18> kBuiltinNames{"cornell",
                                                          "cornell-area",
                                                          "cornell-glossy",
@@ -43,8 +43,8 @@ bool hasSuffix(const std::string& path, std::string_view suffix) {
     });
 }
 
-/// Upper left of the camera and a little behind it, so that shapes read and shadows fall away from the
-/// viewer.
+/// A point light to the upper left of the camera and slightly behind it, for visible shading and shadows that
+/// fall away from the viewer.
 Light lightBeside(const CameraDescription& camera) {
     const glm::vec3 view = camera.lookAt - camera.lookFrom;
     const float distance = glm::length(view);
@@ -71,7 +71,7 @@ SceneDescription loadBareObj(const std::string& path, Diagnostics& notes) {
 SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
     const std::string_view name = std::string_view(path).substr(kBuiltin.size());
     if (std::find(kBuiltinNames.begin(), kBuiltinNames.end(), name) == kBuiltinNames.end())
-        throw InputError(fmt::format("no built-in scene is named '{}'{}; expected {}", name,
+        throw InputError(fmt::format("unknown built-in scene '{}'{}; expected {}", name,
                                      base::didYouMean(name, kBuiltinNames),
                                      base::joinChoices(kBuiltinNames)));
     const std::string file = path + ".toml";
@@ -86,7 +86,7 @@ SceneDescription loadScene(const std::string& path, Diagnostics& notes) {
     if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes);
     if (hasSuffix(path, ".toml")) return scene::readTomlScene(path, scene::readSource(path), notes);
     if (hasSuffix(path, ".obj")) return loadBareObj(path, notes);
-    throw InputError("a scene is a .toml file, an .obj file or builtin:NAME", {path});
+    throw InputError("unknown scene format; expected a .toml file, an .obj file or builtin:NAME", {path});
 }
 
 std::vector<BuiltinScene> builtinScenes() {

@@ -1,129 +1,55 @@
 #include "scene/obj_parser.h"
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
-#include <charconv>
 #include <cmath>
-#include <istream>
 #include <limits>
 #include <map>
 #include <optional>
 #include <span>
 
-#include "scene/obj_lines.h"
 #include "scene/source_files.h"
+#include "scene/tinyobj_tokenizer.h"
 
 namespace rayscope::scene {
 
 namespace {
 
-/// The words of a line behind its keyword, without the blanks around them.
-std::string_view argumentOf(std::string_view line) {
-    constexpr std::string_view kBlanks = " \t\r\n";
-    const auto trim = [&](std::string_view text) {
-        const std::size_t first = text.find_first_not_of(kBlanks);
-        if (first == std::string_view::npos) return std::string_view{};
-        return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-    };
-    line = trim(line);
-    const std::size_t blank = line.find_first_of(kBlanks);
-    return blank == std::string_view::npos ? std::string_view{} : trim(line.substr(blank));
-}
-
-/// Whether the line holds at least so many words, all of digits, signs, points and exponents.
-bool looksLikeNumbers(std::string_view line, int atLeast) {
-    int words = 0;
-    bool isInWord = false;
-    for (const char c : line) {
-        const bool isBlank = c == ' ' || c == '\t';
-        if (!isBlank && !(c >= '0' && c <= '9') && c != '+' && c != '-' && c != '.' && c != 'e' && c != 'E')
-            return false;
-        words += !isBlank && !isInWord;
-        isInWord = !isBlank;
-    }
-    return words >= atLeast;
-}
-
-/// Listens to tinyobjloader.
+/// Collects the statements of one file.
 class ObjParser {
   public:
-    explicit ObjParser(const std::string& path)
-        : path_(path),
-          text_(readSource(path)),
-          lines_(text_, [this](std::string_view line) { readOther(line); }) {}
+    explicit ObjParser(const std::string& path) : path_(path) {}
 
     ParsedObj parse() {
-        tinyobj::callback_t callbacks;
-        callbacks.vertex_cb = [](void* self, float x, float y, float z, float) {
-            of(self).addPosition({x, y, z});
-        };
-        callbacks.texcoord_cb = [](void* self, float x, float y, float) { of(self).addTexCoord({x, y}); };
-        callbacks.normal_cb = [](void* self, float x, float y, float z) { of(self).addNormal({x, y, z}); };
-        callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
-            of(self).addFace({indices, static_cast<std::size_t>(count)});
-        };
-        callbacks.usemtl_cb = [](void* self, const char*, int) { of(self).useMaterial(); };
-        std::istream stream(&lines_);
-        stream.imbue(std::locale::classic());
-        tinyobj::LoadObjWithCallback(stream, callbacks, this);
+        const ObjCallbacks callbacks{
+            .position = [this](const glm::vec3& position, int line) { addPosition(position, line); },
+            .texCoord = [this](const glm::vec2& texCoord, int) { obj_.texCoords.push_back(texCoord); },
+            .normal = [this](const glm::vec3& normal, int) { obj_.normals.push_back(normal); },
+            .face = [this](std::span<const ObjIndices> corners, int line) { addFace(corners, line); },
+            .useMaterial = [this](std::string_view name, int line) { useMaterial(name, line); },
+            .materialLibrary =
+                [this](std::string_view files, int line) {
+                    obj_.libraries.push_back({std::string(files), line});
+                },
+            .unknown = [this](std::string_view keyword, int) { obj_.ignored.emplace(keyword); }};
+        tokenizeObj(path_, readSource(path_), callbacks);
         return std::move(obj_);
     }
 
   private:
-    static ObjParser& of(void* self) { return *static_cast<ObjParser*>(self); }
-
-    [[noreturn]] void fail(std::string message) const {
-        throw InputError(std::move(message), {path_, lines_.line(), 0});
-    }
-    void addPosition(glm::vec3 position) {
-        correct(position, 3);
+    void addPosition(const glm::vec3& position, int line) {
         if (!std::isfinite(position.x + position.y + position.z) && ++obj_.nonFiniteVertices == 1)
-            obj_.firstNonFiniteVertex = lines_.line();
+            obj_.firstNonFiniteVertex = line;
         obj_.positions.push_back(position);
     }
-    void addTexCoord(glm::vec2 texCoord) {
-        glm::vec3 value(texCoord, 0.0f);
-        correct(value, 1);
-        obj_.texCoords.emplace_back(value);
-    }
-    void addNormal(glm::vec3 normal) {
-        correct(normal, 3);
-        obj_.normals.push_back(normal);
-    }
 
-    /// The library reads what it does not understand as 0. Numbers consist of digits, signs, points and
-    /// exponents; a line with anything else is read again here: nan and inf are kept, words are errors.
-    void correct(glm::vec3& value, int atLeast) {
-        const std::string_view line = argumentOf(lines_.current());
-        if (looksLikeNumbers(line, atLeast)) return;
-        const char* at = line.data();
-        const char* const end = at + line.size();
-        for (int i = 0; i < 3; ++i) {
-            while (at != end && (*at == ' ' || *at == '\t')) ++at;
-            if (at == end) {
-                if (i < atLeast) fail(fmt::format("expected {} numbers, got {}", atLeast, i));
-                return;
-            }
-            if (*at == '+') ++at;
-            const auto [stop, error] = std::from_chars(at, end, value[i]);
-            if (error == std::errc::result_out_of_range)
-                value[i] = std::numeric_limits<float>::infinity();
-            else if (error != std::errc{})
-                fail(fmt::format("expected a number, got '{}'",
-                                 line.substr(static_cast<std::size_t>(at - line.data()))));
-            at = stop;
-        }
-    }
-
-    void addFace(std::span<const tinyobj::index_t> face) {
+    void addFace(std::span<const ObjIndices> face, int line) {
         if (face.size() < 3) {
-            if (++obj_.degenerateFaces == 1) obj_.firstDegenerateFace = lines_.line();
+            if (++obj_.degenerateFaces == 1) obj_.firstDegenerateFace = line;
             return;
         }
-        checkDigits(argumentOf(lines_.current()));
         ring_.clear();
-        for (const tinyobj::index_t& index : face) ring_.push_back(vertexOf(index));
+        for (const ObjIndices& indices : face) ring_.push_back(vertexOf(indices, line));
         if (ring_.size() > 3)
             obj_.polygons.push_back({static_cast<std::uint32_t>(obj_.triangles.size()),
                                      static_cast<std::uint32_t>(ring_.size())});
@@ -132,48 +58,41 @@ class ObjParser {
         addSlots(ring_.size() - 2);
     }
 
-    /// The library reads numbers that no int can hold as some other number.
-    void checkDigits(std::string_view line) const {
-        std::size_t digits = 0;
-        for (const char c : line) {
-            digits = c >= '0' && c <= '9' ? digits + 1 : 0;
-            if (digits > std::numeric_limits<int>::digits10) fail("an index has more than nine digits");
-        }
-    }
-
-    std::uint32_t vertexOf(const tinyobj::index_t& index) {
+    std::uint32_t vertexOf(const ObjIndices& indices, int line) {
         const Corner corner{
-            zeroBased(index.vertex_index, obj_.positions.size(), "vertex", true),
-            zeroBased(index.texcoord_index, obj_.texCoords.size(), "texture coordinate", false),
-            zeroBased(index.normal_index, obj_.normals.size(), "normal", false),
+            zeroBased(indices.position, obj_.positions.size(), "vertex", true, line),
+            zeroBased(indices.texCoord, obj_.texCoords.size(), "texture coordinate", false, line),
+            zeroBased(indices.normal, obj_.normals.size(), "normal", false, line),
         };
-        const std::uint32_t number = obj_.corners.indexOf(corner);
-        if (number == obj_.firstLines.size()) obj_.firstLines.push_back(lines_.line());
-        return number;
+        const std::uint32_t vertex = obj_.corners.indexOf(corner);
+        if (vertex == obj_.firstLines.size()) obj_.firstLines.push_back(line);
+        return vertex;
     }
 
-    /// Positive indices may point ahead and are checked at the end; negative ones count back from here.
-    std::int32_t zeroBased(int index, std::size_t count, std::string_view what, bool needed) const {
+    /// Negative indices count back from the last element so far. Positive ones may refer to later elements
+    /// and are checked when the file is complete.
+    std::int32_t zeroBased(int index, std::size_t count, std::string_view what, bool isRequired,
+                           int line) const {
         if (index > 0) return index - 1;
-        if (index == 0 && !needed) return -1;
+        if (index == 0 && !isRequired) return -1;
         if (index == 0 || static_cast<std::size_t>(-static_cast<std::int64_t>(index)) > count)
-            failObjIndex(path_, lines_.line(), what, index, count);
+            failObjIndex(path_, line, what, index, count);
         return static_cast<std::int32_t>(static_cast<std::int64_t>(count) + index);
     }
-    void useMaterial() {
-        // The library would cut the name of the material at nothing, blanks at the end included.
-        const std::string name(argumentOf(lines_.current()));
+
+    void useMaterial(std::string_view name, int line) {
         const auto [found, isNew] =
-            slotOf_.try_emplace(name, static_cast<std::uint32_t>(obj_.slotNames.size()));
+            slotOf_.try_emplace(std::string(name), static_cast<std::uint32_t>(obj_.slotNames.size()));
         if (isNew) {
             if (obj_.slotNames.size() > std::numeric_limits<std::uint16_t>::max())
-                fail("more than 65536 materials");
-            obj_.slotNames.push_back({name, lines_.line()});
+                throw InputError("more than 65536 materials", {path_, line, 0});
+            obj_.slotNames.push_back({std::string(name), line});
         }
         slot_ = found->second;
     }
 
-    /// Slots are written only once a second one is in use; most files have one material.
+    /// Appends the current slot for `count` triangles. The list stays empty until a second slot is used,
+    /// because most files have one material.
     void addSlots(std::size_t count) {
         if (!slot_) {
             slot_ = static_cast<std::uint32_t>(obj_.slotNames.size());
@@ -186,18 +105,7 @@ class ObjParser {
         obj_.slots.insert(obj_.slots.end(), count, static_cast<std::uint16_t>(*slot_));
     }
 
-    /// Lines that are no vertices and faces: the library either says nothing about them or not enough.
-    void readOther(std::string_view line) {
-        const std::string keyword(line.substr(0, line.find_first_of(" \t\r\n")));
-        if (keyword == "mtllib")
-            obj_.libraries.push_back({std::string(argumentOf(line)), lines_.line()});
-        else if (keyword != "usemtl" && keyword != "o" && keyword != "g" && keyword != "s")
-            obj_.ignored.insert(keyword);
-    }
-
     const std::string& path_;
-    std::string text_;
-    ObjLines lines_;
     ParsedObj obj_;
     std::vector<std::uint32_t> ring_;
     std::map<std::string, std::uint32_t> slotOf_;

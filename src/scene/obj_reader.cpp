@@ -33,38 +33,37 @@ void report(const std::string& path, const ParsedObj& obj, Diagnostics& notes) {
         notes.push_back({Severity::Note, std::move(message), {path, line, 0}});
     };
     if (obj.nonFiniteVertices > 0)
-        note(
-            fmt::format(
-                "{} vertices with NaN or infinite coordinates, the first here; their triangles are never hit",
-                obj.nonFiniteVertices),
-            obj.firstNonFiniteVertex);
+        note(fmt::format("{} vertices with NaN or infinite coordinates, the first one here; rays never hit "
+                         "their triangles",
+                         obj.nonFiniteVertices),
+             obj.firstNonFiniteVertex);
     if (obj.degenerateFaces > 0)
-        note(fmt::format("{} faces with fewer than three corners, the first here; left out",
+        note(fmt::format("{} faces with fewer than three vertices, the first one here; ignored",
                          obj.degenerateFaces),
              obj.firstDegenerateFace);
-    if (!obj.ignored.empty()) note(fmt::format("ignored: {}", fmt::join(obj.ignored, ", ")), 0);
+    if (!obj.ignored.empty()) note(fmt::format("ignored statements: {}", fmt::join(obj.ignored, ", ")), 0);
 }
 
-/// What polygons were read as fans becomes proper triangles, in place.
-void cutPolygons(const ParsedObj& obj, MeshData& mesh) {
+/// Replaces the fans of polygons by triangulations, in place.
+void triangulatePolygons(const ParsedObj& obj, MeshData& mesh) {
     std::vector<std::uint32_t> ring;
     std::vector<glm::vec3> points;
-    std::vector<glm::uvec3> cut;
+    std::vector<glm::uvec3> triangles;
     for (const ParsedObj::Polygon& polygon : obj.polygons) {
         glm::uvec3* const fan = &mesh.triangles[polygon.firstTriangle];
         ring = {fan[0].x, fan[0].y};
         for (std::uint32_t i = 0; i + 2 < polygon.corners; ++i) ring.push_back(fan[i].z);
         points.clear();
         for (const std::uint32_t vertex : ring) points.push_back(mesh.positions[vertex]);
-        cut.resize(polygon.corners - 2);
-        triangulate(points, cut);
-        for (std::size_t i = 0; i < cut.size(); ++i)
-            fan[i] = {ring[cut[i].x], ring[cut[i].y], ring[cut[i].z]};
+        triangles.resize(polygon.corners - 2);
+        triangulate(points, triangles);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+            fan[i] = {ring[triangles[i].x], ring[triangles[i].y], ring[triangles[i].z]};
     }
 }
 
-/// Gives corners without a normal, in a file where others have one, the mean of their faces, weighted by
-/// area.
+/// Computes the normals of corners without one, in a file where others have one, as the mean of their faces
+/// weighted by area.
 void fillMissingNormals(const std::vector<Corner>& corners, MeshData& mesh) {
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
@@ -102,18 +101,18 @@ std::shared_ptr<const MeshData> assemble(ParsedObj& obj) {
     mesh->triangles = std::move(obj.triangles);
     mesh->triangles.shrink_to_fit();
     mesh->materialSlots = std::move(obj.slots);
-    cutPolygons(obj, *mesh);
+    triangulatePolygons(obj, *mesh);
     if (withNormal > 0 && withNormal < corners.size()) fillMissingNormals(corners, *mesh);
     return mesh;
 }
 
-/// Finds the materials of the slots in the files that mtllib names.
+/// The materials of the files that mtllib statements name.
 class MaterialLibrary {
   public:
     MaterialLibrary(const std::string& path, TextureCache& textures, Diagnostics& notes)
         : path_(path), textures_(textures), notes_(notes) {}
 
-    /// A path may hold blanks; only if no such file exists do they separate several.
+    /// Blanks are part of the file name if such a file exists; else they separate several names.
     void open(const ParsedObj::Named& library) {
         std::vector<std::string> files{library.name};
         if (!fileExists(resolvePath(path_, library.name))) {
@@ -135,8 +134,8 @@ class MaterialLibrary {
         }
         if (!undefined.empty() && !isIncomplete_) {
             const std::string others =
-                undefined.size() > 1 ? fmt::format(" and {} more are", undefined.size() - 1) : " is";
-            warn(fmt::format("material '{}'{} in no material file; defaults are used", undefined[0]->name,
+                undefined.size() > 1 ? fmt::format(" and {} more", undefined.size() - 1) : "";
+            warn(fmt::format("undefined material '{}'{}; a default material is used", undefined[0]->name,
                              others),
                  undefined[0]->line);
         }
@@ -153,8 +152,7 @@ class MaterialLibrary {
         if (!opened_.insert(resolved).second) return;
         if (!fileExists(resolved)) {
             isIncomplete_ = true;
-            warn(fmt::format("the material file '{}' is not there; default materials are used", resolved),
-                 line);
+            warn(fmt::format("material file not found: {}; default materials are used", resolved), line);
             return;
         }
         for (Material& material : readMtl(resolved, textures_, notes_))
@@ -173,7 +171,7 @@ class MaterialLibrary {
 
 ObjMesh readObj(const std::string& path, TextureCache& textures, Diagnostics& notes) {
     ParsedObj obj = parseObj(path);
-    if (obj.triangles.empty()) throw InputError("no face (a line 'f …') in the file: nothing to see", {path});
+    if (obj.triangles.empty()) throw InputError("the file has no faces (lines 'f …')", {path});
     checkIndices(path, obj);
     report(path, obj, notes);
     MaterialLibrary library(path, textures, notes);

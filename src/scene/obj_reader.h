@@ -5,15 +5,16 @@
 
 namespace rayscope::scene {
 
-/// What an OBJ file holds: one mesh, and the materials of its slots.
+/// The mesh of an OBJ file, and the materials of its slots.
 struct ObjMesh {
     std::shared_ptr<const MeshData> data;
     std::vector<Material> materials;
 };
 
-/// Reads an OBJ file and the MTL files and images that it names. Vertices are the distinct (position, texture
-/// coordinate, normal) corners; polygons are cut into triangles. Throws InputError with the line if an index
-/// is out of range or nothing can be seen; what is missing beside it or ignored goes to `notes`.
+/// Reads an OBJ file and the MTL files and images that it refers to. The vertices of the mesh are the
+/// distinct triples of position, texture coordinate and normal; polygons are triangulated. Throws InputError,
+/// with the line, at invalid numbers and indices, and if there is no face. Missing MTL files and images and
+/// ignored statements are appended to `notes`.
 ObjMesh readObj(const std::string& path, TextureCache& textures, Diagnostics& notes);
 
 }  // namespace rayscope::scene

@@ -11,7 +11,7 @@ std::string counted(std::size_t count, std::string_view singular, std::string_vi
     return fmt::format("{} {}", count, count == 1 ? singular : plural);
 }
 
-/// Materials that some surface shows; others need nothing.
+/// The materials that surfaces use; others have no requirements.
 std::vector<const Material*> materialsInUse(const SceneDescription& scene) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const MeshInstance& mesh : scene.meshes)
@@ -36,9 +36,9 @@ class Collector {
     }
 
   private:
-    /// Appends a line; `reason` speaks when `count` things need it, `otherwise` when none does.
-    bool add(std::string name, std::size_t count, std::string reason, std::string otherwise) {
-        result_.list.push_back({std::move(name), count > 0, std::move(count > 0 ? reason : otherwise)});
+    /// Appends a requirement that is needed by `count` objects. Returns whether there are any.
+    bool add(std::string name, std::size_t count, std::string ifNeeded, std::string ifNot) {
+        result_.list.push_back({std::move(name), count > 0, std::move(count > 0 ? ifNeeded : ifNot)});
         return count > 0;
     }
 
@@ -60,14 +60,14 @@ class Collector {
     }
 
     template <class Test>
-    bool ofMaterials(std::string name, const Test& test, std::string_view what, std::string otherwise) {
+    bool ofMaterials(std::string name, const Test& test, std::string_view what, std::string ifNot) {
         std::size_t count = 0;
         std::string first;
         for (const Material* material : materials_)
             if (test(*material) && count++ == 0) first = material->name;
         const std::string more = count > 1 ? fmt::format(" and {} more", count - 1) : "";
         return add(std::move(name), count, fmt::format("{} of material '{}'{}", what, first, more),
-                   std::move(otherwise));
+                   std::move(ifNot));
     }
 
     void surfaces() {
@@ -109,7 +109,7 @@ class Collector {
             static_cast<std::size_t>(std::count_if(scene_.meshes.begin(), scene_.meshes.end(), moves) +
                                      std::count_if(scene_.spheres.begin(), scene_.spheres.end(), moves));
         result_.motion =
-            add("motion", moving, counted(moving, "object moves", "objects move"), "nothing moves");
+            add("motion", moving, counted(moving, "object moves", "objects move"), "no object moves");
     }
 
     const SceneDescription& scene_;

@@ -1,16 +1,12 @@
 #include "scene/source_files.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <vector>
 
+#include "base/read_file.h"
 #include "embedded_scenes.h"
 
 namespace rayscope::scene {
@@ -29,7 +25,7 @@ const scenes::EmbeddedFile* findEmbedded(std::string_view path) {
     return found == files.end() ? nullptr : &*found;
 }
 
-/// Folders that may hold files too large to be compiled in.
+/// Folders of files that are too large to be embedded.
 std::vector<fs::path> sceneFolders() {
     std::vector<fs::path> folders{RAYSCOPE_SOURCE_SCENES, RAYSCOPE_INSTALLED_SCENES};
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
@@ -48,20 +44,7 @@ bool fileExists(const std::string& path) {
 
 std::string readSource(const std::string& path) {
     if (const auto* embedded = findEmbedded(path)) return std::string(embedded->content);
-    std::error_code error;
-    if (fs::is_directory(path, error)) throw InputError("cannot be read: it is a folder", {path});
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw InputError(fmt::format("cannot be opened: {}", std::strerror(errno)), {path});
-    std::string content;
-    if (const auto size = fs::file_size(path, error); !error) content.resize(size);
-    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-    content.resize(static_cast<std::size_t>(stream.gcount()));
-    // A pipe has no size, and a file may grow while it is read.
-    char chunk[1 << 16];
-    while (stream.read(chunk, sizeof chunk) || stream.gcount() > 0)
-        content.append(chunk, static_cast<std::size_t>(stream.gcount()));
-    if (stream.bad()) throw InputError("cannot be read to its end", {path});
-    return content;
+    return base::readFile(path);
 }
 
 std::string resolvePath(const std::string& base, std::string name) {

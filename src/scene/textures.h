@@ -5,7 +5,7 @@
 
 namespace rayscope::scene {
 
-/// Opens each image once per scene, however many materials show it.
+/// Loads each image once per scene and wrap mode.
 class TextureCache {
   public:
     /// Throws InputError if the file cannot be read.

@@ -40,16 +40,16 @@ const Record<CameraDescription>& cameraRecord() {
     return record;
 }
 
-/// Throws if no picture can be seen that way.
+/// Throws if the view direction or the image's rotation about it is undefined.
 void checkView(const CameraDescription& camera, const TomlValue& value) {
     const glm::dvec3 view = glm::dvec3(camera.lookAt) - glm::dvec3(camera.lookFrom);
     if (glm::length(view) == 0.0) value.fail("look_from and look_at are the same point");
     const glm::dvec3 up(camera.up);
     if (glm::length(up) == 0.0) value.fail("up must not be zero");
-    // Below the rounding error of the float coordinates the picture would turn at random about its centre.
+    // Below this sine of the angle the rounding of the float coordinates determines the rotation.
     constexpr double kSine = 4.0 * 0x1p-24;
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) <= kSine)
-        value.fail("up is parallel to the viewing direction; turn one of them");
+        value.fail("up is parallel to the viewing direction; change one of them");
 }
 
 // ---------------------------------------------------------------- lights
@@ -116,7 +116,7 @@ const Record<MaterialEntry>& materialRecord() {
         ofMaterial(color("ks", &M::ks)),
         ofMaterial(number("shininess", &M::shininess, kNonNegative)),
         ofMaterial(number("opacity", &M::opacity, kFraction)),
-        ofMaterial(whole("illum", &M::illum, 0, 10)),
+        ofMaterial(integer("illum", &M::illum, 0, 10)),
         {"kd_texture", [](const TomlValue& value, MaterialEntry& t) { t.texture = readTexture(value); }},
     };
     return record;
@@ -124,7 +124,7 @@ const Record<MaterialEntry>& materialRecord() {
 
 // ---------------------------------------------------------------- meshes and spheres
 
-/// Row by row, as it is written; GLM stores columns.
+/// Row-major in the file; GLM stores columns.
 glm::mat4 readMatrix(const TomlValue& value) {
     const toml::array& array = readArray(value, 16, "numbers, row by row");
     glm::mat4 matrix;
@@ -135,7 +135,7 @@ glm::mat4 readMatrix(const TomlValue& value) {
     for (int column = 0; column < 4; ++column)
         if (matrix[column][3] != (column == 3 ? 1.0f : 0.0f)) value.fail("the last row must be 0, 0, 0, 1");
     if (glm::determinant(glm::dmat3(glm::mat3(matrix))) == 0.0)
-        value.fail("the matrix flattens the mesh: its determinant is 0");
+        value.fail("singular matrix: its determinant is 0");
     return matrix;
 }
 
@@ -149,8 +149,7 @@ Transform readTransform(const TomlValue& value) {
     Transform transform;
     const toml::table& body = readTable(value);
     readRecord(value.file, body, value.key, record, transform);
-    if (transform.matrix && body.size() > 1)
-        value.fail("matrix stands for the whole transform; remove it or the other keys");
+    if (transform.matrix && body.size() > 1) value.fail("matrix excludes the other keys; remove it or them");
     return transform;
 }
 
@@ -223,7 +222,7 @@ CameraDescription readCamera(const TomlValue& value) {
 Light readLight(const TomlValue& value) {
     const toml::table& body = readTable(value);
     const toml::node* type = body.get("type");
-    if (!type) value.fail(fmt::format("a light needs the key 'type': {}", base::joinChoices(kLightTypes)));
+    if (!type) value.fail(fmt::format("needs the key 'type': {}", base::joinChoices(kLightTypes)));
     const std::size_t kind = readChoice({value.file, *type, "type"}, kLightTypes);
 
     Light light;

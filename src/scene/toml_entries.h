@@ -1,20 +1,19 @@
 #pragma once
-// What a scene file may say: plain values as written, before names are resolved and files are opened, and the
-// records that describe their keys.
+// The tables of a scene file as plain values, before names are resolved and files are loaded.
 #include <rayscope/scene.h>
 
 #include "scene/toml_record.h"
 
 namespace rayscope::scene {
 
-/// A word of the file that must be looked up elsewhere, and where it stands.
+/// A file name or the name of a material, with its position for later errors.
 struct LocatedText {
     std::string text;
     SourcePosition position;
 };
 
 struct TextureEntry {
-    LocatedText file;  ///< empty: `image` holds a generated texture
+    LocatedText file;  ///< empty: `image` is a generated texture
     RgbImage image;    ///< linear
     TextureWrap wrap = TextureWrap::Repeat;
 };
@@ -28,7 +27,7 @@ struct MeshEntry {
     MeshInstance instance;
     std::optional<LocatedText> file;
     std::optional<LocatedText> material;
-    std::string ifMissing;  ///< what to do when the file is not there
+    std::string ifMissing;  ///< advice for the error if the file does not exist
 };
 
 struct SphereEntry {

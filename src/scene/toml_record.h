@@ -1,6 +1,7 @@
 #pragma once
-// A record describes the keys of one table of the scene file: name, type, range and the member they set.
-// Reading, the check for unknown and missing keys and the lists in error messages all come from it.
+// A record describes the keys of one kind of table in a scene file: name, type, range and the member that is
+// set. Reading, checks for unknown and missing keys, and the lists of keys in error messages are derived from
+// it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct Field {
 template <class T>
 using Record = std::vector<Field<T>>;
 
-/// Throws at the first key that is not among `keys`. `owner` names the table in messages: "a camera".
+/// Throws InputError at the first key that is not in `keys`. `owner` names the table in messages: "a camera".
 inline void checkKeys(const std::string& file, const toml::table& table, std::string_view owner,
                       std::span<const std::string_view> keys) {
     for (auto&& [key, node] : table) {
@@ -39,7 +40,8 @@ inline void checkKeys(const std::string& file, const toml::table& table, std::st
     }
 }
 
-/// Reads every key of `table` into `target`; the keys of `others` are allowed, and left to the caller.
+/// Reads the keys of `table` into `target`. Keys in `others` are valid too, but left to the caller. Throws
+/// InputError at unknown or missing keys and invalid values.
 template <class T>
 void readRecord(const std::string& file, const toml::table& table, std::string_view owner,
                 const Record<T>& record, T& target, std::span<const std::string_view> others = {}) {
@@ -61,7 +63,7 @@ Field<T> number(std::string_view key, float T::*member, NumberRange range = kAny
 }
 
 template <class T>
-Field<T> whole(std::string_view key, int T::*member, int lowest, int highest) {
+Field<T> integer(std::string_view key, int T::*member, int lowest, int highest) {
     return {key, [=](const TomlValue& value, T& t) { t.*member = readInteger(value, lowest, highest); }};
 }
 
@@ -103,7 +105,7 @@ Field<T> colors(std::string_view key, std::array<Rgb, N> T::*member, NumberRange
             }};
 }
 
-/// `names` stand in the order of the enumerators of E.
+/// `names` are in the order of the enumerators of E.
 template <class T, class E, std::size_t N>
 Field<T> choice(std::string_view key, E T::*member, std::array<std::string_view, N> names) {
     return {key, [=](const TomlValue& value, T& target) {
@@ -111,7 +113,7 @@ Field<T> choice(std::string_view key, E T::*member, std::array<std::string_view,
             }};
 }
 
-/// A table within the table. `inner` must outlive the field.
+/// A nested table. `inner` must outlive the field.
 template <class T, class R>
 Field<T> table(std::string_view key, std::optional<R> T::*member, const Record<R>& inner) {
     return {key, [=, &inner](const TomlValue& value, T& target) {

@@ -26,7 +26,7 @@ toml::table parse(const std::string& path, std::string_view text) {
     }
 }
 
-/// Turns the entries of one file into a description: looks up names, opens files, collects notes.
+/// Builds the description from the entries of one file: resolves names, loads files, collects notes.
 class SceneBuilder {
   public:
     SceneBuilder(const std::string& path, const toml::table& root, Diagnostics& notes)
@@ -43,7 +43,7 @@ class SceneBuilder {
         readEnvironmentTable();
         forEachOf("mesh", [&](const TomlValue& value) { addMesh(value); });
         forEachOf("sphere", [&](const TomlValue& value) { addSphere(value); });
-        addWhatIsMissing();
+        checkCompleteness();
         return std::move(scene_);
     }
 
@@ -58,13 +58,14 @@ class SceneBuilder {
         const toml::node* node = root_.get(key);
         if (!node) return;
         const toml::array* tables = node->as_array();
-        if (!tables) TomlValue{path_, *node, key}.fail(fmt::format("write [[{}]], with two brackets", key));
+        if (!tables)
+            TomlValue{path_, *node, key}.fail(fmt::format("expected an array of tables; write [[{}]]", key));
         for (const toml::node& element : *tables) visit(TomlValue{path_, element, key});
     }
 
     void readHead() {
         const toml::node* version = root_.get("version");
-        if (!version) throw InputError("a scene needs the key 'version': write version = 1", {path_, 1, 1});
+        if (!version) throw InputError("a scene needs the key 'version'; write version = 1", {path_, 1, 1});
         readInteger({path_, *version, "version"}, 1, 1);
         if (const toml::node* title = root_.get("title")) scene_.title = readText({path_, *title, "title"});
     }
@@ -72,10 +73,11 @@ class SceneBuilder {
     void readMaterials() {
         const toml::node* node = root_.get("material");
         if (!node) return;
-        if (!node->is_table()) TomlValue{path_, *node, "material"}.fail("write [material.NAME]");
+        if (!node->is_table())
+            TomlValue{path_, *node, "material"}.fail("expected a table; write [material.NAME]");
         for (auto&& [name, body] : *node->as_table()) {
             const TomlValue value{path_, body, name.str()};
-            if (!body.is_table()) value.fail("expected a table: write [material.NAME] before its keys");
+            if (!body.is_table()) value.fail("expected a table; write [material.NAME]");
             MaterialEntry entry = readMaterial(value);
             if (entry.texture) entry.material.kdTexture = textureOf(*entry.texture);
             materialIndices_[entry.material.name] = static_cast<std::uint32_t>(scene_.materials.size());
@@ -92,7 +94,7 @@ class SceneBuilder {
     std::shared_ptr<const Texture> openTexture(const LocatedText& file, TextureWrap wrap) {
         const std::string resolved = resolvePath(path_, file.text);
         if (!fileExists(resolved))
-            throw InputError(fmt::format("the image '{}' is not there", resolved), file.position);
+            throw InputError(fmt::format("image file not found: {}", resolved), file.position);
         return textures_.open(resolved, wrap);
     }
 
@@ -102,14 +104,14 @@ class SceneBuilder {
             return found->second;
         std::vector<std::string_view> known;
         for (const auto& [key, index] : materialIndices_) known.push_back(key);
-        const std::string choices =
-            known.empty() ? "the scene defines none" : fmt::format("expected {}", base::joinChoices(known));
+        const std::string choices = known.empty() ? "the scene defines no material"
+                                                  : fmt::format("expected {}", base::joinChoices(known));
         throw InputError(fmt::format("undefined material '{}'{}; {}", name->text,
                                      base::didYouMean(name->text, known), choices),
                          name->position);
     }
 
-    /// The material of whatever names none.
+    /// The material of objects without a material.
     std::uint32_t defaultMaterial() {
         if (!default_) {
             default_ = static_cast<std::uint32_t>(scene_.materials.size());
@@ -124,7 +126,7 @@ class SceneBuilder {
             camera.name =
                 scene_.cameras.empty() ? "main" : fmt::format("camera {}", scene_.cameras.size() + 1);
         for (const CameraDescription& other : scene_.cameras)
-            if (other.name == camera.name) value.fail(fmt::format("two cameras are named '{}'", camera.name));
+            if (other.name == camera.name) value.fail(fmt::format("duplicate camera name '{}'", camera.name));
         scene_.cameras.push_back(std::move(camera));
     }
 
@@ -143,10 +145,9 @@ class SceneBuilder {
         const std::string resolved = resolvePath(path_, entry.file->text);
         if (!fileExists(resolved)) {
             const std::string hint = entry.ifMissing.empty() ? "" : fmt::format("; {}", entry.ifMissing);
-            throw InputError(fmt::format("the mesh '{}' is not there{}", resolved, hint),
-                             entry.file->position);
+            throw InputError(fmt::format("mesh file not found: {}{}", resolved, hint), entry.file->position);
         }
-        // One file may stand in the scene many times; its vertices are kept once.
+        // Instances of the same file share its data.
         auto& loaded = meshes_[resolved];
         if (!loaded) loaded = std::make_shared<ObjMesh>(readObj(resolved, textures_, notes_));
         MeshInstance& mesh = entry.instance;
@@ -206,7 +207,7 @@ class SceneBuilder {
         }
     }
 
-    /// As it would be written on the command line.
+    /// The value as written on the command line.
     static std::string settingText(const TomlValue& value) {
         if (value.node.is_boolean()) return readBoolean(value) ? "true" : "false";
         if (value.node.is_integer()) return fmt::format("{}", value.node.as_integer()->get());
@@ -215,17 +216,18 @@ class SceneBuilder {
         value.failType("true, false, a number or a name");
     }
 
-    void addWhatIsMissing() {
+    /// Adds a default camera, and warnings about missing entries.
+    void checkCompleteness() {
         if (scene_.cameras.empty()) {
-            note(Severity::Warning, "no camera: one that shows everything is used; add [[camera]]", {path_});
+            note(Severity::Warning, "no camera: a default one shows the whole scene; add [[camera]]",
+                 {path_});
             scene_.cameras.push_back(framingCamera(boundsOf(scene_)));
         }
         if (scene_.lights.empty())
             note(Severity::Warning,
-                 "no light: surfaces will be black; add [[light]] with type = \"point\" and a position",
-                 {path_});
+                 "no light: surfaces are black; add [[light]] with type = \"point\" and a position", {path_});
         if (scene_.meshes.empty() && scene_.spheres.empty())
-            note(Severity::Warning, "nothing to see: add [[mesh]] or [[sphere]]", {path_});
+            note(Severity::Warning, "no geometry: add [[mesh]] or [[sphere]]", {path_});
     }
 
     const std::string& path_;

@@ -5,10 +5,11 @@
 
 namespace rayscope::scene {
 
-/// Reads the text of a scene file. `path` names it in messages and anchors relative paths.
+/// Reads the text of a scene file and the files that it names. `path` is the name in messages and the base of
+/// relative paths. Throws InputError at the first error; appends warnings to `notes`.
 SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes);
 
-/// The `title` of a scene file, without opening anything else that it names.
+/// The title of a scene file, or "". Opens no other file.
 std::string titleOf(const std::string& path, std::string_view text);
 
 }  // namespace rayscope::scene

@@ -10,7 +10,7 @@ namespace {
 template <class Shape>
 Field<Shape> cells(std::string_view key, int Shape::*first, int Shape::*second) {
     return {key, [=](const TomlValue& value, Shape& target) {
-                const toml::array& array = readArray(value, 2, "whole numbers");
+                const toml::array& array = readArray(value, 2, "integers");
                 target.*first = readInteger({value.file, array[0], key}, 1, 10000);
                 target.*second = readInteger({value.file, array[1], key}, 1, 10000);
             }};
@@ -19,20 +19,20 @@ Field<Shape> cells(std::string_view key, int Shape::*first, int Shape::*second) 
 const Record<QuadShape> kQuad{vector("size", &QuadShape::size, kPositive)};
 const Record<BoxShape> kBox{vector("size", &BoxShape::size, kPositive), boolean("inward", &BoxShape::inward)};
 const Record<UvSphereShape> kUvSphere{number("radius", &UvSphereShape::radius, kPositive),
-                                      whole("segments", &UvSphereShape::segments, 3, 4096),
-                                      whole("rings", &UvSphereShape::rings, 2, 4096)};
+                                      integer("segments", &UvSphereShape::segments, 3, 4096),
+                                      integer("rings", &UvSphereShape::rings, 2, 4096)};
 const Record<IcosphereShape> kIcosphere{number("radius", &IcosphereShape::radius, kPositive),
-                                        whole("subdivisions", &IcosphereShape::subdivisions, 0, 9)};
+                                        integer("subdivisions", &IcosphereShape::subdivisions, 0, 9)};
 const Record<TorusShape> kTorus{number("radius", &TorusShape::radius, kPositive),
                                 number("tube_radius", &TorusShape::tubeRadius, kPositive),
-                                whole("segments", &TorusShape::segments, 3, 4096),
-                                whole("tube_segments", &TorusShape::tubeSegments, 3, 4096)};
+                                integer("segments", &TorusShape::segments, 3, 4096),
+                                integer("tube_segments", &TorusShape::tubeSegments, 3, 4096)};
 const Record<TerrainShape> kTerrain{vector("size", &TerrainShape::size, kPositive),
                                     number("height", &TerrainShape::height, kNonNegative),
                                     cells("cells", &TerrainShape::cellsX, &TerrainShape::cellsZ),
-                                    whole("seed", &TerrainShape::seed, 0, 1 << 30)};
-const Record<TeapotShape> kTeapot{whole("resolution", &TeapotShape::resolution, 1, 512)};
-const Record<MonkeyShape> kMonkey{whole("resolution", &MonkeyShape::resolution, 8, 256)};
+                                    integer("seed", &TerrainShape::seed, 0, 1 << 30)};
+const Record<TeapotShape> kTeapot{integer("resolution", &TeapotShape::resolution, 1, 512)};
+const Record<MonkeyShape> kMonkey{integer("resolution", &MonkeyShape::resolution, 8, 256)};
 
 struct ShapeReader {
     std::string_view name;

@@ -5,7 +5,7 @@
 
 namespace rayscope::scene {
 
-/// Reads { shape = "box", … } and makes the mesh.
+/// Generates the mesh of { shape = "box", … }. Throws InputError.
 MeshData readShape(const TomlValue& value);
 
 }  // namespace rayscope::scene

@@ -11,7 +11,7 @@ namespace rayscope::scene {
 
 namespace {
 
-std::string_view kindOf(const toml::node& node) {
+std::string_view typeOf(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table:
             return "a table";
@@ -36,11 +36,11 @@ std::string NumberRange::text() const {
     const NumberRange all;
     const bool below = highest<all.highest, above = lowest> all.lowest;
     if (above && below && !openLow && !openHigh) return fmt::format(" from {} to {}", lowest, highest);
-    std::string words;
-    if (above) words += fmt::format("{}{}", openLow ? " above " : " of at least ", lowest);
-    if (above && below) words += " and";
-    if (below) words += fmt::format("{}{}", openHigh ? " below " : " of at most ", highest);
-    return words;
+    std::string range;
+    if (above) range += fmt::format("{}{}", openLow ? " above " : " of at least ", lowest);
+    if (above && below) range += " and";
+    if (below) range += fmt::format("{}{}", openHigh ? " below " : " of at most ", highest);
+    return range;
 }
 
 SourcePosition positionIn(const std::string& file, const toml::source_region& region) {
@@ -54,7 +54,7 @@ void TomlValue::fail(std::string_view message) const {
 }
 
 void TomlValue::failType(std::string_view expected) const {
-    fail(fmt::format("expected {}, got {}", expected, kindOf(node)));
+    fail(fmt::format("expected {}, got {}", expected, typeOf(node)));
 }
 
 std::string readText(const TomlValue& value) {
@@ -77,7 +77,7 @@ float readNumber(const TomlValue& value, const NumberRange& range) {
     else
         value.failType(expected);
     if (!std::isfinite(number)) value.fail(fmt::format("expected a finite number, got {}", number));
-    // Checked as the float that will be used: a double just above the end of an open range may round onto it.
+    // The rounded value is checked too: a double just above the end of an open range may round to the end.
     const float rounded = static_cast<float>(number);
     if (!std::isfinite(rounded) || !range.contains(number) || !range.contains(rounded))
         value.fail(fmt::format("expected {}, got {}", expected, number));
@@ -85,7 +85,7 @@ float readNumber(const TomlValue& value, const NumberRange& range) {
 }
 
 int readInteger(const TomlValue& value, int lowest, int highest) {
-    const std::string expected = fmt::format("a whole number from {} to {}", lowest, highest);
+    const std::string expected = fmt::format("an integer from {} to {}", lowest, highest);
     if (!value.node.is_integer()) value.failType(expected);
     const std::int64_t number = value.node.as_integer()->get();
     if (number < lowest || number > highest) value.fail(fmt::format("expected {}, got {}", expected, number));

@@ -1,5 +1,6 @@
 #pragma once
-// Values of a TOML file, read strictly: what is not as expected throws InputError at its place in the file.
+// Strict readers of TOML values. All throw InputError, at the position of the value, if the type or range is
+// wrong.
 #include <rayscope/diagnostics.h>
 #include <rayscope/vector.h>
 #include <toml++/toml.h>
@@ -11,7 +12,7 @@
 
 namespace rayscope::scene {
 
-/// The numbers a key accepts. Both ends belong to it unless they are open.
+/// The range of a number. Both ends are included unless open.
 struct NumberRange {
     double lowest = -std::numeric_limits<float>::max();
     double highest = std::numeric_limits<float>::max();
@@ -21,7 +22,7 @@ struct NumberRange {
     bool contains(double x) const {
         return (openLow ? x > lowest : x >= lowest) && (openHigh ? x < highest : x <= highest);
     }
-    /// " from 0 to 1", " above 0", … or "" if every float is welcome.
+    /// " from 0 to 1", " above 0", … or "" for kAnyNumber.
     std::string text() const;
 };
 inline constexpr NumberRange kAnyNumber{};
@@ -29,7 +30,7 @@ inline constexpr NumberRange kFraction{.lowest = 0.0, .highest = 1.0};
 inline constexpr NumberRange kNonNegative{.lowest = 0.0};
 inline constexpr NumberRange kPositive{.lowest = 0.0, .openLow = true};
 
-/// One value of the file and how to speak of it.
+/// One value of the file, and its key for messages.
 struct TomlValue {
     const std::string& file;
     const toml::node& node;
@@ -46,11 +47,11 @@ SourcePosition positionIn(const std::string& file, const toml::source_region& re
 
 std::string readText(const TomlValue& value);
 bool readBoolean(const TomlValue& value);
-/// Integers count as numbers; NaN, infinities and what float cannot hold do not.
+/// Integers are valid; NaN, infinity and values that overflow float are not.
 float readNumber(const TomlValue& value, const NumberRange& range);
 int readInteger(const TomlValue& value, int lowest, int highest);
 std::size_t readChoice(const TomlValue& value, std::span<const std::string_view> names);
-/// The array behind `value`, which must have `size` elements; `what` is the plural of an element.
+/// The array in `value`, which must have `size` elements; `what` is the plural of an element in messages.
 const toml::array& readArray(const TomlValue& value, std::size_t size, std::string_view what);
 const toml::table& readTable(const TomlValue& value);
 /// [r, g, b], linear, or { srgb = [r, g, b] }.

@@ -10,7 +10,8 @@ namespace {
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Twice the area vector of the polygon (Newell's method): its normal even when it is bent or concave.
+/// Twice the area vector of the polygon (Newell's method), along its normal even if it is non-planar or
+/// concave.
 glm::dvec3 areaVector(std::span<const glm::vec3> points) {
     glm::dvec3 sum(0.0);
     const glm::dvec3 origin(points[0]);
@@ -20,8 +21,8 @@ glm::dvec3 areaVector(std::span<const glm::vec3> points) {
     return sum;
 }
 
-/// The polygon seen along its normal: the two axes other than the largest of the normal, counter-clockwise.
-std::vector<glm::dvec2> flatten(std::span<const glm::vec3> points, const glm::dvec3& normal) {
+/// The polygon projected along the axis of the largest component of the normal, counter-clockwise.
+std::vector<glm::dvec2> project(std::span<const glm::vec3> points, const glm::dvec3& normal) {
     const glm::dvec3 size = glm::abs(normal);
     const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     const int u = (drop + 1) % 3, v = (drop + 2) % 3;
@@ -52,23 +53,23 @@ void triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triang
     std::vector<std::uint32_t> ring(points.size());
     std::iota(ring.begin(), ring.end(), 0u);
     const glm::dvec3 normal = areaVector(points);
-    const std::vector<glm::dvec2> flat = flatten(points, normal);
-    std::size_t made = 0;
+    const std::vector<glm::dvec2> flat = project(points, normal);
+    std::size_t count = 0;
     bool stuck = !std::isfinite(glm::dot(normal, normal));
     while (ring.size() > 3 && !stuck) {
         stuck = true;
-        // Starting behind the first corner makes a convex polygon the fan around it that everybody expects.
+        // Starting at the second corner turns a convex polygon into the usual fan around the first.
         for (std::size_t i = 1; i <= ring.size(); ++i) {
             const std::size_t ear = i % ring.size();
             if (!isEar(flat, ring, ear)) continue;
             const std::size_t n = ring.size();
-            triangles[made++] = {ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]};
+            triangles[count++] = {ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]};
             ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
             stuck = false;
             break;
         }
     }
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles[made++] = {ring[0], ring[i], ring[i + 1]};
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles[count++] = {ring[0], ring[i], ring[i + 1]};
 }
 
 }  // namespace rayscope::scene

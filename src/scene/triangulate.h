@@ -5,9 +5,9 @@
 
 namespace rayscope::scene {
 
-/// Cuts a polygon, convex or not, into size − 2 triangles of indices into `points`, by clipping ears. The
-/// polygon may be slightly bent; what cannot be cut properly (it crosses itself, has no area or is not
-/// finite) becomes a fan. `triangles` has size − 2 elements.
+/// Triangulates a convex or concave polygon of n points by ear clipping. `triangles` has n − 2 elements and
+/// receives indices into `points`. The polygon may be slightly non-planar. Polygons without a triangulation
+/// (self-intersecting, zero area, non-finite) become a fan.
 void triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triangles);
 
 }  // namespace rayscope::scene

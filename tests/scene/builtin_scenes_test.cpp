@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The names that scripts rely on.
+/// The promised names.
 const char* const kPromised[] = {"triangle",
                                  "cube",
                                  "cube-textured",
@@ -28,7 +28,7 @@ const char* const kPromised[] = {"triangle",
                                  "million",
                                  "ten-million"};
 
-TEST(BuiltinScenes, AreThoseThatWerePromisedWithASentenceEach) {
+TEST(BuiltinScenes, HavePromisedNamesAndTitles) {
     const auto scenes = builtinScenes();
     EXPECT_EQ(scenes.size(), std::size(kPromised));
     for (const char* name : kPromised) {
@@ -41,14 +41,14 @@ TEST(BuiltinScenes, AreThoseThatWerePromisedWithASentenceEach) {
 
 class BuiltinScene : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(BuiltinScene, OpensWithoutComplaint) {
+TEST_P(BuiltinScene, LoadsWithoutWarnings) {
     const std::string name = GetParam();
     Diagnostics notes;
     SceneDescription scene;
     try {
         scene = loadScene("builtin:" + name, notes);
     } catch (const InputError& error) {
-        // The one mesh that is too large to ship says what to do.
+        // Its mesh is fetched separately.
         ASSERT_EQ(name, "dragon") << error.what();
         EXPECT_THAT(error.what(), HasSubstr("run scripts/fetch_dragon.sh"));
         return;
@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(All, BuiltinScene, ::testing::ValuesIn(kPromised), [](c
     return name;
 });
 
-TEST(BuiltinScenes, HaveTheSizesOnTheirLabels) {
+TEST(BuiltinScenes, HaveTheDocumentedTriangleCounts) {
     Diagnostics notes;
     const auto triangles = [&](const char* name) { return requirementsOf(loadScene(name, notes)).triangles; };
     EXPECT_EQ(triangles("builtin:triangle"), 1u);
@@ -80,7 +80,7 @@ TEST(BuiltinScenes, HaveTheSizesOnTheirLabels) {
     EXPECT_EQ(triangles("builtin:ten-million"), 10000000u);
 }
 
-TEST(BuiltinScenes, TheDragonSaysWhatToDoWhenItIsAbsent) {
+TEST(BuiltinScenes, MissingDragonMeshHasAdvice) {
     // A copy of the scene in an empty folder.
     const std::filesystem::path folder =
         std::filesystem::temp_directory_path() / ("dragonless-" + std::to_string(getpid()));
@@ -90,19 +90,18 @@ TEST(BuiltinScenes, TheDragonSaysWhatToDoWhenItIsAbsent) {
     Diagnostics notes;
     try {
         loadScene((folder / "dragon.toml").string(), notes);
-        ADD_FAILURE() << "opened a mesh that is not there";
+        ADD_FAILURE() << "loaded a missing mesh";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("dragon.toml:11:8: error: the mesh "));
-        EXPECT_THAT(error.what(), HasSubstr("is not there; run scripts/fetch_dragon.sh once"));
+        EXPECT_THAT(error.what(), HasSubstr("dragon.toml:11:8: error: mesh file not found: "));
+        EXPECT_THAT(error.what(), HasSubstr("; run scripts/fetch_dragon.sh once"));
     }
     std::filesystem::remove_all(folder);
 }
 
-TEST(BuiltinScenes, TheCornellBoxHasItsMeasures) {
+TEST(BuiltinScenes, CornellBoxHasItsDimensions) {
     Diagnostics notes;
     const SceneBounds bounds = boundsOf(loadScene("builtin:cornell", notes));
-    // Of the box that old pictures show, measured on its mesh, whose coordinates are rounded to a centimetre
-    // in 2 m.
+    // Dimensions of the original mesh, whose coordinates are rounded to 0.5 %.
     const glm::vec3 lower(-0.52983f, -0.40747f, -0.54739f), upper(0.53610f, 0.64262f, 0.52381f);
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(bounds.lower[axis], lower[axis], 0.003f);
@@ -110,13 +109,13 @@ TEST(BuiltinScenes, TheCornellBoxHasItsMeasures) {
     }
 }
 
-TEST(BuiltinScenes, AnUnknownNameGetsTheNearest) {
+TEST(BuiltinScenes, UnknownNameSuggestsTheNearest) {
     Diagnostics notes;
     try {
         loadScene("builtin:cornel", notes);
-        ADD_FAILURE();
+        ADD_FAILURE() << "loaded an unknown scene";
     } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("no built-in scene is named 'cornel' (did you mean 'cornell'?)"));
+        EXPECT_THAT(error.what(), HasSubstr("unknown built-in scene 'cornel' (did you mean 'cornell'?)"));
     }
 }
 

@@ -1,4 +1,4 @@
-// Questions about a description: transforms, bounds, framing, requirements and lint.
+// Transforms, bounds, framing camera, requirements and lint of descriptions.
 #include "scene_files.h"
 
 namespace rayscope::test {
@@ -15,11 +15,11 @@ glm::dvec3 apply(const Transform& transform, const glm::dvec3& point) {
     return glm::dvec3(matrixOf(transform) * glm::dvec4(point, 1.0));
 }
 
-TEST(Transform, ScalesThenTurnsAboutXYZThenMoves) {
+TEST(Transform, ScalesThenRotatesAboutXYZThenTranslates) {
     Transform transform{2.0f, {90.0f, 0.0f, 90.0f}, {10.0f, 0.0f, 0.0f}, {}};
-    // (0, 1, 0) · 2 = (0, 2, 0); about x: (0, 0, 2); about z it stays; moved.
+    // (0, 1, 0) · 2 = (0, 2, 0); about x: (0, 0, 2); about z unchanged; translated.
     expectNear(apply(transform, {0, 1, 0}), {10, 0, 2});
-    // (1, 0, 0) · 2 = (2, 0, 0); about x it stays; about z: (0, 2, 0); moved.
+    // (1, 0, 0) · 2 = (2, 0, 0); about x unchanged; about z: (0, 2, 0); translated.
     expectNear(apply(transform, {1, 0, 0}), {10, 2, 0});
     transform.matrix = glm::mat4(1.0f);
     expectNear(apply(transform, {1, 2, 3}), {1, 2, 3});
@@ -51,7 +51,7 @@ TEST(Bounds, CoverSpheresAndTransformedMeshes) {
     EXPECT_EQ(boundsOf({}).lower, glm::vec3(-0.5f));
 }
 
-TEST(FramingCamera, SeesTheWholeBox) {
+TEST(FramingCamera, ShowsTheWholeBox) {
     for (const float size : {1e-6f, 1.0f, 1e6f}) {
         const SceneBounds bounds{glm::vec3(-1, -2, -3) * size, glm::vec3(2, 2, 2) * size};
         const CameraDescription camera = framingCamera(bounds);
@@ -69,7 +69,7 @@ TEST(FramingCamera, SeesTheWholeBox) {
     }
 }
 
-TEST(Requirements, AnswerWithReasons) {
+TEST(Requirements, HaveReasons) {
     SceneDescription scene = sphereScene();
     SceneRequirements needs = requirementsOf(scene);
     EXPECT_EQ(needs.spheres, 1u);
@@ -80,7 +80,7 @@ TEST(Requirements, AnswerWithReasons) {
                  needs.smoothNormals);
 
     scene.materials.push_back({.name = "glass", .ks = Rgb(0.5f), .opacity = 0.5f});
-    EXPECT_FALSE(requirementsOf(scene).reflections) << "nothing shows this material";
+    EXPECT_FALSE(requirementsOf(scene).reflections) << "unused material";
     scene.spheres[0].material = 1;
     scene.spheres[0].motion = {1, 0, 0};
     scene.cameras[0].lens = Lens{};
@@ -95,10 +95,10 @@ TEST(Requirements, AnswerWithReasons) {
         return Requirement{};
     };
     EXPECT_TRUE(find("reflections").needed);
-    EXPECT_EQ(find("reflections").because, "ks of material 'glass'");
-    EXPECT_EQ(find("segment lights").because, "1 segment light");
+    EXPECT_EQ(find("reflections").reason, "ks of material 'glass'");
+    EXPECT_EQ(find("segment lights").reason, "1 segment light");
     EXPECT_FALSE(find("triangles").needed);
-    EXPECT_EQ(find("triangles").because, "no mesh");
+    EXPECT_EQ(find("triangles").reason, "no mesh");
 }
 
 std::string lintText(const SceneDescription& scene) {
@@ -107,22 +107,22 @@ std::string lintText(const SceneDescription& scene) {
     return text;
 }
 
-TEST(Lint, IsSilentAboutASoundScene) { EXPECT_THAT(lintText(sphereScene()), IsEmpty()); }
+TEST(Lint, FindsNothingInAValidScene) { EXPECT_THAT(lintText(sphereScene()), IsEmpty()); }
 
-TEST(Lint, FindsOddMaterials) {
+TEST(Lint, FindsInvalidMaterials) {
     SceneDescription scene = sphereScene();
     scene.materials[0].kd = Rgb(0.8f);
     scene.materials[0].ks = Rgb(0.3f);
     scene.materials[0].shininess = 0.0f;
     scene.materials.push_back({.name = "spare"});
-    EXPECT_THAT(lintText(scene), HasSubstr("kd + ks reaches 1.1"));
+    EXPECT_THAT(lintText(scene), HasSubstr("not energy-conserving: kd + ks = 1.1"));
     EXPECT_THAT(lintText(scene), HasSubstr("shininess 0"));
     EXPECT_THAT(lintText(scene), HasSubstr("material 'spare' is not used"));
     scene.materials[0].ks = Rgb(0.2f);
     EXPECT_THAT(lintText(scene), ::testing::Not(HasSubstr("kd + ks")));
 }
 
-TEST(Lint, FindsOddMeshes) {
+TEST(Lint, FindsInvalidMeshes) {
     SceneDescription scene = sphereScene();
     const float nan = std::numeric_limits<float>::quiet_NaN();
     scene.meshes.push_back(
@@ -130,25 +130,25 @@ TEST(Lint, FindsOddMeshes) {
                       .normals = {{0, 0, -1}, {0, 0, -1}, {0, 0, -1}, {0, 0, 0}, {0, 0, 1}},
                       .triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}}));
     EXPECT_THAT(lintText(scene), HasSubstr("1 triangles have NaN or infinite vertices"));
-    EXPECT_THAT(lintText(scene), HasSubstr("1 triangles have no area, the first is number 1"));
+    EXPECT_THAT(lintText(scene), HasSubstr("1 degenerate triangles (zero area), the first has index 1"));
     EXPECT_THAT(lintText(scene), HasSubstr("1 vertex normals are zero"));
-    EXPECT_THAT(lintText(scene), HasSubstr("1 of 3 triangles face against their vertex normals"));
+    EXPECT_THAT(lintText(scene), HasSubstr("1 of 3 triangles are oriented against their vertex normals"));
     scene.materials[0].kdTexture =
         std::make_shared<Texture>(Texture{"a", RgbImage(1, 1), TextureWrap::Repeat});
     EXPECT_THAT(lintText(scene), HasSubstr("has no texture coordinates"));
 }
 
-TEST(Lint, FindsOddLightsAndCameras) {
+TEST(Lint, FindsInvalidLightsAndCameras) {
     SceneDescription scene = sphereScene();
     scene.lights = {{PointLight{{}, Rgb(0.0f)}}, {SegmentLight{{glm::vec3(1), glm::vec3(1)}}}};
     scene.cameras[0].lookFrom = {1, 2, 3};
     scene.cameras[0].lens = Lens{2.0f, 1.0f, 0.5f};
     EXPECT_THAT(lintText(scene), HasSubstr("light 1 is black"));
-    EXPECT_THAT(lintText(scene), HasSubstr("light 2: the segment has no length"));
+    EXPECT_THAT(lintText(scene), HasSubstr("light 2: the segment has zero length"));
     EXPECT_THAT(lintText(scene), HasSubstr("camera 'main' is inside 'ball'"));
-    EXPECT_THAT(lintText(scene), HasSubstr("focus_distance is not beyond focal_length"));
+    EXPECT_THAT(lintText(scene), HasSubstr("a lens cannot focus at or within its focal_length"));
     EXPECT_THAT(lintText({}), HasSubstr("no light"));
-    EXPECT_THAT(lintText({}), HasSubstr("nothing to see"));
+    EXPECT_THAT(lintText({}), HasSubstr("no geometry"));
 }
 
 }  // namespace

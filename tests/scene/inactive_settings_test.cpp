@@ -11,7 +11,7 @@ SceneRequirements needsOf(const std::string& name) {
     return requirementsOf(loadScene("builtin:" + name, notes));
 }
 
-TEST(SettingsWithoutEffect, AreTheOnesAboutWhatTheSceneDoesNotContain) {
+TEST(InactiveSettings, ApplyToWhatTheSceneDoesNotContain) {
     const SceneRequirements triangle = needsOf("triangle"), area = needsOf("cornell-area");
     EXPECT_NE(inactiveReason(triangle, "max_depth"), "");
     EXPECT_EQ(inactiveReason(area, "max_depth"), "");
@@ -24,8 +24,7 @@ TEST(SettingsWithoutEffect, AreTheOnesAboutWhatTheSceneDoesNotContain) {
     EXPECT_EQ(inactiveReason(needsOf("cubes-transparent"), "transparency"), "");
 }
 
-TEST(SettingsWithoutEffect, AreAtMostThoseOfTheTable) {
-    // An empty scene leaves everything without effect that a scene can; what remains concerns any picture.
+TEST(InactiveSettings, OfAnEmptySceneAreAllThatDependOnTheScene) {
     std::vector<std::string> remaining;
     for (const std::string_view key : settingKeys())
         if (inactiveReason(SceneRequirements{}, key).empty()) remaining.emplace_back(key);

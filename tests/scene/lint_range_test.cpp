@@ -1,4 +1,4 @@
-// A scene outside the range of numbers in which hits are proven right is told so, and no other.
+// Warnings for scenes outside the range in which hits are proven correct, and for no others.
 #include "scene/lint_range.h"
 
 #include <gmock/gmock.h>
@@ -41,13 +41,13 @@ Transform scaled(float scale) {
     return transform;
 }
 
-Transform movedTo(const glm::vec3& place, float scale = 1.0f) {
+Transform movedTo(const glm::vec3& position, float scale = 1.0f) {
     Transform transform = scaled(scale);
-    transform.translate = place;
+    transform.translate = position;
     return transform;
 }
 
-TEST(LintRange, IsSilentWhereEverythingIsProven) {
+TEST(LintRange, HasNoWarningWithinTheRange) {
     EXPECT_THAT(textOf({}), IsEmpty());
     for (const int exponent : {-55, -20, 0, 20, 55})
         EXPECT_THAT(textOf(sphereMesh(scaled(std::ldexp(1.0f, exponent)))), IsEmpty()) << exponent;
@@ -57,45 +57,44 @@ TEST(LintRange, IsSilentWhereEverythingIsProven) {
     EXPECT_THAT(textOf(sphere), IsEmpty());
 }
 
-TEST(LintRange, NamesSizesBeyondTheProvenOnes) {
+TEST(LintRange, WarnsAboutSizesOutOfRange) {
     EXPECT_THAT(textOf(sphereMesh(scaled(0x1p62f))),
-                HasSubstr("hits are proven right from 8.7e-19 to 1.2e+18"));
-    EXPECT_THAT(textOf(sphereMesh(scaled(0x1p-63f))), HasSubstr("units large; hits are proven right"));
-    EXPECT_THAT(textOf(sphereMesh(scaled(0.0f))), HasSubstr("the scene is 0 units large"));
+                HasSubstr("hits are proven correct from 8.7e-19 to 1.2e+18"));
+    EXPECT_THAT(textOf(sphereMesh(scaled(0x1p-63f))), HasSubstr("hits are proven correct from"));
+    EXPECT_THAT(textOf(sphereMesh(scaled(0.0f))), HasSubstr("the scene has a size of 0"));
 }
 
-TEST(LintRange, NamesPlacesTooFarAway) {
+TEST(LintRange, WarnsAboutDistantScenes) {
     const std::string text = textOf(sphereMesh(movedTo({1e7f, 0, 0})));
     EXPECT_THAT(text, HasSubstr("from the origin, 2.9e+06 times its size"));
     EXPECT_THAT(
         text,
-        HasSubstr(
-            "of 1280 triangles have sides of less than 4 steps of float, which are up to 1 units there"));
+        HasSubstr("of 1280 triangles have edges shorter than 4 float steps, which are up to 1 units there"));
 }
 
-TEST(LintRange, IsPartOfWhatInfoSays) {
+TEST(LintRange, IsPartOfLint) {
     const Diagnostics found = lint(sphereMesh(movedTo({1e7f, 0, 0})));
     EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const Diagnostic& d) {
-        return d.message.find("so move it nearer") != std::string::npos;
+        return d.message.find("move it closer") != std::string::npos;
     }));
 }
 
-TEST(LintRange, NamesShapesThatRoundingDecides) {
-    // The sides are about 0.15 long; steps of float are 0.0625 at a million and 0.0078 at a hundred thousand.
-    EXPECT_THAT(textOf(sphereMesh(movedTo({1e6f, 0, 0}))), HasSubstr("rounding decides their shape"));
+TEST(LintRange, WarnsAboutShapesDominatedByRounding) {
+    // The edges are about 0.15 long; steps of float are 0.0625 at a million and 0.0078 at a hundred thousand.
+    EXPECT_THAT(textOf(sphereMesh(movedTo({1e6f, 0, 0}))), HasSubstr("rounding dominates their shape"));
     EXPECT_THAT(textOf(sphereMesh(movedTo({1e5f, 0, 0}))), IsEmpty());
     SceneDescription sphere;
     sphere.spheres.push_back({"dot", {{1e6f, 0, 0}, 0.2f}, 0, glm::vec3(0)});
-    EXPECT_THAT(textOf(sphere), HasSubstr("sphere 'dot': its radius 0.2 is less than 4 steps"));
+    EXPECT_THAT(textOf(sphere), HasSubstr("sphere 'dot': its radius 0.2 is less than 4 float steps"));
 }
 
-TEST(LintRange, NamesCoordinatesThatOverflow) {
-    EXPECT_THAT(textOf(sphereMesh(movedTo({3e38f, 0, 0}, 2e38f))), HasSubstr("too far away for a float"));
-    SceneDescription odd = sphereMesh({});
-    auto data = std::make_shared<MeshData>(*odd.meshes[0].data);
-    data->positions[4].x = std::nanf("");  // named elsewhere
-    odd.meshes[0].data = data;
-    EXPECT_THAT(textOf(odd), IsEmpty());
+TEST(LintRange, WarnsAboutOverflow) {
+    EXPECT_THAT(textOf(sphereMesh(movedTo({3e38f, 0, 0}, 2e38f))), HasSubstr("overflow float"));
+    SceneDescription nonFinite = sphereMesh({});
+    auto data = std::make_shared<MeshData>(*nonFinite.meshes[0].data);
+    data->positions[4].x = std::nanf("");  // lint() warns about it
+    nonFinite.meshes[0].data = data;
+    EXPECT_THAT(textOf(nonFinite), IsEmpty());
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
-// OBJ and MTL files as they are found in the wild.
+// OBJ and MTL files as programs write them.
 #include "scene_files.h"
 
 #include <fmt/format.h>
 #include <rayscope/image.h>
+#include <clocale>
+#include <locale>
 
 namespace rayscope::test {
 namespace {
@@ -19,7 +21,7 @@ class ObjReader : public SceneFiles {
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
-TEST_F(ObjReader, ABareMeshOpensWithACameraAndALight) {
+TEST_F(ObjReader, BareMeshGetsACameraAndALight) {
     const auto scene = read(kTriangle + "f 1 2 3\n");
     EXPECT_EQ(meshOf(scene).triangles, std::vector<glm::uvec3>{glm::uvec3(0, 1, 2)});
     ASSERT_EQ(scene.cameras.size(), 1u);
@@ -31,7 +33,7 @@ TEST_F(ObjReader, ABareMeshOpensWithACameraAndALight) {
     EXPECT_TRUE(notes_.empty()) << notesText();
 }
 
-TEST_F(ObjReader, CornersAreSharedWhereAllIndicesAgree) {
+TEST_F(ObjReader, CornersWithEqualIndicesAreShared) {
     const auto scene =
         read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\n");
     EXPECT_EQ(meshOf(scene).positions.size(), 4u);
@@ -40,14 +42,15 @@ TEST_F(ObjReader, CornersAreSharedWhereAllIndicesAgree) {
     EXPECT_EQ(meshOf(split).positions.size(), 6u);
 }
 
-TEST_F(ObjReader, PolygonsBecomeTriangles) {
+TEST_F(ObjReader, PolygonsAreTriangulated) {
     const auto scene = read("v 0 0 0\nv 2 -1 0\nv 1 0 0\nv 2 1 0\nf 1 2 3 4\nf 1 2 3\n");
     ASSERT_EQ(meshOf(scene).triangles.size(), 3u);
     EXPECT_EQ(meshOf(scene).triangles[2], glm::uvec3(0, 1, 2));
     for (std::size_t i = 0; i < 2; ++i) {
         const glm::uvec3 t = meshOf(scene).triangles[i];
         const auto& p = meshOf(scene).positions;
-        EXPECT_GT(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]).z, 0.0f) << "the arrow is cut along its axis";
+        EXPECT_GT(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]).z, 0.0f)
+            << "split along the axis of the arrow";
     }
 }
 
@@ -57,7 +60,7 @@ TEST_F(ObjReader, NegativeIndicesCountBack) {
     EXPECT_EQ(meshOf(scene).positions[1], glm::vec3(1, 0, 0));
 }
 
-TEST_F(ObjReader, FacesMayStandBeforeTheirVertices) {
+TEST_F(ObjReader, FacesMayPrecedeTheirVertices) {
     EXPECT_EQ(meshOf(read("f 1 2 3\n" + kTriangle)).positions[1], glm::vec3(1, 0, 0));
 }
 
@@ -72,11 +75,11 @@ TEST_F(ObjReader, TextureCoordinatesAndMixedNormals) {
     EXPECT_EQ(meshOf(scene).texCoords[0], glm::vec2(0.5f, 0));
     EXPECT_EQ(meshOf(scene).texCoords[1], glm::vec2(0, 1));
     EXPECT_EQ(meshOf(scene).normals[0], glm::vec3(0, 1, 0));
-    EXPECT_EQ(meshOf(scene).normals[1], glm::vec3(0, 0, 1)) << "filled in from the face";
+    EXPECT_EQ(meshOf(scene).normals[1], glm::vec3(0, 0, 1)) << "computed from the face";
     EXPECT_TRUE(meshOf(read(kTriangle + "f 1 2 3\n")).normals.empty());
 }
 
-TEST_F(ObjReader, NamesTheLineOfAWrongIndex) {
+TEST_F(ObjReader, IndicesOutOfRangeAreErrorsWithTheLine) {
     EXPECT_EQ(failure(kTriangle + "f 1 2 3\nf 1 2 4\n"),
               "mesh.obj:5: error: vertex 4 is out of range: expected 1 to 3 or -3 to -1");
     EXPECT_EQ(failure(kTriangle + "f 0 1 2\n"),
@@ -89,42 +92,42 @@ TEST_F(ObjReader, NamesTheLineOfAWrongIndex) {
               "mesh.obj:4: error: vertex 0 is out of range: expected 1 to 3 or -3 to -1");
 }
 
-TEST_F(ObjReader, IndicesThatNoIntegerHoldsAreErrors) {
+TEST_F(ObjReader, IndicesBeyondIntAreErrors) {
     EXPECT_EQ(failure(kTriangle + "f 1 2 4294967299\n"),
               "mesh.obj:4: error: an index has more than nine digits");
 }
 
-TEST_F(ObjReader, RemarksAreNoVerticesAndNoFaces) {
+TEST_F(ObjReader, CommentsAreIgnored) {
     const auto scene = read("# a path C:\\\nv 0 0 0 # origin\r\nv 1 0 0\nv 0 1 0#\nf 1 2 3 # 4 5\n");
     EXPECT_EQ(meshOf(scene).positions.size(), 3u);
     EXPECT_EQ(meshOf(scene).triangles.size(), 1u);
     EXPECT_TRUE(notes_.empty()) << notesText();
 }
 
-TEST_F(ObjReader, AnEmptyFileIsAnError) {
-    EXPECT_EQ(failure(""), "mesh.obj: error: no face (a line 'f …') in the file: nothing to see");
-    EXPECT_EQ(failure(kTriangle), "mesh.obj: error: no face (a line 'f …') in the file: nothing to see");
+TEST_F(ObjReader, FilesWithoutFacesAreErrors) {
+    EXPECT_EQ(failure(""), "mesh.obj: error: the file has no faces (lines 'f …')");
+    EXPECT_EQ(failure(kTriangle), "mesh.obj: error: the file has no faces (lines 'f …')");
 }
 
-TEST_F(ObjReader, WordsInPlaceOfNumbersAreErrors) {
+TEST_F(ObjReader, InvalidNumbersAreErrors) {
     EXPECT_EQ(failure("v 0 zero 0\n"), "mesh.obj:1: error: expected a number, got 'zero 0'");
     EXPECT_EQ(failure("v 0 0 # end\n"), "mesh.obj:1: error: expected 3 numbers, got 2");
 }
 
-TEST_F(ObjReader, StrayVerticesAreKeptAndCounted) {
+TEST_F(ObjReader, NonFiniteVerticesAreKeptAndCounted) {
     const auto scene =
         read("v 0 0 0\nv nan 0 0\nv 0 -inf 0\nv 1 1 1e60\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 4 5\nf 1 5 6\n");
     EXPECT_TRUE(std::isnan(meshOf(scene).positions[1].x));
     EXPECT_TRUE(std::isinf(meshOf(scene).positions[2].y));
     EXPECT_THAT(notesText(), HasSubstr("mesh.obj:2: note: 3 vertices with NaN or infinite coordinates"));
-    EXPECT_EQ(boundsOf(scene).upper, glm::vec3(1, 1, 0)) << "the rest is framed";
+    EXPECT_EQ(boundsOf(scene).upper, glm::vec3(1, 1, 0)) << "bounds of the finite vertices";
 }
 
-TEST_F(ObjReader, ThinFacesAndUnknownLinesAreNotedOnce) {
+TEST_F(ObjReader, DegenerateFacesAndUnknownStatementsAreNotedOnce) {
     const auto scene = read(kTriangle + "f 1 2\nl 1 2\nl 2 3\nf 1\nf 1 2 3\n");
     EXPECT_EQ(meshOf(scene).triangles.size(), 1u);
-    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:4: note: 2 faces with fewer than three corners"));
-    EXPECT_THAT(notesText(), HasSubstr("ignored: l\n"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:4: note: 2 faces with fewer than three vertices"));
+    EXPECT_THAT(notesText(), HasSubstr("ignored statements: l\n"));
     EXPECT_EQ(notes_.size(), 2u);
 }
 
@@ -143,13 +146,13 @@ TEST_F(ObjReader, ReadsMaterials) {
     EXPECT_EQ(red.shininess, 30.0f);
     EXPECT_EQ(red.opacity, 0.75f);
     EXPECT_EQ(red.illum, 3);
-    EXPECT_EQ(scene.materials[1].opacity, 0.5f) << "d wins";
+    EXPECT_EQ(scene.materials[1].opacity, 0.5f) << "d overrides Tr";
     EXPECT_EQ(meshOf(scene).materialSlots, (std::vector<std::uint16_t>{0, 1, 1}));
-    EXPECT_THAT(notesText(), HasSubstr("d 0.5 and Tr 0.75 contradict each other"));
-    EXPECT_THAT(notesText(), HasSubstr("ignored: Ka, map_bump"));
+    EXPECT_THAT(notesText(), HasSubstr("d 0.5 contradicts Tr 0.75; d is used"));
+    EXPECT_THAT(notesText(), HasSubstr("ignored statements: Ka, map_bump"));
 }
 
-TEST_F(ObjReader, FacesBeforeTheFirstUsemtlHaveADefault) {
+TEST_F(ObjReader, FacesBeforeTheFirstUsemtlHaveADefaultMaterial) {
     write("m.mtl", "newmtl a\nKd 1 0 0\n");
     const auto scene = read("mtllib m.mtl\n" + kTriangle + "f 1 2 3\nusemtl a\nf 1 2 3\n");
     ASSERT_EQ(scene.materials.size(), 2u);
@@ -157,7 +160,7 @@ TEST_F(ObjReader, FacesBeforeTheFirstUsemtlHaveADefault) {
     EXPECT_EQ(meshOf(scene).materialSlots, (std::vector<std::uint16_t>{0, 1}));
 }
 
-TEST_F(ObjReader, OpensTexturesBehindOptionsAndBackslashes) {
+TEST_F(ObjReader, TexturePathsMayHaveOptionsAndBackslashes) {
     const std::string image = (folder_ / "images" / "a.pfm").string();
     std::filesystem::create_directories(folder_ / "images");
     RgbImage texels(2, 1);
@@ -170,10 +173,10 @@ TEST_F(ObjReader, OpensTexturesBehindOptionsAndBackslashes) {
     EXPECT_EQ(scene.materials[0].kdTexture->wrap, TextureWrap::Clamp);
 }
 
-TEST_F(ObjReader, WhatIsMissingBesideTheMeshIsAWarning) {
+TEST_F(ObjReader, MissingMaterialsAndTexturesAreWarnings) {
     const auto plain = read("mtllib gone.mtl\nusemtl a\n" + kTriangle + "f 1 2 3\n");
     EXPECT_EQ(plain.materials.size(), 1u);
-    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:1: warning: the material file"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:1: warning: material file not found: "));
     EXPECT_EQ(notes_.size(), 1u);
 
     notes_.clear();
@@ -187,19 +190,25 @@ TEST_F(ObjReader, WhatIsMissingBesideTheMeshIsAWarning) {
 
     notes_.clear();
     read("mtllib m.mtl\nusemtl c\n" + kTriangle + "f 1 2 3\n");
-    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:2: warning: material 'c' is in no material file"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.obj:2: warning: undefined material 'c'"));
 }
 
 TEST_F(ObjReader, DoesNotDependOnTheLocale) {
+    // A locale of C++ needs no installed one; the C locale is changed too, where one is installed.
+    struct CommaPoint : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+    };
     const char* before = std::setlocale(LC_ALL, nullptr);
     const std::string saved = before ? before : "C";
+    const std::locale savedGlobal = std::locale::global(std::locale(std::locale(), new CommaPoint));
     for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_ALL, name);
     const auto scene = read("v 0.5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    std::locale::global(savedGlobal);
     std::setlocale(LC_ALL, saved.c_str());
     EXPECT_EQ(meshOf(scene).positions[0].x, 0.5f);
 }
 
-TEST_F(ObjReader, ReadsWhatItsOwnFormatAllowsForLargeMeshes) {
+TEST_F(ObjReader, ReadsThousandsOfVertices) {
     std::string text;
     for (int i = 0; i < 2000; ++i) text += fmt::format("v {} {} 0\n", i % 50, i / 50);
     for (int i = 0; i + 51 < 2000; ++i) text += fmt::format("f {} {} {}\n", i + 1, i + 2, i + 52);

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes and meshes written into a folder that lives as long as the test.
+// A fixture that writes scenes and meshes into a temporary folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rayscope/scene.h>
@@ -31,7 +31,7 @@ class SceneFiles : public ::testing::Test {
 
     SceneDescription load(const std::string& path) { return loadScene(path, notes_); }
 
-    /// The message of the error, with the folder cut off; "" if there is none.
+    /// The error message of load(), without the folder; "" if there is none.
     std::string errorOf(const std::string& path) {
         try {
             load(path);
@@ -45,7 +45,7 @@ class SceneFiles : public ::testing::Test {
         return "";
     }
 
-    /// The text of every note so far, one per line.
+    /// All notes so far, one per line.
     std::string notesText() const {
         std::string text;
         for (const Diagnostic& note : notes_) text += toString(note) + "\n";

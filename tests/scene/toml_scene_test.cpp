@@ -1,4 +1,4 @@
-// The strict reader of scene files: every key, and for each class of error the exact place and words.
+// The reader of scene files: every key, and position and message of each kind of error.
 #include <rayscope/settings.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ TEST_F(TomlScene, DecodesSrgbColours) {
     EXPECT_EQ(scene.materials[0].kd.b, 1.0f);
 }
 
-TEST_F(TomlScene, MatrixIsWrittenRowByRow) {
+TEST_F(TomlScene, MatrixIsRowMajor) {
     const auto scene = read(
         "[[mesh]]\ngenerate = { shape = \"quad\" }\n"
         "transform = { matrix = [1, 0, 0, 5,  0, 2, 0, 6,  0, 0, 3, 7,  0, 0, 0, 1] }\n");
@@ -131,7 +131,7 @@ TEST_F(TomlScene, MatrixIsWrittenRowByRow) {
     EXPECT_EQ(moved, glm::dvec4(6, 8, 10, 1));
 }
 
-TEST_F(TomlScene, KeepsSettingsWithTheirPlace) {
+TEST_F(TomlScene, KeepsSettingsWithTheirPosition) {
     const auto scene = read("[settings]\nspp = 64\nglossy = true\nsampler = \"jittered\"\n");
     ASSERT_EQ(scene.settings.size(), 3u);
     for (const SettingAssignment& setting : scene.settings) {
@@ -141,7 +141,7 @@ TEST_F(TomlScene, KeepsSettingsWithTheirPlace) {
     }
 }
 
-TEST_F(TomlScene, ASceneWithoutCameraOrLightsOpensWithAWarningEach) {
+TEST_F(TomlScene, MissingCameraAndLightsAreWarnings) {
     const auto scene = read("[[sphere]]\ncenter = [5, 0, 0]\nradius = 1\n");
     ASSERT_EQ(scene.cameras.size(), 1u);
     EXPECT_EQ(scene.cameras[0].lookAt, glm::vec3(5, 0, 0));
@@ -150,7 +150,7 @@ TEST_F(TomlScene, ASceneWithoutCameraOrLightsOpensWithAWarningEach) {
     EXPECT_THAT(notesText(), HasSubstr("warning: no light"));
 }
 
-TEST_F(TomlScene, OneFileInManyPlacesIsReadOnce) {
+TEST_F(TomlScene, InstancesOfAFileShareItsData) {
     write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const auto scene = read("[[mesh]]\nfile = \"a.obj\"\n[[mesh]]\nfile = \"./a.obj\"\n");
     EXPECT_EQ(scene.meshes[0].data, scene.meshes[1].data);
@@ -166,7 +166,7 @@ void PrintTo(const WrongScene& wrong, std::ostream* out) { *out << wrong.name; }
 
 class WrongToml : public TomlScene, public ::testing::WithParamInterface<WrongScene> {};
 
-TEST_P(WrongToml, IsRefusedAtItsPlace) {
+TEST_P(WrongToml, IsAnErrorWithItsPosition) {
     EXPECT_THAT(failure(GetParam().body), StartsWith(GetParam().error));
 }
 
@@ -181,7 +181,7 @@ const WrongScene kWrongScenes[] = {
      "colors"},
     {"UnknownLight", "[[light]]\ntype = \"sun\"\n",
      "scene.toml:3:8: error: type: expected point, segment or parallelogram, got 'sun'"},
-    {"LightWithoutType", "[[light]]\n", "scene.toml:2:1: error: light: a light needs the key 'type'"},
+    {"LightWithoutType", "[[light]]\n", "scene.toml:2:1: error: light: needs the key 'type'"},
     {"MissingKey", "[[sphere]]\ncenter = [0, 0, 0]\n",
      "scene.toml:2:1: error: a sphere needs the key 'radius'"},
     {"WrongType", "[[sphere]]\ncenter = [0, 0, 0]\nradius = \"big\"\n",
@@ -206,39 +206,40 @@ const WrongScene kWrongScenes[] = {
      "scene.toml:3:14: error: center: expected a number, got a boolean"},
     {"Colour", "[material.a]\nkd = { rgb = [1, 1, 1] }\n",
      "scene.toml:3:6: error: kd: expected a colour: [r, g, b] or { srgb = [r, g, b] }"},
-    {"SingleBracket", "[camera]\nlook_from = [0, 0, 1]\n", "scene.toml:2:1: error: camera: write [[camera]]"},
+    {"SingleBracket", "[camera]\nlook_from = [0, 0, 1]\n",
+     "scene.toml:2:1: error: camera: expected an array of tables; write [[camera]]"},
     {"UndefinedMaterial",
      "[material.gold]\n[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"glod\"\n",
      "scene.toml:6:12: error: undefined material 'glod' (did you mean 'gold'?); expected gold"},
     {"NoMaterials", "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"gold\"\n",
-     "scene.toml:5:12: error: undefined material 'gold'; the scene defines none"},
+     "scene.toml:5:12: error: undefined material 'gold'; the scene defines no material"},
     {"DuplicateMaterial", "[material.a]\n[material.a]\n", "scene.toml:3:"},
     {"DuplicateCamera",
      "[[camera]]\nlook_from = [0, 0, 1]\n[[camera]]\nname = \"main\"\nlook_from = [0, 0, 1]\n",
-     "scene.toml:4:1: error: camera: two cameras are named 'main'"},
+     "scene.toml:4:1: error: camera: duplicate camera name 'main'"},
     {"NoView", "[[camera]]\nlook_from = [1, 1, 1]\nlook_at = [1, 1, 1]\n",
      "scene.toml:2:1: error: camera: look_from and look_at are the same point"},
     {"UpAlongTheView", "[[camera]]\nlook_from = [0, 5, 0]\n",
      "scene.toml:2:1: error: camera: up is parallel to the viewing direction"},
     {"MeshOfNothing", "[[mesh]]\nname = \"a\"\n", "scene.toml:2:1: error: mesh: needs either file"},
     {"MissingMesh", "[[mesh]]\nfile = \"gone.obj\"\nif_missing = \"make it\"\n",
-     "scene.toml:3:8: error: the mesh 'gone.obj' is not there; make it"},
+     "scene.toml:3:8: error: mesh file not found: gone.obj; make it"},
     {"MissingImage", "[material.a]\nkd_texture = \"gone.png\"\n",
-     "scene.toml:3:14: error: the image 'gone.png' is not there"},
+     "scene.toml:3:14: error: image file not found: gone.png"},
     {"UnknownShape", "[[mesh]]\ngenerate = { shape = \"teapt\" }\n",
      "scene.toml:3:22: error: shape: expected quad, "},
     {"KeyOfAnotherShape", "[[mesh]]\ngenerate = { shape = \"quad\", radius = 2 }\n",
      "scene.toml:3:30: error: unknown key 'radius' in the shape 'quad'; expected shape or size"},
-    {"WholeNumber", "[[mesh]]\ngenerate = { shape = \"teapot\", resolution = 1.5 }\n",
-     "scene.toml:3:45: error: resolution: expected a whole number from 1 to 512, got a number"},
-    {"FlatMatrix",
+    {"Integer", "[[mesh]]\ngenerate = { shape = \"teapot\", resolution = 1.5 }\n",
+     "scene.toml:3:45: error: resolution: expected an integer from 1 to 512, got a number"},
+    {"SingularMatrix",
      "[[mesh]]\ngenerate = { shape = \"quad\" }\n"
      "transform = { matrix = [1,0,0,0, 0,1,0,0, 0,0,0,0, 0,0,0,1] }\n",
-     "scene.toml:4:24: error: matrix: the matrix flattens the mesh"},
+     "scene.toml:4:24: error: matrix: singular matrix"},
     {"MatrixAndMore",
      "[[mesh]]\ngenerate = { shape = \"quad\" }\n"
      "transform = { scale = 2, matrix = [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1] }\n",
-     "scene.toml:4:13: error: transform: matrix stands for the whole transform"},
+     "scene.toml:4:13: error: transform: matrix excludes the other keys"},
     {"EmptyEnvironment", "[environment]\n",
      "scene.toml:2:1: error: environment: needs one of cube, equirect and generate"},
     {"HalfACube", "[environment]\ncube = { px = \"a.png\" }\n",
@@ -246,16 +247,16 @@ const WrongScene kWrongScenes[] = {
     {"UnknownSetting", "[settings]\nsp = 3\n",
      "scene.toml:3:1: error: unknown setting 'sp' (did you mean 'spp'?)"},
     {"SettingOutOfRange", "[settings]\nmax_depth = 17\n",
-     "scene.toml:3:1: error: setting 'max_depth': expected a whole number from 0 to 16, got '17'"},
+     "scene.toml:3:1: error: setting 'max_depth': expected an integer from 0 to 16, got '17'"},
     {"Syntax", "[[camera]\n", "scene.toml:2:"},
 };
 INSTANTIATE_TEST_SUITE_P(Scenes, WrongToml, ::testing::ValuesIn(kWrongScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST_F(TomlScene, TheDocumentationNamesEveryKey) {
+TEST_F(TomlScene, DocumentationHasEveryKey) {
     std::ifstream stream(RAYSCOPE_SOURCE_DIR "/docs/scene-format.md");
     const std::string page(std::istreambuf_iterator<char>(stream), {});
-    // An unknown key makes the reader list the known ones, which come from its own tables.
+    // The error about an unknown key lists the known keys of the table.
     int lists = 0;
     for (const char* body :
          {"x = 1", "[[camera]]\nx = 1", "[[camera]]\nlook_from = [0, 0, 1]\nlens = { x = 1 }",
@@ -279,24 +280,24 @@ TEST_F(TomlScene, TheDocumentationNamesEveryKey) {
     EXPECT_EQ(lists, 11);
 }
 
-TEST_F(TomlScene, NeedsAVersionItKnows) {
+TEST_F(TomlScene, NeedsASupportedVersion) {
     EXPECT_EQ(errorOf(write("none.toml", "title = \"a\"\n")),
-              "none.toml:1:1: error: a scene needs the key 'version': write version = 1");
+              "none.toml:1:1: error: a scene needs the key 'version'; write version = 1");
     EXPECT_EQ(errorOf(write("two.toml", "version = 2\n")),
-              "two.toml:1:11: error: version: expected a whole number from 1 to 1, got 2");
+              "two.toml:1:11: error: version: expected an integer from 1 to 1, got 2");
 }
 
-TEST_F(TomlScene, SaysWhyAFileCannotBeOpened) {
+TEST_F(TomlScene, UnreadableFilesAreErrorsWithTheReason) {
     EXPECT_EQ(errorOf((folder_ / "gone.toml").string()),
-              "gone.toml: error: cannot be opened: No such file or directory");
+              "gone.toml: error: cannot be read: No such file or directory");
     std::filesystem::create_directories(folder_ / "folder.toml");
-    EXPECT_EQ(errorOf((folder_ / "folder.toml").string()),
-              "folder.toml: error: cannot be read: it is a folder");
-    EXPECT_EQ(errorOf(write("picture.png", "")),
-              "picture.png: error: a scene is a .toml file, an .obj file or builtin:NAME");
+    EXPECT_EQ(errorOf((folder_ / "folder.toml").string()), "folder.toml: error: is a folder, not a file");
+    EXPECT_EQ(
+        errorOf(write("picture.png", "")),
+        "picture.png: error: unknown scene format; expected a .toml file, an .obj file or builtin:NAME");
 }
 
-TEST_F(TomlScene, AnEmptyImageIsAnErrorThatNamesIt) {
+TEST_F(TomlScene, EmptyImageIsAnErrorWithItsName) {
     write("empty.png", "");
     EXPECT_THAT(failure("[material.a]\nkd_texture = \"empty.png\"\n"), HasSubstr("empty.png"));
 }

@@ -7,14 +7,14 @@
 namespace rayscope {
 namespace {
 
-struct Cut {
+struct Triangulation {
     std::vector<glm::uvec3> triangles;
-    double area = 0.0;      ///< sum of the signed areas, seen along `normal`
-    double smallest = 0.0;  ///< the smallest of them
+    double area = 0.0;      ///< sum of the signed areas along `normal`
+    double smallest = 0.0;  ///< the smallest signed area
 };
 
-Cut cut(const std::vector<glm::vec3>& points, glm::dvec3 normal) {
-    Cut result;
+Triangulation triangulate(const std::vector<glm::vec3>& points, glm::dvec3 normal) {
+    Triangulation result;
     result.triangles.resize(points.size() - 2);
     scene::triangulate(points, result.triangles);
     result.smallest = 1e30;
@@ -27,19 +27,19 @@ Cut cut(const std::vector<glm::vec3>& points, glm::dvec3 normal) {
     return result;
 }
 
-TEST(Triangulate, ConvexPolygonsBecomeAFan) {
-    const Cut quad = cut({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 0, 1});
+TEST(Triangulate, ConvexPolygonsBecomeFans) {
+    const Triangulation quad = triangulate({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 0, 1});
     EXPECT_DOUBLE_EQ(quad.area, 1.0);
     EXPECT_EQ(quad.triangles[0], glm::uvec3(0, 1, 2));
     EXPECT_EQ(quad.triangles[1], glm::uvec3(0, 2, 3));
 }
 
 TEST(Triangulate, ConcavePolygonsAreCoveredExactly) {
-    // An arrow head: the fan around its first corner would leave it.
-    const Cut arrow = cut({{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}}, {0, 0, 1});
+    // An arrow head: the fan around its first corner is not inside it.
+    const Triangulation arrow = triangulate({{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}}, {0, 0, 1});
     EXPECT_DOUBLE_EQ(arrow.area, 1.0);
     EXPECT_GT(arrow.smallest, 0.0);
-    // A comb, in a plane that no axis is normal to.
+    // A comb in a plane that is not perpendicular to an axis.
     std::vector<glm::vec3> comb;
     for (int i = 0; i < 6; ++i) {
         comb.emplace_back(i, 0, i);
@@ -48,7 +48,7 @@ TEST(Triangulate, ConcavePolygonsAreCoveredExactly) {
     comb.emplace_back(5.5, -1, 5.5);
     comb.emplace_back(0, -1, 0);
     const glm::dvec3 normal = glm::normalize(glm::dvec3(1, 0, -1));
-    const Cut teeth = cut(comb, normal);
+    const Triangulation teeth = triangulate(comb, normal);
     double expected = 0.0;
     for (std::size_t i = 0; i < comb.size(); ++i)
         expected +=
@@ -57,7 +57,7 @@ TEST(Triangulate, ConcavePolygonsAreCoveredExactly) {
     EXPECT_GT(teeth.smallest * (expected > 0 ? 1 : -1) + 1e-12, 0.0);
 }
 
-TEST(Triangulate, ImpossiblePolygonsStillGiveEveryTriangle) {
+TEST(Triangulate, InvalidPolygonsStillFillAllTriangles) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const auto& points : {std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},
                                std::vector<glm::vec3>(5, glm::vec3(1.0f)),

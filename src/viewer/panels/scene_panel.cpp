@@ -48,9 +48,9 @@ void drawRequirements(const SceneRequirements& needs) {
         labelledRow(requirement.name, requirement.needed);
         ImGui::PushTextWrapPos(0.0f);
         if (requirement.needed)
-            text(requirement.because.empty() ? "needed" : requirement.because);
+            text(requirement.reason.empty() ? "needed" : requirement.reason);
         else
-            dimText(requirement.because.empty() ? "not needed" : requirement.because);
+            dimText(requirement.reason.empty() ? "not needed" : requirement.reason);
         ImGui::PopTextWrapPos();
     }
     ImGui::TreePop();
