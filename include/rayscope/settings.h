@@ -19,30 +19,34 @@ enum class BvhBuilder { Median, Sah, SahBinned, SahReinsertion };
 enum class BvhLayout { Binary, Wide };
 enum class Isa { Auto, Scalar, Sse2, Avx2, Avx512 };
 
-/// How a scene is computed and shown, as a plain value. What each field means, its unit and its range stand
-/// in the one table of src/settings/table.h, from which the command line, the window and the documentation
-/// are made. An effect that a scene does not contain has no cost, whatever is said here.
+/// How a scene is rendered and displayed. The meaning, unit and range of each field are in the settings table
+/// (src/settings/table.h; printed in docs/settings.md), in the order of the fields. An effect that the scene
+/// does not contain costs nothing, whatever its setting.
 struct Settings {
-    // Light transport.
+    // Light.
     bool shading = true;
-    bool recursion = true;
-    int maxDepth = 5;
-    ReflectWhen reflectWhen = ReflectWhen::Ks;
     bool hardShadows = true;
     bool softShadows = true;
     int segmentSamples = 16;
     int parallelogramSamples = 4;
     LightSampleCount lightSampleCount = LightSampleCount::Fixed;
+    bool transparentShadows = false;
+
+    // Reflection.
+    bool recursion = true;
+    int maxDepth = 5;
+    ReflectWhen reflectWhen = ReflectWhen::Ks;
+    bool glossy = false;
+    float glossySigma = 1.0f;
+    int glossySamples = 16;
+
+    // Surface.
     bool normalInterpolation = true;
+    bool transparency = true;
     bool textureMapping = true;
     TextureFilter textureFilter = TextureFilter::Bilinear;
     bool environment = true;
     bool reflectionMap = false;
-    bool glossy = false;
-    float glossySigma = 1.0f;
-    int glossySamples = 16;
-    bool transparency = true;
-    bool transparentShadows = false;
 
     // Camera.
     bool depthOfField = true;
@@ -80,59 +84,63 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-/// Whether Settings::bvhBins says something to a builder.
+/// Whether the builder uses Settings::bvhBins.
 constexpr bool usesBins(BvhBuilder builder) {
     return builder == BvhBuilder::SahBinned || builder == BvhBuilder::SahReinsertion;
 }
 
-/// How much of the work a change of settings throws away, from nothing to everything.
+/// What a change of settings invalidates; each includes those before it.
 enum class Invalidates { Nothing, Display, Film, Accel };
 
-/// What a setting trades against time.
+/// What a setting trades against render time.
 enum class Trade {
-    Nothing,  ///< it says what is shown, not how well
-    Noise,    ///< more work makes less noise
-    Bias,     ///< less work makes another picture, however many samples there are
-    Speed     ///< the picture stays the same, bit for bit
+    Nothing,  ///< a choice of what is rendered, not of its quality
+    Noise,    ///< noise; the expected image stays the same
+    Bias,     ///< bias, which no number of samples removes
+    Speed     ///< nothing: the image stays the same, bit for bit
 };
 
-/// The worst consequence among the fields in which a and b differ.
+/// The maximum over the fields in which a and b differ.
 Invalidates changed(const Settings& a, const Settings& b);
 
-/// Sets the field named `key` from text. Throws InputError (without position) that says what was expected,
-/// and for an unknown key names the nearest one.
+/// Sets the field of `key` from text. Throws InputError, without a position, if the value is invalid or the
+/// key unknown; the message has the expected values or the nearest key. Settings stay unchanged then.
 void assign(Settings& settings, std::string_view key, std::string_view value);
 
-/// The text that assign() would accept for the present value of `key`.
+/// The value of `key` as text that assign() reads back to the same value. Throws InputError if the key is
+/// unknown.
 std::string textOf(const Settings& settings, std::string_view key);
 
-/// A position on the dial from fast to accurate: values for the settings that trade.
+/// Named values of the settings that trade noise or bias against render time.
 struct Preset {
     std::string_view name, meaning;
     std::vector<std::pair<std::string_view, std::string_view>> values;  ///< key, text
-    /// These in their place where a lens or motion blurs the pixels: then what lies behind a pixel differs
-    /// more than what a light looks like from there.
+
+    /// Override `values` where a lens or motion blurs the pixels: there the variance over the lens or time
+    /// exceeds that over a light, so that more light samples per pixel sample gain little.
     std::vector<std::pair<std::string_view, std::string_view>> valuesIfBlurred;
 };
-/// preview, balanced, final, reference.
+/// preview, balanced, final, reference: from fast to accurate.
 const std::vector<Preset>& presets();
-/// Throws InputError that names the nearest preset.
+/// Throws InputError, with the nearest name, if there is no such preset.
 const Preset& presetNamed(std::string_view name);
-/// Sets what the preset says and leaves the rest.
+/// Assigns the values of the preset; other settings keep theirs. For `blurred` see blursPixels().
 void applyPreset(Settings& settings, const Preset& preset, bool blurred);
 
 /// Every key, in the order of the table.
 std::vector<std::string_view> settingKeys();
 
-/// What a user can know about one setting.
+/// The description of one setting for users.
 struct SettingInfo {
     std::string_view key, group, label, help, unit;
     Trade trade = Trade::Nothing;
-    std::string kind;  ///< "boolean", "integer", "number" or "choice"
-    std::string defaultValue;
-    double lowest = 0.0, highest = 0.0;     ///< of numbers
-    std::vector<std::string_view> choices;  ///< of choices
+    std::string kind;          ///< "boolean", "integer", "number" or "choice"
+    std::string values;        ///< valid values as text: "true, false", "1 … 4096", "box, gaussian"
+    std::string defaultValue;  ///< as text, see textOf()
+    double lowest = 0.0, highest = 0.0;     ///< range of an integer or number, inclusive
+    std::vector<std::string_view> choices;  ///< names of a choice
 };
+/// All settings, in the order of the table.
 std::vector<SettingInfo> describeSettings();
 
 }  // namespace rayscope

@@ -9,18 +9,12 @@ namespace rayscope::cli {
 
 namespace {
 
-std::string valuesOf(const SettingInfo& info) {
-    if (info.kind == "boolean") return "true, false";
-    if (info.kind == "choice") return fmt::format("{}", fmt::join(info.choices, ", "));
-    return fmt::format("{:g} … {:g}", info.lowest, info.highest);
-}
-
 void printText() {
     std::string_view group;
     for (const SettingInfo& info : describeSettings()) {
         if (info.group != group) fmt::print("{}{}\n", group.empty() ? "" : "\n", info.group);
         group = info.group;
-        fmt::print("  {:<24} {}\n  {:<24} {}{}{}; default {}\n", info.key, info.help, "", valuesOf(info),
+        fmt::print("  {:<24} {}\n  {:<24} {}{}{}; default {}\n", info.key, info.help, "", info.values,
                    info.unit.empty() ? "" : " ", info.unit, info.defaultValue);
     }
 }
@@ -33,7 +27,7 @@ void printMarkdown() {
             fmt::print("\n## {}\n\n| setting | meaning | values | unit | default |\n|---|---|---|---|---|\n",
                        info.group);
         group = info.group;
-        fmt::print("| `{}` | {} | {} | {} | {} |\n", info.key, info.help, valuesOf(info), info.unit,
+        fmt::print("| `{}` | {} | {} | {} | {} |\n", info.key, info.help, info.values, info.unit,
                    info.defaultValue);
     }
 }

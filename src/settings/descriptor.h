@@ -1,5 +1,5 @@
 #pragma once
-// The vocabulary of the settings table: one descriptor per field of Settings.
+// Row types of the settings table.
 #include <rayscope/settings.h>
 #include <array>
 #include <span>
@@ -7,20 +7,21 @@
 
 namespace rayscope::settings {
 
-/// What every descriptor says, whatever its type.
+/// The texts of a row.
 struct SettingText {
-    std::string_view key;    ///< in files and on the command line
+    std::string_view key;    ///< name in files and on the command line
     std::string_view group;  ///< heading in the window and in the documentation
-    std::string_view label;
-    std::string_view help;  ///< one full sentence
+    std::string_view label;  ///< name in the window
+    std::string_view help;   ///< full sentences
     std::string_view unit = "";
     Trade trade = Trade::Nothing;
 };
 
-/// Why a setting has no effect at present, or an empty text if it has one.
+/// Why the current values of other settings make this one ineffective; empty if it has an effect.
 using InactiveReason = std::string_view (*)(const Settings&);
 constexpr std::string_view alwaysActive(const Settings&) { return {}; }
 
+/// A boolean.
 struct Toggle {
     SettingText text;
     bool Settings::*member;
@@ -28,6 +29,7 @@ struct Toggle {
     InactiveReason inactive = alwaysActive;
 };
 
+/// A number from lowest to highest, both included.
 template <class T>
 struct Range {
     SettingText text;
@@ -35,9 +37,10 @@ struct Range {
     T lowest, highest;
     Invalidates invalidates;
     InactiveReason inactive = alwaysActive;
-    bool logarithmic = false;  ///< a slider should move by factors
+    bool logarithmic = false;  ///< for sliders
 };
 
+/// An enumerator by name.
 template <class E, std::size_t N>
 struct Choice {
     SettingText text;

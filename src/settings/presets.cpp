@@ -1,5 +1,4 @@
-// The dial from fast to accurate. Its positions were chosen from the fronts of the shipped scenes:
-// docs/trade.md has the figures.
+// The presets, chosen from the Pareto fronts of the shipped scenes (docs/trade.md).
 #include <fmt/format.h>
 
 #include <rayscope/diagnostics.h>
@@ -13,8 +12,8 @@ namespace {
 
 using Values = std::vector<std::pair<std::string_view, std::string_view>>;
 
-/// Each sample of a pixel takes few samples of everything within it: that way errors fall fastest for the
-/// time, because samples of the pixel and of lights are stratified together.
+/// Few light, glossy and lens samples per pixel sample: the error falls fastest with time that way, because
+/// the samples of a pixel and of its lights are stratified together.
 Values values(std::string_view spp, std::string_view depth, std::string_view segment,
               std::string_view parallelogram, std::string_view glossy) {
     return {{"spp", spp},
@@ -31,14 +30,13 @@ const Values kOnePerLight{{"segment_samples", "1"}, {"parallelogram_samples", "1
 }  // namespace
 
 const std::vector<Preset>& presets() {
-    // Reflections of reflections of reflections are below the noise that is left, and where surfaces also let
-    // light through each doubles the work.
+    // Deeper reflections contribute less than the remaining noise, and each level doubles the number of rays
+    // where surfaces are also transparent.
     static const std::vector<Preset> kPresets{
-        {"preview", "a first look: one sample per pixel, two reflections", values("1", "2", "4", "2", "2"),
-         kOnePerLight},
-        {"balanced", "good to look at", values("8", "3", "4", "2", "2"), kOnePerLight},
-        {"final", "good to print", values("64", "3", "8", "2", "2"), kOnePerLight},
-        {"reference", "to judge others by", values("1024", "16", "1", "1", "1"), {}}};
+        {"preview", "one sample per pixel, two reflections", values("1", "2", "4", "2", "2"), kOnePerLight},
+        {"balanced", "moderate noise, for the screen", values("8", "3", "4", "2", "2"), kOnePerLight},
+        {"final", "low noise, for print", values("64", "3", "8", "2", "2"), kOnePerLight},
+        {"reference", "reference image for comparisons", values("1024", "16", "1", "1", "1"), {}}};
     return kPresets;
 }
 
@@ -48,8 +46,8 @@ const Preset& presetNamed(std::string_view name) {
         if (preset.name == name) return preset;
         names.push_back(preset.name);
     }
-    throw InputError(fmt::format("unknown preset '{}': expected {}{}", name, base::joinChoices(names),
-                                 base::didYouMean(name, names)));
+    throw InputError(fmt::format("unknown preset '{}'{}; expected {}", name, base::didYouMean(name, names),
+                                 base::joinChoices(names)));
 }
 
 void applyPreset(Settings& settings, const Preset& preset, bool blurred) {

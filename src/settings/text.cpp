@@ -1,4 +1,4 @@
-// The visitors of the settings table that deal in text: parse, print, describe, compare.
+// Visitors of the settings table: parse, print, describe, compare.
 #include <fmt/format.h>
 
 #include <rayscope/diagnostics.h>
@@ -21,10 +21,10 @@ template <class T>
 void parse(const settings::Range<T>& row, Settings& settings, std::string_view value) {
     T number{};
     const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    const bool whole = error == std::errc{} && end == value.data() + value.size();
-    if (!whole || !(number >= row.lowest && number <= row.highest))
+    const bool isNumber = error == std::errc{} && end == value.data() + value.size();
+    if (!isNumber || !(number >= row.lowest && number <= row.highest))
         throw InputError(fmt::format("setting '{}': expected {} from {} to {}, got '{}'", row.text.key,
-                                     std::is_integral_v<T> ? "a whole number" : "a number", row.lowest,
+                                     std::is_integral_v<T> ? "an integer" : "a number", row.lowest,
                                      row.highest, value));
     settings.*row.member = number;
 }
@@ -52,17 +52,22 @@ std::string print(const settings::Choice<E, N>& row, const Settings& settings) {
     return std::string(row.names[static_cast<std::size_t>(settings.*row.member)]);
 }
 
-void describeKind(const settings::Toggle&, SettingInfo& info) { info.kind = "boolean"; }
+void describeKind(const settings::Toggle&, SettingInfo& info) {
+    info.kind = "boolean";
+    info.values = "true, false";
+}
 template <class T>
 void describeKind(const settings::Range<T>& row, SettingInfo& info) {
     info.kind = std::is_integral_v<T> ? "integer" : "number";
     info.lowest = static_cast<double>(row.lowest);
     info.highest = static_cast<double>(row.highest);
+    info.values = fmt::format("{} … {}", row.lowest, row.highest);
 }
 template <class E, std::size_t N>
 void describeKind(const settings::Choice<E, N>& row, SettingInfo& info) {
     info.kind = "choice";
     info.choices.assign(row.names.begin(), row.names.end());
+    info.values = fmt::format("{}", fmt::join(info.choices, ", "));
 }
 
 [[noreturn]] void throwUnknown(std::string_view key) {
@@ -79,11 +84,11 @@ std::vector<std::string_view> settingKeys() {
 }
 
 Invalidates changed(const Settings& a, const Settings& b) {
-    Invalidates worst = Invalidates::Nothing;
+    Invalidates result = Invalidates::Nothing;
     settings::forEachSetting([&](const auto& row) {
-        if (a.*row.member != b.*row.member) worst = std::max(worst, row.invalidates);
+        if (a.*row.member != b.*row.member) result = std::max(result, row.invalidates);
     });
-    return worst;
+    return result;
 }
 
 void assign(Settings& settings, std::string_view key, std::string_view value) {

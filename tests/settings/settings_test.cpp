@@ -13,7 +13,7 @@ using test::inputErrorOf;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Texts that the setting accepts, none of them the default.
+/// Valid values other than the default.
 std::vector<std::string> otherValues(const SettingInfo& info) {
     std::vector<std::string> values;
     const auto add = [&](std::string value) {
@@ -29,13 +29,13 @@ std::vector<std::string> otherValues(const SettingInfo& info) {
         add(std::to_string(static_cast<long long>(info.highest)));
     }
     if (info.kind == "number") {
-        add("0.1");  // no float is exactly this: it must come back as it was written
+        add("0.1");  // not representable as float: must be printed as written
         add(std::to_string(static_cast<long long>(info.highest)));
     }
     return values;
 }
 
-TEST(Settings, EveryKeyKeepsEveryValueItAccepts) {
+TEST(Settings, ValuesSurvivePrintingAndParsing) {
     for (const SettingInfo& info : describeSettings()) {
         const std::vector<std::string> values = otherValues(info);
         ASSERT_FALSE(values.empty()) << info.key;
@@ -50,7 +50,7 @@ TEST(Settings, EveryKeyKeepsEveryValueItAccepts) {
     }
 }
 
-TEST(Settings, PrintedValuesAreTheOnesWritten) {
+TEST(Settings, ValuesArePrintedAsWritten) {
     Settings settings;
     assign(settings, "exposure", "0.1");
     EXPECT_EQ(textOf(settings, "exposure"), "0.1");
@@ -61,7 +61,7 @@ TEST(Settings, PrintedValuesAreTheOnesWritten) {
     EXPECT_EQ(textOf(settings, "shading"), "false");
 }
 
-TEST(Settings, ChangesOneFieldOnly) {
+TEST(Settings, AssignChangesOneField) {
     for (const SettingInfo& info : describeSettings()) {
         Settings settings;
         assign(settings, info.key, otherValues(info).front());
@@ -72,6 +72,32 @@ TEST(Settings, ChangesOneFieldOnly) {
     }
 }
 
+TEST(Settings, ValidValuesArePrintedShortest) {
+    for (const SettingInfo& info : describeSettings()) {
+        EXPECT_EQ(info.values.find('e', info.values.find(" … ")), std::string::npos)
+            << info.key << ": " << info.values;
+    }
+    const auto valuesOf = [](std::string_view key) {
+        for (const SettingInfo& info : describeSettings())
+            if (info.key == key) return info.values;
+        return std::string();
+    };
+    EXPECT_EQ(valuesOf("spp"), "1 … 1048576");
+    EXPECT_EQ(valuesOf("exposure"), "-20 … 20");
+    EXPECT_EQ(valuesOf("shading"), "true, false");
+    EXPECT_EQ(valuesOf("bloom_filter"), "box, gaussian");
+}
+
+TEST(Settings, FieldsAreInTheOrderOfTheTable) {
+    Settings settings;
+    const char* last = nullptr;
+    settings::forEachSetting([&](const auto& row) {
+        const char* address = reinterpret_cast<const char*>(&(settings.*row.member));
+        EXPECT_TRUE(last == nullptr || std::less<>{}(last, address)) << row.text.key;
+        last = address;
+    });
+}
+
 TEST(Settings, DefaultsAreWithinTheirRanges) {
     for (const SettingInfo& info : describeSettings()) {
         Settings settings;
@@ -80,7 +106,7 @@ TEST(Settings, DefaultsAreWithinTheirRanges) {
     }
 }
 
-TEST(Settings, NumbersOutsideTheirRangeAreRefusedAndChangeNothing) {
+TEST(Settings, NumbersOutOfRangeAreErrorsAndChangeNothing) {
     for (const SettingInfo& info : describeSettings()) {
         if (info.kind != "integer" && info.kind != "number") continue;
         const auto outside = {std::to_string(static_cast<long long>(info.lowest) - 1),
@@ -94,7 +120,7 @@ TEST(Settings, NumbersOutsideTheirRangeAreRefusedAndChangeNothing) {
     }
 }
 
-TEST(Settings, TextThatIsNoValueIsRefused) {
+TEST(Settings, InvalidTextIsAnError) {
     for (const SettingInfo& info : describeSettings()) {
         for (const char* value : {"", " ", "nan", "1x", "0x10", "99999999999999999999", "1e999", "True"}) {
             Settings settings;
@@ -104,7 +130,7 @@ TEST(Settings, TextThatIsNoValueIsRefused) {
     }
 }
 
-TEST(Settings, MistypedNamesGetTheNearestOne) {
+TEST(Settings, ErrorsSuggestTheNearestName) {
     Settings settings;
     EXPECT_THAT(inputErrorOf([&] { assign(settings, "max_dpeth", "3"); }),
                 HasSubstr("did you mean 'max_depth'"));
@@ -114,7 +140,7 @@ TEST(Settings, MistypedNamesGetTheNearestOne) {
                 HasSubstr("did you mean 'bvh_builder'"));
 }
 
-TEST(Settings, TheWorstChangeDecides) {
+TEST(Settings, ChangedReturnsTheMaximumOverFields) {
     const Settings defaults;
     EXPECT_EQ(changed(defaults, defaults), Invalidates::Nothing);
     Settings settings;
@@ -127,7 +153,7 @@ TEST(Settings, TheWorstChangeDecides) {
     EXPECT_EQ(changed(settings, defaults), Invalidates::Accel);
 }
 
-TEST(Settings, EveryFieldThatDiffersIsNoticed) {
+TEST(Settings, ChangedCoversEveryField) {
     settings::forEachSetting([](const auto& row) {
         EXPECT_NE(row.invalidates, Invalidates::Nothing) << row.text.key;
         const std::vector<SettingInfo> infos = describeSettings();
@@ -140,22 +166,22 @@ TEST(Settings, EveryFieldThatDiffersIsNoticed) {
     });
 }
 
-TEST(Settings, TheTableReadsWell) {
+TEST(Settings, KeysAndLabelsAreUniqueAndHelpIsASentence) {
     std::set<std::string_view> keys, labels;
     for (const SettingInfo& info : describeSettings()) {
-        EXPECT_TRUE(keys.insert(info.key).second) << info.key << " stands twice";
-        EXPECT_TRUE(labels.insert(info.label).second) << info.label << " stands twice";
+        EXPECT_TRUE(keys.insert(info.key).second) << info.key << " is not unique";
+        EXPECT_TRUE(labels.insert(info.label).second) << info.label << " is not unique";
         for (const char c : info.key)
             EXPECT_TRUE(std::islower(static_cast<unsigned char>(c)) ||
                         std::isdigit(static_cast<unsigned char>(c)) || c == '_')
                 << info.key;
         ASSERT_FALSE(info.help.empty()) << info.key;
-        EXPECT_EQ(info.help.back(), '.') << info.key << ": the help should be a sentence";
+        EXPECT_EQ(info.help.back(), '.') << info.key << ": the help is not a sentence";
         EXPECT_FALSE(info.group.empty()) << info.key;
     }
 }
 
-TEST(Settings, ScriptsFindTheNamesTheyRelyOn) {
+TEST(Settings, PromisedKeysExist) {
     const std::vector<std::string_view> keys = settingKeys();
     for (const char* key : {"shading",
                             "recursion",
@@ -197,27 +223,27 @@ TEST(Settings, ScriptsFindTheNamesTheyRelyOn) {
         EXPECT_THAT(keys, testing::Contains(key));
 }
 
-TEST(Presets, GoFromFastToAccurateAndLeaveTheRest) {
+TEST(Presets, IncreaseSamplesAndKeepOtherSettings) {
     Settings settings;
     settings.glossySigma = 7.0f;
     ASSERT_EQ(presets().size(), 4u);
     for (const bool blurred : {false, true}) {
         int samples = 0;
         for (const Preset& preset : presets()) {
-            Settings turned = settings;
-            applyPreset(turned, preset, blurred);
-            EXPECT_GT(turned.spp, samples) << preset.name;
-            samples = turned.spp;
-            EXPECT_EQ(turned.glossySigma, 7.0f);
+            Settings result = settings;
+            applyPreset(result, preset, blurred);
+            EXPECT_GT(result.spp, samples) << preset.name;
+            samples = result.spp;
+            EXPECT_EQ(result.glossySigma, 7.0f);
             for (const SettingInfo& info : describeSettings())
                 EXPECT_TRUE(info.trade == Trade::Noise || info.trade == Trade::Bias ||
-                            textOf(turned, info.key) == textOf(settings, info.key))
-                    << preset.name << " turns " << info.key << ", which does not trade accuracy";
+                            textOf(result, info.key) == textOf(settings, info.key))
+                    << preset.name << " sets " << info.key << ", which does not trade accuracy";
         }
     }
 }
 
-TEST(Presets, TakeOneSampleOfALightWherePixelsAreBlurred) {
+TEST(Presets, HaveOneSamplePerLightWherePixelsAreBlurred) {
     for (const Preset& preset : presets()) {
         Settings sharp, blurred;
         applyPreset(sharp, preset, false);
@@ -226,7 +252,7 @@ TEST(Presets, TakeOneSampleOfALightWherePixelsAreBlurred) {
         EXPECT_EQ(blurred.segmentSamples, 1) << preset.name;
         blurred.parallelogramSamples = sharp.parallelogramSamples;
         blurred.segmentSamples = sharp.segmentSamples;
-        EXPECT_EQ(blurred, sharp) << "and differ in nothing else";
+        EXPECT_EQ(blurred, sharp) << "no other difference";
     }
 }
 
