@@ -19,7 +19,7 @@ enum class TradeRole {
     UserSettings,  ///< the settings of the request
     Parameter,     ///< the base with one parameter changed
     Combination,   ///< several parameters changed
-    Feature,       ///< the base with an effect switched on or off
+    Effect,        ///< the base with an effect switched on or off
     Preset,        ///< the user settings with a preset applied
     Extra          ///< TradeRequest::extra
 };
@@ -28,7 +28,8 @@ enum class TradeRole {
 struct TradeWork {
     std::uint64_t samples = 0;  ///< of pixels
     std::uint64_t rays = 0;     ///< of all kinds
-    /// Nodes visited and primitives tested per ray, as the AOVs count them, over the first sample of each pixel.
+    /// Nodes visited and primitives tested per ray, as the AOVs count them, over the first sample of each
+    /// pixel.
     double nodesPerRay = 0.0, testsPerRay = 0.0;
 };
 
@@ -36,7 +37,7 @@ struct TradeWork {
 struct TradePoint {
     TradeRole role = TradeRole::Base;
     std::string name;              ///< the settings that differ from the base, for people
-    std::string parameter, level;  ///< key and value, for Parameter and Feature
+    std::string parameter, level;  ///< key and value, for Parameter and Effect
     Settings settings;
     int runs = 0;  ///< interleaved with those of all other candidates, each with another seed
     TradeWork work;

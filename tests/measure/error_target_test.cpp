@@ -158,7 +158,7 @@ TEST(SampleAllocation, FollowsTheNoiseAndKeepsAMinimum) {
     for (int tile = 0; tile < 5; ++tile) {
         film.read(tile, copy);
         for (render::PixelSums& pixel : copy.pixels) {
-            // Four samples of which one is bright in the first tile and all are alike elsewhere.
+            // Four samples: one of them bright in the first tile, all equal elsewhere.
             pixel.radiance = RgbSum(1.0);
             pixel.squaredLuminance = tile == 0 ? 1.0 : 0.25;
         }
@@ -191,7 +191,7 @@ TEST(ErrorTarget, HoldsTheConfidenceLevelOnScenes) {
                 EXPECT_LE(result.estimate.upper, error);
                 below += distance(result.mean, reference) <= error;
             }
-            // With 95 % each, fewer than 13 of 16 come once in 140 times.
+            // With 95 % each, fewer than 13 of 16 have a probability of 1 in 140.
             EXPECT_GE(below, 13) << scene;
         }
     }
@@ -286,7 +286,7 @@ TEST(ErrorTarget, ForecastsAtHalfOfTheSamplesAreWithin25Percent) {
             request.render.seed = static_cast<std::uint64_t>(seed);
             right += std::abs(forecastError(renderToTarget(request))) <= 0.25;
         }
-        // Of 90 % fewer than 12 of 16 come once in 150 times.
+        // With 90 % each, fewer than 12 of 16 have a probability of 1 in 150.
         EXPECT_GE(right, 12) << scene;
     }
 }

@@ -70,7 +70,7 @@ TEST(Pareto, DifferencesWithinTimingNoiseDoNotDominate) {
 TEST(Pareto, EffectsControlsAndSingleRunsAreNotOnTheFront) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("control", 0.5, 0.01, 0.05, TradeRole::Control),
-                                   point("effect off", 0.5, 0.01, 0.05, TradeRole::Feature),
+                                   point("effect off", 0.5, 0.01, 0.05, TradeRole::Effect),
                                    point("once", 0.5, 0.01)};
     points[3].runs = 1;
     EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{0}));

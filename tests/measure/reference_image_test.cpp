@@ -53,7 +53,7 @@ double distance(const RgbImage& a, const RgbImage& b) {
     return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
-// The few hundred pixels on edges make most of the error, so its estimate has a standard error of about 5 %.
+// A few hundred pixels at edges have most of the error, so its estimate has a standard error of about 5 %.
 TEST(ReferenceImage, EstimatesItsOwnError) {
     measure::Workers workers(2);
     measure::ReferenceImage reference(requestFor("builtin:cornell-area", 80), workers);

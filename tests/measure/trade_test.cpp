@@ -33,8 +33,8 @@ const TradePoint& named(const TradeResult& result, const std::string& name) {
     return *found;
 }
 
-/// Measures with twice the budget until every candidate has run often enough for intervals that can tell them
-/// apart, however slow the machine is.
+/// Doubles the budget until there are enough blocks for narrow intervals, so that the result does not depend
+/// on the speed of the machine.
 TradeResult measuredInBlocks(TradeRequest request, int fewestBlocks) {
     for (;; request.budgetSeconds *= 2.0) {
         TradeResult result = measureTrade(request);
@@ -46,7 +46,7 @@ TEST(Trade, FindsPlantedBiasAndPlantedDominatedSettings) {
     TradeRequest request = requestFor("builtin:cornell", 32, 4.0);
     Settings shallow = request.render.settings, wasteful = request.render.settings;
     shallow.maxDepth = 0;   // the mirror shows nothing
-    wasteful.maxDepth = 0;  // wrong as well, with many samples, and each tests every primitive
+    wasteful.maxDepth = 0;  // biased as well, with many samples and without a BVH
     wasteful.bvh = false;
     wasteful.spp = 64;
     request.extra = {{"planted bias", shallow}, {"planted waste", wasteful}};

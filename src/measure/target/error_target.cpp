@@ -59,7 +59,7 @@ class TargetRender {
     measure::ErrorTrend trend_;  ///< over samples per pixel and half
     int planned_ = 0;            ///< samples per half before which it does not end; 0: no plan yet
     Clock::time_point start_ = Clock::now();
-    std::vector<std::pair<double, double>> timed_;  ///< samples taken, seconds, as they grew
+    std::vector<std::pair<double, double>> timed_;  ///< samples taken and elapsed seconds
     std::unique_ptr<measure::Deadline> limit_;
     ErrorTargetResult result_;
 };

@@ -43,7 +43,7 @@ void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, c
     for (const Effect& effect : effectsOf(scene, base)) {
         Settings settings = base;
         assign(settings, effect.key, effect.on ? "false" : "true");
-        TradePoint point = candidate(TradeRole::Feature, base, settings);
+        TradePoint point = candidate(TradeRole::Effect, base, settings);
         point.parameter = effect.key;
         point.level = effect.on ? "false" : "true";
         list.push_back(std::move(point));

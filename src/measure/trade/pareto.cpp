@@ -14,7 +14,7 @@ namespace {
 bool isAlternative(const TradePoint& point) {
     const bool likeBase = point.samePicture && point.role != TradeRole::Base && point.timeRatio.contains(1.0);
     return point.runs >= 2 && !likeBase && point.role != TradeRole::Control &&
-           point.role != TradeRole::Feature;
+           point.role != TradeRole::Effect;
 }
 
 bool samePicture(const TradePoint& a, const TradePoint& b) {

@@ -101,7 +101,7 @@ void findEffects(TradeResult& result, const SceneRequirements& scene) {
     for (const Effect& effect : effectsOf(scene, result.points.front().settings)) {
         const auto measured = std::find_if(
             result.points.begin(), result.points.end(),
-            [&](const TradePoint& p) { return p.role == TradeRole::Feature && p.parameter == effect.key; });
+            [&](const TradePoint& p) { return p.role == TradeRole::Effect && p.parameter == effect.key; });
         if (measured == result.points.end()) continue;
         result.effects.push_back({std::string(effect.key), std::string(effect.label), effect.on,
                                   effect.reason, static_cast<std::size_t>(measured - result.points.begin())});

@@ -42,7 +42,7 @@ class Chart {
     }
 
     static bool isDrawn(const TradePoint& p) {
-        return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Feature &&
+        return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Effect &&
                p.seconds.value > 0.0 && p.error.value > 0.0;
     }
     ImVec2 place(const TradePoint& p) const {

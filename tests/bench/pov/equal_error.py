@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
-"""Time to equal error beside POV-Ray 3.7: an antialiased dragon, and pictures whose models differ in detail, a rough mirror
-and a lens.
+"""Time to equal error compared with POV-Ray 3.7: an antialiased dragon, a rough mirror, and a lens.
 
     tests/bench/pov/equal_error.py [--program build/release/rayscope] [--rounds 3] [--size N] [--scene glossy|lens|dragon]
                                    [--keep FOLDER]
 
-Both programs render the scene with more and more samples, in turns, on all cores. The error is the RMSE of linear values,
+Both programs render the scene at increasing sample counts, interleaved, on all cores. The error is the RMSE of linear values,
 clipped to 0 … 1. The dragon's is against a picture by Rayscope with far more samples, to which both converge. Elsewhere it is
 against such a picture of the same program, since the two do not converge to the same one: POV-Ray has no rough mirrors, so
-fine noise on the normals takes their place, and it samples the lens in patterns of its own. `apart` says how far the
-converged pictures are from each other. Rayscope's time at the error of each of POV-Ray's pictures is interpolated between its
+noise on the normals is used instead, and it samples the lens in other patterns. `apart` is the RMSE between the converged
+pictures. Rayscope's time at the error of each of POV-Ray's pictures is interpolated between its
 own on logarithmic axes. Prints tables in Markdown. With --keep, converged pictures and finished runs are kept in the folder,
-and a race that was interrupted goes on.
+and an interrupted comparison is resumed.
 """
 import argparse
 import json
@@ -38,7 +37,7 @@ def glossy():
         "roughness": round(2.0 / (3.0 * rough * 0.3), 3),
         "rayscope": {f"{spp} spp": (f"spp={spp}", *common) for spp in (1, 4, 16, 64, 256)},
         "rayscope_reference": ("spp=4096", *common),
-        # Subpixels per side; each meets four textures.
+        # Subpixels per side; each samples four textures.
         "povray": {"1 sample": 1, "3 x 3": 3, "5 x 5": 5, "7 x 7": 7}, "povray_reference": 33,
     })
     return scene
@@ -65,13 +64,13 @@ def lens():
 
 
 def dragon():
-    """The antialiased dragon over a mirroring floor, which both programs compute alike."""
+    """The antialiased dragon over a mirroring floor, with the same model in both programs."""
     scene = race.dragon()
     scene.update({
         "size": 300,
         "rayscope": {f"{spp} spp": (f"spp={spp}",) for spp in (1, 2, 4, 8, 16, 32)},
         "rayscope_reference": ("spp=1024",),
-        # Adaptive with the usual thresholds, and subpixels everywhere.
+        # Adaptive antialiasing with usual thresholds, and subpixels everywhere.
         "povray": {"1 sample": 1, "+A0.3 +R3": ("+AM1", "+A0.3", "+R3"), "+A0.1 +R3": ("+AM1", "+A0.1", "+R3"),
                    "+AM2 +A0.1 +R3": ("+AM2", "+A0.1", "+R3"), "3 x 3": 3, "5 x 5": 5},
         "povray_reference": None,
@@ -98,7 +97,7 @@ def antialiasing_of(level, through_lens):
         return level
     if through_lens or level == 1:
         return ("-A",)
-    # Its regular grids end at 9 per side; what subdivides itself goes on to 33.
+    # Regular grids are limited to 9 per side, recursive ones to 33.
     return ("+AM1", "+A0.0", f"+R{level}") if level <= 9 else ("+AM2", "+A0.0", "+R5")
 
 
@@ -125,7 +124,7 @@ def read(picture):
 
 
 def truth_of(program, scene, folder, options):
-    """The converged picture of the program, from the folder if it is there; None where the other's is used."""
+    """The converged picture of the program, from the folder if it exists; None where the other's is used."""
     level = scene[KEY[program] + "_reference"]
     if level is None:
         return None
@@ -136,7 +135,7 @@ def truth_of(program, scene, folder, options):
 
 
 def measure(scene, options, folder):
-    """{(program, variant): (median tracing seconds, RMSE)}, and how far the converged pictures are apart."""
+    """{(program, variant): (median tracing seconds, RMSE)}, and the RMSE between the converged pictures."""
     race.write_rayscope(scene, folder)
     truths = {program: truth_of(program, scene, folder, options) for program in RENDER}
     apart = None if truths["POV-Ray"] is None else race.rmse(*truths.values())
@@ -163,7 +162,7 @@ def measure(scene, options, folder):
 
 
 def seconds_at(error, runs):
-    """Between (seconds, RMSE) of neighbours on logarithmic axes; None beyond them."""
+    """Interpolates between (seconds, RMSE) of neighbours on logarithmic axes; None outside of their range."""
     runs = sorted(runs)
     for (s, e), (s2, e2) in zip(runs, runs[1:]):
         if e >= error >= e2 and e > e2:
