@@ -123,7 +123,7 @@ def check(args, scene):
     cells = []
     for rays, error, _ in presets:
         excess, better = excess_over(front, rays, error)
-        cells.append(f"{100 * excess:.0f} %" + (f" ({better})" if excess > args.told else ""))
+        cells.append(f"{100 * excess:.0f} %" + (f" ({better})" if excess > args.name_above else ""))
     print(f"| {os.path.basename(scene).removeprefix('builtin:')} | {len(points)} | " + " | ".join(cells) + " |", flush=True)
 
 
@@ -133,7 +133,7 @@ def main():
     parser.add_argument("--size", default="40x40")
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--presets", default="preview,balanced,final")
-    parser.add_argument("--told", type=float, default=0.1, help="excess above which the better settings are named")
+    parser.add_argument("--name-above", type=float, default=0.1, help="excess above which the better settings are named")
     parser.add_argument("--program", default=os.path.join(ROOT, "build/release/rayscope"))
     parser.add_argument("--cache", help="folder for references; absent: a temporary one")
     parser.add_argument("--jobs", type=int, default=2, help="pictures at once")

@@ -220,6 +220,7 @@ TEST(Lab, AcceptsDegenerateAndNonFiniteMeshes) {
     EXPECT_EQ(single.sharedEdges, 0u);
     EXPECT_EQ(single.range(LabMethod::Rayscope).failingTestPoints, 0u);
     EXPECT_NE(labText(single).find("no edge is shared"), std::string::npos);
+    EXPECT_EQ(labHtml(single).find("nan"), std::string::npos) << "fractions of no rays are gaps";
 
     MeshData odd = scene::generate(scene::IcosphereShape{.subdivisions = 2});
     odd.positions[3].x = std::nanf("");

@@ -13,7 +13,7 @@ struct ExactCrossing {
     bool crossed = false;
     bool parallel = false;  ///< the line lies in the triangle's plane, or the triangle has no area: no t
     /// In units of the direction, and the weights of the second and third corner; of the triangle's plane
-    /// even if the line passes beside the triangle.
+    /// even if the line misses the triangle.
     long double t = 0.0L, u = 0.0L, v = 0.0L;
     /// Edge functions opposite to the three corners, in units of the sheared space; their sum is the
     /// determinant.

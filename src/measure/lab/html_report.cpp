@@ -22,7 +22,7 @@ const measure::ReportTemplate& parts() {
 using Fraction = double (*)(const LabCounts&);
 
 double fraction(std::uint64_t part, std::uint64_t whole) {
-    return static_cast<double>(part) / static_cast<double>(whole);  // NaN without rays
+    return static_cast<double>(part) / static_cast<double>(whole);  // NaN without rays: a gap in the map
 }
 double leakFraction(const LabCounts& c) { return fraction(c.leaks, c.sharedEdgeRays); }
 double doubleHitFraction(const LabCounts& c) { return fraction(c.doubleHits, c.sharedEdgeRays); }
@@ -78,9 +78,10 @@ std::string map(const LabResult& r, LabMethod method, Fraction value, const char
         std::string cells;
         for (const double offset : offsets) {
             const LabTestPoint* testPoint = testPointAt(r, scale, offset);
-            const double x = testPoint ? value(testPoint->of(method)) : 0.0;
-            cells += testPoint ? parts().fill("map cell", {{"color", cellColor(x)}, {"fraction", percent(x)}})
-                               : parts().fill("map gap", {});
+            const double x = testPoint ? value(testPoint->of(method)) : std::nan("");
+            cells += std::isnan(x)
+                         ? parts().fill("map gap", {})
+                         : parts().fill("map cell", {{"color", cellColor(x)}, {"fraction", percent(x)}});
         }
         rows += parts().fill("map row", {{"scale", powerOfTwo(scale)}, {"cells", cells}}) + "\n";
     }

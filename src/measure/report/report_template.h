@@ -1,5 +1,5 @@
 #pragma once
-// HTML templates of the reports; the files lie beside this one and are compiled into the binary.
+// HTML templates of the reports; the files in this folder are compiled into the binary.
 #include <initializer_list>
 #include <map>
 #include <string>

@@ -93,10 +93,10 @@ bool TradeStudy::pilot() {
     if (!timed || timed->seconds > 4.0 * maxSeconds_) {
         const double needed = timed ? timed->seconds / (4.0 * kMaxPictureFraction) : request_.budgetSeconds;
         result_.remarks.push_back(
-            fmt::format("the budget is too short: one sample per pixel takes {} {:.2g} s; use --budget {} "
-                        "{:.0f} or a smaller --size",
-                        timed ? "" : "more than", timed ? timed->seconds : 0.25 * needed,
-                        timed ? "of at least" : "above", std::ceil(needed)));
+            fmt::format("the budget is too short: one sample per pixel takes {}{:.2g} s; use {} {:.0f} s, or "
+                        "a smaller image",
+                        timed ? "" : "more than ", timed ? timed->seconds : 0.25 * needed,
+                        timed ? "at least" : "more than", std::ceil(needed)));
         return false;
     }
     while (2 * base_.spp <= request_.render.settings.spp &&

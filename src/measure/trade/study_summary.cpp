@@ -118,7 +118,7 @@ void addRemarks(TradeResult& result) {
             unreliable, ten));
     if (!result.complete)
         result.remarks.push_back(
-            "no candidate was measured twice, so there are no intervals; use a larger --budget");
+            "no candidate was measured twice, so there are no intervals; use a larger budget");
 }
 
 }  // namespace

@@ -123,12 +123,12 @@ def read(picture):
     return race.read_ppm16(picture) if picture.suffix == ".ppm" else race.read_pfm(picture)
 
 
-def truth_of(program, scene, folder, options):
+def reference_of(program, scene, folder, options):
     """The converged picture of the program, from the folder if it exists; None where the other's is used."""
     level = scene[KEY[program] + "_reference"]
     if level is None:
         return None
-    kept = folder / f"truth-{program}-{options.size}{'.ppm' if program == 'POV-Ray' else '.pfm'}"
+    kept = folder / f"reference-{program}-{options.size}{'.ppm' if program == 'POV-Ray' else '.pfm'}"
     if not kept.exists():
         shutil.move(RENDER[program](scene, level, folder, options)[1], kept)
     return read(kept)
@@ -137,9 +137,9 @@ def truth_of(program, scene, folder, options):
 def measure(scene, options, folder):
     """{(program, variant): (median tracing seconds, RMSE)}, and the RMSE between the converged pictures."""
     race.write_rayscope(scene, folder)
-    truths = {program: truth_of(program, scene, folder, options) for program in RENDER}
-    apart = None if truths["POV-Ray"] is None else race.rmse(*truths.values())
-    truths["POV-Ray"] = truths["POV-Ray"] or truths["Rayscope"]
+    references = {program: reference_of(program, scene, folder, options) for program in RENDER}
+    apart = None if references["POV-Ray"] is None else race.rmse(*references.values())
+    references["POV-Ray"] = references["POV-Ray"] or references["Rayscope"]
     record = folder / f"runs-{options.size}.json"
     done = json.loads(record.read_text()) if record.exists() else []
     order = [(program, variant) for program in RENDER for variant in scene[KEY[program]]]
@@ -151,7 +151,7 @@ def measure(scene, options, folder):
                 continue
             level = scene[KEY[program]][variant]
             traced, picture = RENDER[program](scene, level, folder, options)
-            done.append([program, variant, traced, race.rmse(read(picture), truths[program])])
+            done.append([program, variant, traced, race.rmse(read(picture), references[program])])
             record.write_text(json.dumps(done))
     figures = {}
     for program in RENDER:
@@ -171,7 +171,7 @@ def seconds_at(error, runs):
 
 
 def report(scene, options, folder):
-    options.size = options.asked_size or scene["size"]
+    options.size = options.requested_size or scene["size"]
     medians, apart = measure(scene, options, folder)
     ours = [figures for (program, _), figures in medians.items() if program == "Rayscope"]
     print(f"\n{scene['name']}, {options.size} x {options.size}, {os.cpu_count()} threads, medians of {options.rounds} "
@@ -187,7 +187,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(race.ROOT / "build/release/rayscope"))
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--size", dest="asked_size", type=int, help="absent: 80 to 300, so that each race takes minutes")
+    parser.add_argument("--size", dest="requested_size", type=int, help="absent: 80 to 300, so that each comparison takes minutes")
     parser.add_argument("--keep", type=Path, help="folder for scenes and pictures; absent: a temporary one")
     parser.add_argument("--scene", choices=("glossy", "lens", "dragon"), help="absent: the first two")
     options = parser.parse_args()
