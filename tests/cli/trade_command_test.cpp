@@ -44,7 +44,8 @@ TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
         run(folder, kProgram + "builtin:cornell-area --size 24x24 --budget 4 --json");
     const nlohmann::json report = nlohmann::json::parse(result.out);
     run(folder,
-        "rayscope render builtin:cornell-area --size 24x24 --preset reference --spp 4096 -q -o reference.pfm");
+        "rayscope render builtin:cornell-area --size 24x24 --preset reference --spp 4096 -q -o "
+        "reference.pfm");
     for (const nlohmann::json& advice : report["advice"]) {
         const auto point =
             std::find_if(report["points"].begin(), report["points"].end(),
