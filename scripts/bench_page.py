@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""bench_page.py FROM DOCS SIZE: the page DOCS/bench.md, its charts DOCS/images/bench-*.svg and the ratios in DOCS/performance.md from
-what `rayscope bench --json` wrote into the folder FROM: race-*.json, builder-*.json and growth-*.json (see scripts/make_bench.sh)."""
+"""bench_page.py FROM DOCS SIZE: writes the page DOCS/bench.md, its charts DOCS/images/bench-*.svg and the ratios in
+DOCS/performance.md from the output of `rayscope bench --json` in the folder FROM: race-*.json, builder-*.json and growth-*.json
+(see scripts/make_bench.sh)."""
 import json
 import math
 import pathlib
 import sys
 
 KINDS = {"primary": "primary", "shadow": "shadow", "bounce": "bounce", "ao": "ambient occlusion"}
-# Okabe and Ito's colours: told apart with any kind of colour vision.
+# Okabe and Ito's palette, distinguishable with colour vision deficiencies.
 COLORS = {"single / Embree": "#0072b2", "single / robust": "#56b4e9", "batched / Embree": "#d55e00", "batched / best": "#e69f00"}
 
 
@@ -23,7 +24,7 @@ def scene(row):
     return f"{name(row)} ({row['triangles']:,})"
 
 
-def threads_in_words(threads):
+def threads_text(threads):
     return f"{threads} thread{'s' if threads > 1 else ''}"
 
 
@@ -54,7 +55,7 @@ def rays(rows, threads):
             best = max(t["embree_mrays_per_s"], t["embree_packet16_mrays_per_s"], t["embree_stream_mrays_per_s"])
             body.append([scene(r), label] + [f"{x:.2f}" for x in (t["mrays_per_s"], t["batched_mrays_per_s"],
                         t["embree_mrays_per_s"], t["embree_robust_mrays_per_s"], best)] + [ratio(x) for x in ratios(t).values()])
-    return f"## Rays, {threads_in_words(threads)}\n\n" + table(
+    return f"## Rays, {threads_text(threads)}\n\n" + table(
         ["mesh", "rays", "single", "batched", "Embree", "Embree robust", "Embree's best", *COLORS], body)
 
 
@@ -64,14 +65,14 @@ def all_ratios(race):
     meshes = {scene(row): {} for row in race}
     for row in race:
         meshes[scene(row)][row["threads"]] = row
-    heads = [f"{label}, {threads_in_words(n)}" for label in COLORS for n in threads]
+    heads = [f"{label}, {threads_text(n)}" for label in COLORS for n in threads]
     return "\n".join(f"### {label.capitalize()} rays\n\n" + table(["mesh", *heads], [
         [mesh] + [ratio(ratios(by_threads[n]["rays"][kind])[column]) for column in COLORS for n in threads]
         for mesh, by_threads in meshes.items()]) for kind, label in KINDS.items())
 
 
 def replace_section(page, text):
-    """Replaces what stands in a page between the two comments that name this script."""
+    """Replaces the part of a page between the two comments that name this script."""
     begin, end = "<!-- written by scripts/bench_page.py -->\n", "<!-- up to here -->\n"
     before, rest = page.read_text().split(begin)
     page.write_text(before + begin + "\n" + text + "\n" + end + rest.split(end)[1])
@@ -81,10 +82,10 @@ def counters(rows):
     body = [[scene(r), label] + [f"{r['rays'][kind]['per_ray'][key]:.2f}" for key in ("nodes", "leaves", "primitives",
                                                                                      "exact_tests")]
             for r in rows for kind, label in KINDS.items()]
-    return """## What a ray does
+    return """## Traversal steps per ray
 
-Counted per ray in the wide layout, without a clock: nodes of eight children visited, leaves, triangles in those leaves, and of
-them those that the float filter left for the exact test.
+Counted in the wide layout: nodes of eight children visited, leaves visited, triangles in those leaves, and of them those that
+the float filter passed to the exact test.
 
 """ + table(["mesh", "rays", "nodes", "leaves", "triangles", "exact tests"], body)
 
@@ -96,9 +97,9 @@ def builders(rows):
             for r in rows]
     return """## The builders
 
-The surface area heuristic predicts what a random line through the scene costs: inner nodes visited and triangles tested in the
-binary tree. *Random lines* counts it, on 10,000 of them. Both are of the tree as it is kept to be looked at, levels and nodes of the one that
-only the wide layout is made of. The last columns are nodes and leaves of the wide layout per ray.
+The SAH cost is the expected cost of a random line through the scene: inner nodes visited and triangles tested in the binary tree.
+*Random lines* is the measured cost of 10,000 random lines. Both are of the binary tree built for inspection; levels and nodes are of the
+one from which the wide layout is collapsed. The last columns are nodes and leaves of the wide layout visited per ray.
 
 """ + table(["mesh", "builder", "build, ms", "SAH cost", "random lines", "levels", "nodes", "wide nodes", "triangles per leaf",
              "bytes per triangle", *KINDS.values()], body)
@@ -109,9 +110,9 @@ def growth(rows):
         return f"{ms * 1e6 / (row['triangles'] * math.log2(row['triangles'])):.2f}"
     body = [[f"{r['triangles']:,}", f"{r['build_ms']:.1f}", f"{r['embree_build_ms']:.1f}", ratio(r["build_ratio"]),
              per(r, r["build_ms"]), per(r, r["embree_build_ms"]), f"{r['bytes_per_triangle']:.0f}"] for r in rows]
-    return f"""## How builds grow
+    return f"""## Build time over mesh size
 
-Terrain, all threads ({rows[0]['threads']}). If time grows as n log n, nanoseconds per n log₂ n stay the same.
+Terrain, all threads ({rows[0]['threads']}). For time proportional to n log n, nanoseconds per n log₂ n are constant.
 
 ![Build time over triangles](images/bench-builds.svg)
 
@@ -119,16 +120,15 @@ Terrain, all threads ({rows[0]['threads']}). If time grows as n log n, nanosecon
 
 
 class Chart:
-    """An SVG file with a plot area; x and y are in pixels of it."""
+    """An SVG file with a plot area; x and y are in pixels relative to its top left corner."""
 
     def __init__(self, width, height, left=64, top=40, right=16, bottom=56):
         self.width, self.height, self.left, self.top = width, height, left, top
         self.total = (width + left + right, height + top + bottom)
         self.parts = []
 
-    def text(self, x, y, words, anchor="middle", turn=None):
-        turned = f' transform="rotate({turn} {x:.1f} {y:.1f})"' if turn else ""
-        self.parts.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{turned}>{words}</text>')
+    def text(self, x, y, content, anchor="middle"):
+        self.parts.append(f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{content}</text>')
 
     def line(self, x1, y1, x2, y2, color="#999", width=1.0, dash=""):
         dashed = f' stroke-dasharray="{dash}"' if dash else ""
@@ -154,9 +154,9 @@ def legend(chart, entries):
 
 
 def ray_chart(rows, path):
-    """Ratios with their intervals, a panel for each kind of ray."""
+    """Ratios with confidence intervals, a panel for each kind of ray."""
     panel, step, low, high = 220, 24, 0.25, 2.0
-    place = lambda value: panel * math.log(min(max(value, low), high) / low) / math.log(high / low)
+    position = lambda value: panel * math.log(min(max(value, low), high) / low) / math.log(high / low)
     chart = Chart(4 * (panel + 24), step * len(rows), left=170, top=64, bottom=36)
     legend(chart, [(label, color) for label, color in COLORS.items()])
     for i, row in enumerate(rows):
@@ -165,14 +165,14 @@ def ray_chart(rows, path):
         origin = column * (panel + 24)
         chart.text(origin + panel / 2, -4, label)
         for tick in (0.25, 0.5, 1.0, 2.0):
-            chart.line(origin + place(tick), 0, origin + place(tick), chart.height, "#222" if tick == 1.0 else "#ddd")
-            chart.text(origin + place(tick), chart.height + 16, f"{tick:g}")
+            chart.line(origin + position(tick), 0, origin + position(tick), chart.height, "#222" if tick == 1.0 else "#ddd")
+            chart.text(origin + position(tick), chart.height + 16, f"{tick:g}")
         for i, row in enumerate(rows):
             for k, (name_of, interval) in enumerate(ratios(row["rays"][kind]).items()):
                 y, color = step * i + 4.5 + 5 * k, COLORS[name_of]
-                chart.line(origin + place(interval["low"]), y, origin + place(interval["high"]), y, color, 1.2)
-                chart.dot(origin + place(interval["median"]), y, color, 2.4)
-    chart.text(2 * (panel + 24), chart.height + 32, "times as fast as Embree, one thread; right is faster")
+                chart.line(origin + position(interval["low"]), y, origin + position(interval["high"]), y, color, 1.2)
+                chart.dot(origin + position(interval["median"]), y, color, 2.4)
+    chart.text(2 * (panel + 24), chart.height + 32, "speed relative to Embree, one thread; right is faster")
     chart.write(path)
 
 
@@ -209,18 +209,18 @@ def main():
     race, grown = read("race-*.json"), sorted(read("growth-*.json"), key=lambda row: row["triangles"])
     threads = sorted({row["threads"] for row in race})
     one = [row for row in race if row["threads"] == threads[0]]
-    pages = [f"""# Builds and rays beside Embree
+    pages = [f"""# Build times and ray throughput compared with Embree
 
-Written by `scripts/make_bench.sh` from `rayscope bench`. Million rays per second, medians of seven rounds in which all
-contestants take turns, on an image of {size} × {size} pixels; ratios are medians of the ratios of each round, with the order
-statistics that enclose the true median with 95 % confidence (for fewer rounds than that takes, an estimate). Embree 3 at medium quality: *Embree* is its default
+Written by `scripts/make_bench.sh` from `rayscope bench`. Million rays per second, medians of seven rounds of
+interleaved measurements, on an image of {size} × {size} pixels; ratios are medians of the ratios of each round, with 95 % confidence
+intervals between order statistics (approximate for fewer than six rounds). Embree 3 at medium quality: *Embree* is its default
 mode, one ray at a time, *robust* its robust flag, *best* the fastest of single rays, packets of 16 and streams in each round.
-Kernels: {", ".join(sorted({row["isa"] for row in race}))}. Rays whose hit or miss differs from Embree's robust mode:
+Kernels: {", ".join(sorted({row["isa"] for row in race}))}. Rays that hit in one and miss in the other of Rayscope and Embree's robust mode:
 {sum(row["mismatches"] for row in race)}.
 
 *room* is the dragon of 871,414 triangles between 36 large ones; *hard* is long thin diagonal triangles, clusters ten thousand times
-smaller than the scene and a few triangles as large as it ([hard_mesh.py](../scripts/hard_mesh.py)), not a closed surface: rays along
-its rims may be told apart by rounding; *hills* is terrain.
+smaller than the scene and a few triangles of its size ([hard_mesh.py](../scripts/hard_mesh.py)); it is not closed, so results
+may differ by rounding at its boundary; *hills* is terrain.
 
 ![Ratios to Embree](images/bench-rays.svg)
 """, builds(race), *[rays([row for row in race if row["threads"] == n], n) for n in threads], counters(one),

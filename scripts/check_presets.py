@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""How far the presets are from the front of each shipped scene, in rays, which are the same on every machine.
+"""Excess rays of the presets over the Pareto front of each shipped scene. Rays, unlike times, do not depend on the machine.
 
 check_presets.py [--scenes A,B] [--presets A,B] [--size WxH] [--seeds N] [--program PATH] [--cache FOLDER]
 prints a Markdown table. Each scene is rendered with every combination of samples per light and reflection and of depth
-that can matter in it, with more and more samples per pixel. Only what has about the error of a preset can judge it: so a
-combination goes on until its error is below the least of the presets', or it takes half as many rays again as the dearest of
-them; and it is given up when at two numbers of samples in a row it took more than twice the rays of the front. Errors are
-RMSE of linear values against a picture with 16 times the samples of `reference`; the mean square over seeds. The front is
-what no other combination beats in both; between its points it is interpolated on logarithmic axes. Scenes may be files.
+with an effect in it, at increasing samples per pixel. A combination ends when its error is below that of all presets, when it
+takes 1.5 times the rays of the most expensive preset, or when it took more than twice the rays of the front at two successive
+sample counts. Errors are RMSE of linear values against a picture with 16 times the samples of `reference`; the mean square over
+seeds. The front is interpolated on logarithmic axes. Scenes may be files.
 """
 import argparse, itertools, json, math, os, subprocess, tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -15,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LARGE = ("million", "ten-million")
 NO_BUILTIN = ("scenes/spheres-moving.toml",)
-# What each requirement of a scene (`rayscope info --json`) lets one choose, cheap values first.
+# Settings with an effect for each requirement of a scene (`rayscope info --json`), values by increasing cost.
 CHOICES = {"segment lights": ("segment_samples", (1, 2, 4, 8)), "parallelogram lights": ("parallelogram_samples", (1, 2)),
            "reflections": ("max_depth", (1, 2, 3, 4, 6, 16))}
 MOST_SAMPLES = 4096
@@ -63,8 +62,8 @@ def front_of(points):
     return front
 
 
-def behind(front, rays, error):
-    """How many more rays than the front needs for the error; and the first of its points with no larger error."""
+def excess_over(front, rays, error):
+    """Rays beyond those of the front at the same error, relative to them; and the first of its points with no larger error."""
     for k, (r, e, name) in enumerate(front):
         if e > error:
             continue
@@ -83,25 +82,25 @@ def reference_for(args, scene):
 
 
 class Series:
-    """One combination with more and more samples per pixel."""
+    """One combination at increasing samples per pixel."""
 
     def __init__(self, combination):
-        self.words = [f"{key} {value}" for key, value in combination]
-        self.options = [word for key, value in combination for word in ("--set", f"{key}={value}")]
-        self.points, self.far_behind = [], 0
+        self.names = [f"{key} {value}" for key, value in combination]
+        self.options = [argument for key, value in combination for argument in ("--set", f"{key}={value}")]
+        self.points, self.steps_off_front = [], 0
 
     def extend(self, args, scene, spp, reference):
         point = measure(args, scene, (*self.options, "--spp", str(spp)), reference)
-        self.points.append((*point, ", ".join([f"spp {spp}", *self.words])))
+        self.points.append((*point, ", ".join([f"spp {spp}", *self.names])))
 
     def goes_on(self, front, most_rays, least_error):
         rays, error, _ = self.points[-1]
-        self.far_behind = self.far_behind + 1 if behind(front, rays, error)[0] > 1 else 0
-        return self.far_behind < 2 and error > least_error and rays < most_rays
+        self.steps_off_front = self.steps_off_front + 1 if excess_over(front, rays, error)[0] > 1 else 0
+        return self.steps_off_front < 2 and error > least_error and rays < most_rays
 
 
 def points_about(args, scene, reference, presets):
-    """Combinations with errors about those of the presets."""
+    """Points of all combinations, around the errors of the presets."""
     grid = choices_of(args, scene)
     running = [Series(tuple(zip(grid, values))) for values in itertools.product(*grid.values())]
     most_rays, least_error = 1.5 * max(p[0] for p in presets), min(p[1] for p in presets)
@@ -123,8 +122,8 @@ def check(args, scene):
     front = front_of(points + presets)
     cells = []
     for rays, error, _ in presets:
-        excess, better = behind(front, rays, error)
-        cells.append(f"{100 * excess:.0f} %" + (f" ({better})" if excess > args.told else ""))
+        excess, better = excess_over(front, rays, error)
+        cells.append(f"{100 * excess:.0f} %" + (f" ({better})" if excess > args.name_above else ""))
     print(f"| {os.path.basename(scene).removeprefix('builtin:')} | {len(points)} | " + " | ".join(cells) + " |", flush=True)
 
 
@@ -134,7 +133,7 @@ def main():
     parser.add_argument("--size", default="40x40")
     parser.add_argument("--seeds", type=int, default=2)
     parser.add_argument("--presets", default="preview,balanced,final")
-    parser.add_argument("--told", type=float, default=0.1, help="beyond so much the better choice is named")
+    parser.add_argument("--name-above", type=float, default=0.1, help="excess above which the better settings are named")
     parser.add_argument("--program", default=os.path.join(ROOT, "build/release/rayscope"))
     parser.add_argument("--cache", help="folder for references; absent: a temporary one")
     parser.add_argument("--jobs", type=int, default=2, help="pictures at once")

@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""Checks what `render --target-error` promises: how often the error stays below the target, and how good forecasts are.
+"""Checks `render --target-error`: how often the error is below the target, and how accurate the forecasts are.
 
 check_targets.py [--seeds N] [--first-seed N] [--scenes A,B] [--size WxH] [--program PATH] [--options "…"] [--cache FOLDER] [--jobs N]
 prints a Markdown table. A scene may be followed by settings: environment:reflection_map=true. Each seed is rendered to
 a target, about a third of the error of 16 samples per pixel, and compared with a reference ten times as accurate, which
---cache keeps for another time. The promise is kept if the number of failures is within the 99 % binomial limit of what
-the confidence allows. A forecast is the last one that was shown when half of the way was gone, of all work in samples
-and in seconds.
+--cache keeps. The confidence level holds if the number of failures is within the 99 % binomial limit. Forecasts are the last
+ones before half of the total, of samples and of seconds.
 """
 import argparse, json, math, os, subprocess, tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -17,7 +16,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def most_failures(runs, risk):
-    """The largest count that a fair promise exceeds with less than 1 %."""
+    """The number of failures that is exceeded with a probability below 1 %."""
     total = 0.0
     for k in range(runs + 1):
         total += math.comb(runs, k) * risk**k * (1 - risk) ** (runs - k)
@@ -44,13 +43,13 @@ def error_of(args, image, reference):
     return json.loads(output.stdout)["rmse"]
 
 
-def forecast_errors(looks):
-    """Relative errors of the forecasts of all samples and of all seconds when half of them were gone; None without one."""
+def forecast_errors(events):
+    """Relative errors of the forecasts of all samples and of all seconds at half of them; None without a forecast."""
     errors = []
-    for spent, total in (("samples", lambda look: look["expected_samples"]),
-                         ("elapsed_s", lambda look: look["elapsed_s"] + look["remaining_s"])):
-        early = [look for look in looks if look["expected_samples"] > 0 and look[spent] <= 0.5 * looks[-1][spent]]
-        errors.append(total(early[-1]) / looks[-1][spent] - 1 if early else None)
+    for spent, total in (("samples", lambda event: event["expected_samples"]),
+                         ("elapsed_s", lambda event: event["elapsed_s"] + event["remaining_s"])):
+        early = [event for event in events if event["expected_samples"] > 0 and event[spent] <= 0.5 * events[-1][spent]]
+        errors.append(total(early[-1]) / events[-1][spent] - 1 if early else None)
     return errors
 
 
@@ -70,11 +69,11 @@ def reference_for(args, scene, folder):
 def run(args, scene, target, reference, seed):
     with tempfile.TemporaryDirectory() as folder:
         image = os.path.join(folder, "image.pfm")
-        looks = render(args, scene, target, seed, image)
-        return looks[-1]["samples"], error_of(args, image, reference), forecast_errors(looks)
+        events = render(args, scene, target, seed, image)
+        return events[-1]["samples"], error_of(args, image, reference), forecast_errors(events)
 
 
-def share_right(errors):
+def fraction_right(errors):
     known = [abs(e) <= 0.25 for e in errors if e is not None]
     return f"{100 * sum(known) / len(known):.0f} % of {len(known)}" if known else "–"
 
@@ -88,7 +87,7 @@ def check(args, scene, folder):
     limit = most_failures(args.seeds, 1 - args.confidence)
     print(f"| {scene} | {target:.3g} | {sum(samples) / len(samples):.0f} | {args.seeds - failures} of {args.seeds} "
           f"| {'yes' if failures <= limit else '**no**'} | {sum(errors) / len(errors) / target:.2f} "
-          f"| {share_right([f[0] for f in forecasts])} | {share_right([f[1] for f in forecasts])} |", flush=True)
+          f"| {fraction_right([f[0] for f in forecasts])} | {fraction_right([f[1] for f in forecasts])} |", flush=True)
 
 
 def main():
@@ -104,7 +103,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="seeds at once; forecasts of seconds suffer from more than one")
     args = parser.parse_args()
     args.options += f" --confidence {args.confidence}"
-    print("| scene | target RMSE | samples | error below target | promise kept | error / target "
+    print("| scene | target RMSE | samples | error below target | confidence holds | error / target "
           "| forecasts of samples within 25 % | of seconds |\n|---|---|---|---|---|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         if args.cache:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""hard_mesh.py [TRIANGLES]: writes an OBJ file that hierarchies find hard to standard output: long thin triangles along the
-diagonals of a cube, whose boxes are nearly empty, clusters ten thousand times smaller than the whole, and a few triangles as large
-as the whole. 100,000 triangles if nothing is said; the same for the same number."""
+"""hard_mesh.py [TRIANGLES]: writes a mesh that is difficult for BVHs as OBJ to standard output: long thin triangles along the
+diagonals of a cube, whose boxes are nearly empty, clusters ten thousand times smaller than the mesh, and a few triangles of the
+size of the mesh. Default 100,000 triangles; the output is a function of the number."""
 import math
 import random
 import sys
@@ -18,7 +18,7 @@ def along(point, way, length):
 
 
 def needle(rng):
-    """One of the four diagonals, up to 0.03 rad off; a thousand times as long as wide."""
+    """Along one of the four diagonals, up to 0.03 rad off; a thousand times as long as wide."""
     way = along([rng.choice((-1, 1)) / math.sqrt(3) for _ in range(3)], direction(rng), 0.03)
     length = rng.uniform(0.3, 1.0)
     foot = [rng.uniform(-1, 1) for _ in range(3)]

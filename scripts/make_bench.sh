@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# scripts/make_bench.sh [SIZE]: measures builds and rays beside Embree, with one thread and with all, the builders beside one
-# another, and builds from a thousand to ten million triangles; writes docs/bench.md, its charts, and the ratios in
-# docs/performance.md. SIZE is the width and height of the image of primary rays (512). Takes about fifteen minutes; the machine
-# should have nothing else to do.
+# scripts/make_bench.sh [SIZE]: compares build times and ray throughput with Embree, with one thread and with all, the builders
+# with one another, and build times from a thousand to ten million triangles; writes docs/bench.md, its charts, and the ratios
+# in docs/performance.md. SIZE is the width and height of the image of primary rays (512). Takes about fifteen minutes on an
+# otherwise idle machine.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -15,7 +15,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 bench() { "$root/build/release/rayscope" bench "$@"; }
 
-# hills TRIANGLES: a scene of so many triangles of terrain.
+# hills TRIANGLES: a terrain scene with about so many triangles.
 hills() {
     local side
     side=$(python3 -c "print(max(1, round(($1 / 2) ** 0.5)))")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/make_numerics.sh [RAYS]: runs the laboratory on shapes made by formula and on shipped scenes, RAYS per cell at
-# seams (2000), and writes what it counts into the marked part of docs/numerics.md. The counts are the same on every run.
+# scripts/make_numerics.sh [RAYS]: runs `rayscope lab` on generated shapes and on shipped scenes with RAYS rays at shared edges
+# per test point (default 2000), and writes the counts into the marked part of docs/numerics.md. They are reproducible.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/build/release/rayscope
@@ -20,27 +20,27 @@ import json, sys
 
 page, folder, scenes = sys.argv[1], sys.argv[2], sys.argv[3:]
 reports = {scene: json.load(open(f"{folder}/{scene}.json")) for scene in scenes}
-methods = {"rayscope": "as Rayscope traces", "float": "Möller–Trumbore, float",
+methods = {"rayscope": "Rayscope", "float": "Möller–Trumbore, float",
            "epsilon": "… with 1e-6", "double": "Möller–Trumbore, double"}
 
 
-def share(part, whole): return f"{part:,} of {whole:,}".replace(",", " ") if part else f"0 of {whole:,}".replace(",", " ")
+def fraction(part, whole): return f"{part:,} of {whole:,}".replace(",", " ") if part else f"0 of {whole:,}".replace(",", " ")
 def ratio(x): return "–" if x is None else f"{x:.3f}" if x < 100 else f"{x:.1e}"
 
 
-lines = ["All cells together (scales 2^-40 … 2^40, offsets 0 … 10^7 sizes), "
-         f"{reports[scenes[0]]['rays_per_cell']} rays per cell at seams:", "",
-         "| scene | method | leaks | double hits | false hits | lost surfaces | t error / bound | weight error / bound | cells that fail |",
+lines = ["All test points (scales 2^-40 … 2^40, offsets 0 … 10^7 sizes), "
+         f"{reports[scenes[0]]['rays_per_cell']} rays at shared edges per test point:", "",
+         "| scene | method | leaks | double hits | false hits | lost surfaces | t error / bound | weight error / bound | failing test points |",
          "|---|---|---|---|---|---|---|---|---|"]
 for scene, report in reports.items():
     for method, label in methods.items():
         c, r = report["totals"][method], report["ranges"][method]
-        lines.append(f"| {scene} | {label} | {share(c['leaks'], c['aimed'])} | {share(c['double_hits'], c['aimed'])} "
-                     f"| {share(c['false_hits'], c['spawned'])} | {share(c['lost_surfaces'], c['second_surfaces'])} "
+        lines.append(f"| {scene} | {label} | {fraction(c['leaks'], c['aimed'])} | {fraction(c['double_hits'], c['aimed'])} "
+                     f"| {fraction(c['false_hits'], c['spawned'])} | {fraction(c['lost_surfaces'], c['second_surfaces'])} "
                      f"| {ratio(c['t_error_over_bound'])} | {ratio(c['weight_error_over_bound'])} "
                      f"| {r['failing_cells']} of {len(report['cells'])} |")
 lines += ["", "Leaks of the shapes at scale 2^0, by offset in sizes:", "",
-          "| offset | rays | " + " | ".join(methods.values()) + " | triangles that collapse |",
+          "| offset | rays | " + " | ".join(methods.values()) + " | degenerate triangles |",
           "|---|---|---|---|---|---|---|"]
 for cell in reports["shapes"]["cells"]:
     if cell["scale_exponent"] != 0: continue

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# scripts/make_trade.sh [SECONDS [SCENE…]]: measures the trade of speed for accuracy on the shipped scenes, or those that are
-# named, SECONDS each (120 if nothing is said), and writes docs/trade: a page per scene and a table of all. Options of
-# `rayscope trade` can be given in $TRADE_OPTIONS. Uses the program in build/release.
+# scripts/make_trade.sh [SECONDS [SCENE…]]: runs `rayscope trade` on the shipped scenes, or on the named ones, SECONDS each
+# (default 120), and writes docs/trade: a page per scene and a table of all. $TRADE_OPTIONS has further options of
+# `rayscope trade`. Uses the program in build/release.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 program=$root/build/release/rayscope
@@ -37,25 +37,25 @@ first = next(iter(reports.values()))
 def number(value): return f"{value:.3g}"
 def interval(i): return f"{number(i['value'])} [{number(i['lower'])}, {number(i['upper'])}]" if i["value"] else "–"
 
-print("# The trade on the shipped scenes\n\nWritten by `scripts/make_trade.sh`: "
+print("# Speed against accuracy on the shipped scenes\n\nWritten by `scripts/make_trade.sh`: "
       f"{first['width']} × {first['height']} pixels, {first['threads']} thread(s), {first['budget_seconds']:g} s per scene. "
-      "The pages are complete reports; open them in a browser. Slope: error ~ samples^slope. Behind the front: how much "
-      "longer a preset takes than the front of this scene needs for the same error; – if the budget was too short to "
-      "measure it, and a ? where nothing measured is better beyond doubt. Noise: differences in time below this could not be told.\n")
+      "The pages are complete reports; open them in a browser. Slope: error ~ samples^slope. Noise: timing noise of the machine. "
+      "preview, balanced, final: excess time of the preset over the Pareto front at the same error; – not measured within the "
+      "budget; ? not significant.\n")
 noises = sorted(report["smallest_time_difference"] or 0 for report in reports.values())
 if noises[len(noises) // 2] > 0.25:
-    print("The machine was busy: noise above 25 % says that errors, slopes and biases hold, and times only roughly.\n")
-print("| scene | settings measured | RMSE of the reference | slope | noise | preview | balanced | final |\n"
+    print("The machine was busy: with timing noise above 25 % errors, slopes and biases are valid, times only roughly.\n")
+print("| scene | candidates | RMSE of the reference | slope | noise | preview | balanced | final |\n"
       "|---|---|---|---|---|---|---|---|")
 for scene, report in reports.items():
     worse = {p["name"] for p in report["points"] if p.get("dominated_by")}
-    behind = {d["preset"]: f"{100 * d['excess_time']:.0f} %" + ("" if d["excess_time"] < 0.005 or d["point"] in worse else "?")
+    excess = {d["preset"]: f"{100 * d['excess_time']:.0f} %" + ("" if d["excess_time"] < 0.005 or d["point"] in worse else "?")
               for d in report["dial"]}
     noise = report["smallest_time_difference"]
     print(f"| [{scene}]({scene}.html) | {len(report['points'])} | {number(report['reference']['rmse'] or 0)} "
           f"| {interval(report['convergence_slope'])} | {100 * noise:.0f} % | "
-          + " | ".join(behind.get(name, "–") for name in ("preview", "balanced", "final")) + " |")
-print("\n| scene | for | settings | seconds | RMSE |\n|---|---|---|---|---|")
+          + " | ".join(excess.get(name, "–") for name in ("preview", "balanced", "final")) + " |")
+print("\n| scene | budget | settings | seconds | RMSE |\n|---|---|---|---|---|")
 for scene, report in reports.items():
     for advice in report["advice"]:
         point = next(p for p in report["points"] if p["name"] == advice["point"])

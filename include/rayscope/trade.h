@@ -1,5 +1,5 @@
 #pragma once
-// The trade of speed for accuracy, measured on a scene of the user's own.
+// Study of rendering time against error on one scene: which settings to use, and what each parameter does.
 #include <rayscope/interval.h>
 #include <rayscope/render_session.h>
 #include <cstdint>
@@ -12,87 +12,87 @@
 
 namespace rayscope {
 
-/// Why settings were measured.
+/// Why a candidate is measured.
 enum class TradeRole {
     Base,          ///< the settings that the others are compared with
-    Control,       ///< the base once more: what differs between the two is the noise of the machine
-    UserSettings,  ///< exactly what was userSettings for
-    Parameter,     ///< the base with one knob turned
-    Combination,   ///< several knobs turned
-    Feature,       ///< the base with an effect switched on or off
-    Preset,        ///< a position of the presetPoints
-    Extra          ///< what the caller added
+    Control,       ///< the base again; the difference between the two is the timing noise of the machine
+    UserSettings,  ///< the settings of the request
+    Parameter,     ///< the base with one parameter changed
+    Combination,   ///< several parameters changed
+    Effect,        ///< the base with an effect switched on or off
+    Preset,        ///< the user settings with a preset applied
+    Extra          ///< TradeRequest::extra
 };
 
-/// The work of one run: counted, so the same whatever the machine does, and in other runs up to the noise of
-/// the samples.
+/// Work of one picture. It is counted, not timed, so it does not depend on the machine.
 struct TradeWork {
     std::uint64_t samples = 0;  ///< of pixels
     std::uint64_t rays = 0;     ///< of all kinds
-    /// Boxes of the binary tree entered, and triangles and spheres tested, by a ray on average: over the rays
-    /// of the first sample of each pixel.
+    /// Nodes visited and primitives tested per ray, as the AOVs count them, over the first sample of each
+    /// pixel.
     double nodesPerRay = 0.0, testsPerRay = 0.0;
 };
 
-/// Settings that were measured, and what came out. Errors are RMSE of linear values against the reference.
+/// A candidate and its measurements. Errors are RMSE of linear values against the reference image.
 struct TradePoint {
     TradeRole role = TradeRole::Base;
-    std::string name;         ///< what differs from the base, in words
-    std::string knob, level;  ///< of Parameter and Feature
+    std::string name;              ///< the settings that differ from the base, for people
+    std::string parameter, level;  ///< key and value, for Parameter and Effect
     Settings settings;
-    int runs = 0;  ///< interleaved with those of all others, each with another seed
+    int runs = 0;  ///< interleaved with those of all other candidates, each with another seed
     TradeWork work;
 
-    Interval seconds;       ///< median, tracing and bloom
-    Interval buildSeconds;  ///< median, of hierarchies; only where they differ from the base's
+    Interval seconds;       ///< median, of tracing and bloom
+    Interval buildSeconds;  ///< median, of BVHs; only where they differ from those of the base
     Interval error;         ///< of a single picture
-    Interval noise, bias;   ///< error² = noise² + bias²: bias is what more samples would not take away
-    Interval flip;          ///< mean FLIP, what a person would see
-    Interval timeRatio;     ///< to the base, in pairs
+    Interval noise, bias;   ///< error² = noise² + bias²; bias is the part that more samples do not reduce
+    Interval flip;          ///< mean FLIP
+    Interval timeRatio;     ///< to the base, in pairs of the same block
     Interval efficiency;    ///< 1 / (error² · seconds) relative to the base
-    Interval nextSeconds, nextError;  ///< where one more run will lie
+    Interval predictedSeconds, predictedError;  ///< prediction intervals of one more run
 
-    bool reliable = false;       ///< the reference's own error is at most a tenth of this error
-    bool biased = false;         ///< the bias is real: its interval lies above what the reference can hide
-    bool samePicture = false;    ///< every run gave the base's picture, bit for bit
-    bool onParetoFront = false;  ///< nothing measured is both faster and more accurate
-    std::string dominatedBy;     ///< the name of a point that is better in both beyond doubt, or empty
+    bool reliable = false;       ///< the error is at least ten times that of the reference
+    bool biased = false;         ///< the lower end of the bias is above the error of the reference
+    bool samePicture = false;    ///< every run is bit-identical to the base's of the same seed
+    bool onParetoFront = false;  ///< no other candidate is both faster and more accurate
+    std::string dominatedBy;     ///< name of a candidate that is significantly better in both, or empty
 };
 
-/// Where the truth comes from: two independent halves, whose difference tells their own error.
+/// The reference image: the mean of two independent halves, whose difference gives its error.
 struct TradeReference {
     int samples = 0;     ///< per pixel and half
     double error = 0.0;  ///< RMSE of the mean of both halves
     double seconds = 0.0;
     bool fromCache = false, converges = true;
-    std::vector<std::pair<int, double>> history;  ///< samples per half and error, as it grew
+    std::vector<std::pair<int, double>> history;  ///< samples per half, and error, at each doubling
     long long nonFinitePixels = 0;
 };
 
-/// How far a position of the presetPoints is from the front of this scene.
+/// Distance of a preset to the Pareto front of this scene.
 struct TradePreset {
     std::string preset;
-    std::size_t point;
+    std::size_t point;  ///< index into TradeResult::points
     double excess =
-        0.0;  ///< time beyond that of the front at the same error: 0.1 is 10 % more; 0 on the front
+        0.0;  ///< relative to the front's time at the same error: 0.1 is 10 % more; 0 on the front
 };
 
-/// What the scene needs of an effect.
+/// Whether an effect changes the picture of this scene.
 struct TradeEffect {
     std::string key, label;
-    bool on = false;
-    std::string reason;  ///< why it cannot matter, or empty if it was measured
-    std::size_t point;   ///< the measurement with the effect switched over
+    bool on = false;     ///< in the base
+    std::string reason;  ///< why it cannot change the picture, derived from the scene; empty if none is known
+    std::size_t point;   ///< the candidate with the effect switched
 };
 
-/// Rays from which on the slower build is paid back by faster rays, against the base.
+/// Number of rays at which a difference in build time equals the difference in tracing time, against the
+/// base.
 struct TradeBreakEven {
     std::size_t point;
-    Interval rays;  ///< empty (all 0) if neither ever catches up
-    std::string words;
+    Interval rays;  ///< all 0 if there is no such number
+    std::string text;
 };
 
-/// The best measured settings that fit into a time.
+/// The most accurate measured settings within a time budget.
 struct TradeAdvice {
     double budgetSeconds = 0.0;
     std::size_t point;
@@ -100,22 +100,23 @@ struct TradeAdvice {
 
 struct TradeResult {
     std::string scene;
-    Settings userSettings;  ///< the user's
+    Settings userSettings;
     int width = 0, height = 0, threads = 0, blocks = 0;
     double budgetSeconds = 0.0, spentSeconds = 0.0;
     std::vector<TradePoint> points;  ///< the base first
     TradeReference reference;
-    double smallestRatio = 0.0;  ///< the least difference in time that can be told from the machine's noise
-    Interval slope;              ///< of log error over log samples per pixel; all 0 if not measured
-    std::vector<std::size_t> front;  ///< from fast to accurate
+    /// Smallest relative difference in time that exceeds the timing noise of the machine.
+    double smallestTimeDifference = 0.0;
+    Interval convergenceSlope;             ///< d log error / d log samples per pixel; all 0 if not measured
+    std::vector<std::size_t> paretoFront;  ///< from fast to accurate
     std::vector<TradeAdvice> advice;
-    std::vector<TradeEffect> needs;
+    std::vector<TradeEffect> effects;
     std::vector<TradePreset> presetPoints;
     std::vector<TradeBreakEven> breakEvens;
-    std::vector<std::string> withoutEffect;  ///< keys of settings that cannot matter in this scene
-    std::vector<std::string> notMeasured;    ///< names of settings that did not fit into the budget
-    std::vector<std::string> remarks;        ///< what the reader should know before trusting a figure
-    bool complete = false;                   ///< at least one point was measured twice
+    std::vector<std::string> inactiveSettings;  ///< keys of settings without effect in this scene
+    std::vector<std::string> notMeasured;       ///< names of candidates that did not fit into the budget
+    std::vector<std::string> remarks;           ///< warnings about the validity of the measurements
+    bool complete = false;                      ///< the base was measured at least twice
     bool interrupted = false;
 };
 
@@ -125,31 +126,31 @@ struct TradeProgress {
 };
 
 struct TradeRequest {
-    RenderRequest render;  ///< its settings are the user's; region and progressive are ignored
+    RenderRequest render;  ///< with the user settings; region and progressive are ignored
     double budgetSeconds = 60.0;
-    int threads = 0;
-    std::string cacheFolder;  ///< for references; empty: none are kept
-    std::vector<std::pair<std::string, Settings>> extra;
+    int threads = 0;                                      ///< 0: one per core
+    std::string cacheFolder;                              ///< for references; empty: none are kept
+    std::vector<std::pair<std::string, Settings>> extra;  ///< additional candidates, with names
     std::function<void(const TradeProgress&)> progress;
     std::stop_token stop;
-    /// The seconds that a picture of so many rays counts as, so that a report can be had whose times do not
-    /// depend on the machine; empty: what it took.
+    /// Replaces the measured seconds of a picture by a function of its rays, for results that do not depend
+    /// on the speed of the machine; empty: measured seconds.
     std::function<double(std::uint64_t rays)> secondsOfRays;
 };
 
-/// Measures for about `budgetSeconds`. Throws InputError if the scene cannot be traced. If the budget is too
-/// short, or a stop is requested, the result holds what was measured until then and says so.
+/// Measures for about `budgetSeconds`. If the budget is too short or a stop is requested, the result holds
+/// what was measured until then, with a remark. Throws InputError if the scene cannot be traced.
 TradeResult measureTrade(const TradeRequest& request);
 
-/// The point that has these settings, as far as they matter in the scene; nothing if none was measured.
+/// The measured point whose settings equal these, apart from settings without effect in the scene.
 std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings);
 
-/// How much longer a point takes than the front needs for its error: 0.1 is 10 % more; 0 on the front.
+/// Time of a point beyond that of the Pareto front at the same error: 0.1 is 10 % more; 0 on the front.
 double excessTime(const TradeResult& result, std::size_t point);
 
-/// By how much a position of the presetPoints is behind the front, and whether that may be the noise of the
-/// machine: unless something measured is better in both time and error beyond doubt.
-std::string excessText(const TradeResult& result, const TradePreset& presetPoints);
+/// The excess time of a preset as text. "not significant" is added if no candidate dominates the preset, so
+/// that timing noise may explain the distance.
+std::string excessText(const TradeResult& result, const TradePreset& preset);
 
 /// The folder for references in the user's cache ($XDG_CACHE_HOME or ~/.cache), or "" if there is none.
 std::string referenceCacheFolder();
@@ -159,7 +160,7 @@ std::string renderArguments(const TradeResult& result, const TradePoint& point);
 
 std::string tradeJson(const TradeResult& result);
 std::string tradeCsv(const TradeResult& result);
-/// One page with charts, which needs no other file.
+/// A page with charts in one file.
 std::string tradeHtml(const TradeResult& result);
 
 }  // namespace rayscope

@@ -51,7 +51,7 @@ nlohmann::json json(const measure::RayTiming& timing) {
     return row;
 }
 
-/// The name of a choice as the settings have it.
+/// The value of a setting as text.
 std::string settingText(const measure::BenchRow& row, std::string_view key) {
     Settings settings;
     settings.bvhBuilder = row.build.builder;
@@ -99,7 +99,7 @@ std::string ratio(const Interval& interval) {
 void print(const measure::BenchRow& row) {
     fmt::print("{}: {} triangles, {} spheres, {} thread{}\n", row.scene, row.triangles, row.spheres,
                row.threads, row.threads == 1 ? "" : "s");
-    fmt::print("  {}: SAH cost {:.2f}, of random lines {:.2f}; {} levels, {} nodes",
+    fmt::print("  {}: SAH cost {:.2f}, cost of random lines {:.2f}; {} levels, {} nodes",
                settingText(row, "bvh_builder"), row.sahCost, row.countedCost, row.summary.binaryLevels,
                row.summary.binaryNodes);
     if (row.summary.wideNodes > 0)
@@ -134,7 +134,7 @@ void print(const measure::BenchRow& row) {
                        timing.nodes, timing.leaves, timing.primitives, timing.exact);
 }
 
-/// The middle of the first light, or where a lamp would stand.
+/// The centre of the first light, or a point above the scene if there is none.
 glm::vec3 lightOf(const SceneDescription& scene) {
     if (scene.lights.empty()) {
         const SceneBounds bounds = boundsOf(scene);
@@ -184,7 +184,8 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
     auto options = std::make_shared<BenchCommandOptions>();
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
     CLI::App* command = program.add_subcommand(
-        "bench", "Measure build time, rays per second and memory, beside Embree where it is installed");
+        "bench",
+        "Measure build time, rays per second and memory, compared with Embree where it is installed");
     command->add_option("scenes", options->scenes, "Scenes: .toml, .obj or builtin:NAME");
     command->add_option("--json", options->jsonFile, "Write all figures to this file");
     command->add_option("-t,--threads", options->threads, "Threads for building and tracing; 0: all");
@@ -192,7 +193,7 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
     command->add_option("--size", options->size, "Width and height of the image of primary rays")
         ->check(CLI::Range(8, 16384))
         ->capture_default_str();
-    command->add_option("--rounds", options->rounds, "Rounds in which all contestants take turns")
+    command->add_option("--rounds", options->rounds, "Rounds of interleaved measurements")
         ->check(CLI::Range(5, 1000))
         ->capture_default_str();
     command->callback([options, &exitCode] { exitCode = runBenchCommand(*options); });

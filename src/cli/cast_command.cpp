@@ -22,7 +22,7 @@ namespace rayscope::cli {
 
 namespace {
 
-// The records of the files are the structs as they lie in memory.
+// The records of the files have the memory layout of the structs.
 static_assert(sizeof(Ray) == 32 && offsetof(Ray, direction) == 12 && offsetof(Ray, tMin) == 24);
 static_assert(sizeof(Hit) == 16 && offsetof(Hit, primitive) == 4 && offsetof(Hit, u) == 8);
 static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
@@ -36,13 +36,13 @@ struct CastOptions {
     bool any = false, quiet = false;
 };
 
-/// A file of rays, read piece by piece.
+/// A ray file, read in steps.
 class RayFile {
   public:
     explicit RayFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb")) {
         std::error_code ignored;
         if (std::filesystem::is_directory(path, ignored))
-            throw InputError("is a folder; name a file of rays in it", {path});
+            throw InputError("is a folder, not a ray file", {path});
         if (!file_) throw InputError("cannot be read: " + std::generic_category().message(errno), {path});
         const auto size = std::filesystem::file_size(path, ignored);
         if (!ignored && size % sizeof(Ray) != 0) throwMalformed(size);
@@ -53,11 +53,11 @@ class RayFile {
         if (file_) std::fclose(file_);
     }
 
-    /// Fills `rays` with the next ones, fewer at the end of the file. Returns false if there are none.
+    /// Reads the next rays, fewer at the end of the file. Returns false if there are none.
     bool next(std::vector<Ray>& rays) {
         rays.resize(kRaysPerStep);
         const std::size_t bytes = std::fread(rays.data(), 1, kRaysPerStep * sizeof(Ray), file_);
-        if (std::ferror(file_)) throw InputError("cannot be read to its end", {path_});
+        if (std::ferror(file_)) throw InputError("read error", {path_});
         read_ += bytes;
         if (bytes % sizeof(Ray) != 0) throwMalformed(read_);
         rays.resize(bytes / sizeof(Ray));
@@ -67,7 +67,7 @@ class RayFile {
   private:
     [[noreturn]] void throwMalformed(std::uintmax_t size) const {
         throw InputError(
-            fmt::format("is no file of rays: it has {} bytes, and a ray takes 32 (8 little-endian "
+            fmt::format("not a ray file: its size of {} bytes is not a multiple of 32 (8 little-endian "
                         "float32: origin xyz, direction xyz, tMin, tMax)",
                         size),
             {path_});
@@ -79,12 +79,12 @@ class RayFile {
 
 struct CastCounts {
     std::uint64_t rays = 0, hits = 0;
-    double seconds = 0.0;  ///< in queries alone
+    double seconds = 0.0;  ///< of the queries alone
 };
 
-/// Answers one step of rays and appends the answers to the file.
-void answer(const trace::World& world, std::span<const Ray> rays, bool any, base::AtomicFile& output,
-            CastCounts& counts) {
+/// Traces one step of rays and appends the results to the file.
+void castRays(const trace::World& world, std::span<const Ray> rays, bool any, base::AtomicFile& output,
+              CastCounts& counts) {
     std::vector<Hit> hits(any ? 0 : rays.size());
     std::vector<std::uint8_t> occluded(any ? rays.size() : 0);
     const auto start = std::chrono::steady_clock::now();
@@ -95,7 +95,7 @@ void answer(const trace::World& world, std::span<const Ray> rays, bool any, base
     counts.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     counts.rays += rays.size();
     for (const Hit& hit : hits) counts.hits += hit.primitive != kNoPrimitive;
-    for (const std::uint8_t blocked : occluded) counts.hits += blocked;
+    for (const std::uint8_t hit : occluded) counts.hits += hit;
     const auto bytes = any ? std::as_bytes(std::span(occluded)) : std::as_bytes(std::span(hits));
     output.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
@@ -105,7 +105,7 @@ int runCast(const CastOptions& options) {
     RayFile file(options.rays);
     base::AtomicFile output(options.output);
     RenderRequest request = openScene(options.scene, options.quiet);
-    // Everything at the start of the shutter: one body, in which triangles count first, then spheres.
+    // All primitives at shutter open: one motion group, whose primitives are numbered triangles first.
     request.settings.motionBlur = false;
     const int threads =
         options.scene.threads > 0 ? options.scene.threads : oneapi::tbb::info::default_concurrency();
@@ -116,13 +116,14 @@ int runCast(const CastOptions& options) {
     arena.execute([&] {
         const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1});
         std::vector<Ray> rays;
-        while (!interrupt.interrupted() && file.next(rays)) answer(*world, rays, options.any, output, counts);
+        while (!interrupt.interrupted() && file.next(rays))
+            castRays(*world, rays, options.any, output, counts);
     });
     if (interrupt.interrupted()) return kInterrupted;
     output.commit();
     if (!options.quiet)
         fmt::print(stderr, "{} rays, {} {}, {:.2f} Mray/s\n", counts.rays, counts.hits,
-                   options.any ? "blocked" : "hits",
+                   options.any ? "occluded" : "hits",
                    counts.seconds > 0.0 ? static_cast<double>(counts.rays) * 1e-6 / counts.seconds : 0.0);
     return kSuccess;
 }
@@ -133,16 +134,15 @@ void addCastCommand(CLI::App& program, int& exitCode) {
     auto options = std::make_shared<CastOptions>();
     CLI::App* command = program.add_subcommand(
         "cast",
-        "Answer a file of rays. A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, "
-        "tMax. "
-        "Its answer is 16 bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for "
-        "a "
-        "miss), float32 u, v; with --any it is one byte, 1 if anything lies in (tMin, tMax], else 0");
+        "Trace a file of rays. A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, "
+        "tMax. A result is 16 bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 "
+        "for a miss), float32 u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else "
+        "0");
     options->scene.addSceneTo(*command, true);
-    command->add_option("--rays", options->rays, "File of rays to read, of any length")->required();
-    command->add_option("-o,--output", options->output, "File of answers to write, in the order of the rays")
+    command->add_option("--rays", options->rays, "Ray file to read, of any length")->required();
+    command->add_option("-o,--output", options->output, "File of results to write, in the order of the rays")
         ->required();
-    command->add_flag("--any", options->any, "Ask whether anything is hit, not what is hit first");
+    command->add_flag("--any", options->any, "Any-hit queries: whether there is a hit, not the closest one");
     command->add_flag("-q,--quiet", options->quiet, "Print errors only");
     command->callback([options, &exitCode] { exitCode = runCast(*options); });
 }

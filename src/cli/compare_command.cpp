@@ -4,8 +4,8 @@
 #include <rayscope/diagnostics.h>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
 #include "base/atomic_file.h"
-#include "base/json_number.h"
 #include "cli/commands.h"
 #include "post/display_transform.h"
 
@@ -22,15 +22,15 @@ struct CompareCommandOptions {
 };
 
 nlohmann::json toJson(const ErrorMeasures& e) {
-    return {{"rmse", base::numberOrNull(e.rmse)},
-            {"relmse", base::numberOrNull(e.relMse)},
-            {"relmse_trimmed", base::numberOrNull(e.relMseTrimmed)},
-            {"smape", base::numberOrNull(e.smape)},
-            {"max", base::numberOrNull(e.maximum)},
+    return {{"rmse", e.rmse},
+            {"relmse", e.relMse},
+            {"relmse_trimmed", e.relMseTrimmed},
+            {"smape", e.smape},
+            {"max", e.maximum},
             {"max_at", {e.maximumX, e.maximumY}},
-            {"mean_difference", base::numberOrNull(e.meanDifference)},
-            {"ssim", base::numberOrNull(e.ssim)},
-            {"flip", base::numberOrNull(e.flip)},
+            {"mean_difference", e.meanDifference},
+            {"ssim", e.ssim},
+            {"flip", e.flip},
             {"pixels", e.pixels},
             {"pixels_compared", e.pixelsCompared},
             {"non_finite_a", e.nonFiniteImage},

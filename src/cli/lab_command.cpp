@@ -67,8 +67,7 @@ int runLabCommand(const LabOptions& options) {
         if (!options.quiet)
             fmt::print(stderr, "wrote lab.html, lab.json and lab.csv into {}\n", options.folder);
         if (!options.quiet && !commands.empty())
-            fmt::print(stderr,
-                       "what Rayscope answers to the rays that went wrong, nearest cell of each method:\n");
+            fmt::print(stderr, "commands that trace the failing rays of each method with Rayscope:\n");
         for (const std::string& command : commands)
             if (!options.quiet) fmt::print(stderr, "  {}\n", command);
     }
@@ -80,11 +79,10 @@ int runLabCommand(const LabOptions& options) {
 
 void addLabCommand(CLI::App& program, int& exitCode) {
     auto options = std::make_shared<LabOptions>();
-    CLI::App* command = program.add_subcommand("lab",
-                                               "Numerical stability at the extremes: put the triangles of a "
-                                               "scene (or shapes made by formula) through "
-                                               "scales and offsets, and compare with exact arithmetic. Exit "
-                                               "code 4 if Rayscope itself made a mistake");
+    CLI::App* command = program.add_subcommand(
+        "lab",
+        "Numerical robustness: intersect the triangles of a scene (or generated shapes) at many scales and "
+        "offsets, and compare with exact arithmetic. Exit code 4 if Rayscope fails");
     options->scene.addSceneTo(*command, false);
     command->add_option("--seed", options->scene.seed, "Seed of the random numbers")->capture_default_str();
     command->add_option(
@@ -92,7 +90,7 @@ void addLabCommand(CLI::App& program, int& exitCode) {
         "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
     command
         ->add_option("--rays", options->rays,
-                     "Rays per cell at shared edges and vertices; half as many more leave surfaces")
+                     "Rays per test point at shared edges and vertices; half as many spawned rays are added")
         ->check(CLI::Range(1, 1000000000))
         ->capture_default_str();
     command->add_flag("--quick", options->quick, "A coarse grid of scales and offsets");

@@ -180,7 +180,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& 
     rendered.status.buildSeconds = result.world->buildSeconds;
     rendered.world = result.world;
     rendered.mean = std::move(result.mean);
-    if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.words;
+    if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.text;
     return rendered;
 }
 

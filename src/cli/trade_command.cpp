@@ -30,28 +30,28 @@ void showProgress(ProgressStyle style, const TradeProgress& progress) {
 }
 
 void printSummary(const TradeResult& r, const std::string& scene) {
-    fmt::print("{} at {} x {}, {} threads: {} settings, {} blocks, {:.1f} s\n", scene, r.width, r.height,
+    fmt::print("{} at {} x {}, {} threads: {} candidates, {} blocks, {:.1f} s\n", scene, r.width, r.height,
                r.threads,
                std::count_if(r.points.begin(), r.points.end(), [](const auto& p) { return p.runs > 0; }),
                r.blocks, r.spentSeconds);
-    fmt::print("reference: 2 x {} samples, its own RMSE {:.3g}{}\n", r.reference.samples, r.reference.error,
+    fmt::print("reference: 2 x {} samples, RMSE {:.3g}{}\n", r.reference.samples, r.reference.error,
                r.reference.fromCache ? " (continued from the cache)" : "");
     if (r.complete) {
-        fmt::print("noise of the machine: differences in time below {:.1f} % cannot be told\n",
-                   100.0 * r.smallestRatio);
-        fmt::print("\nrecommended, with 95 % intervals for one more run:\n");
+        fmt::print("timing noise of the machine: {:.1f} %\n", 100.0 * r.smallestTimeDifference);
+        fmt::print("\nrecommended settings, with 95 % prediction intervals of one more run:\n");
     }
     for (const TradeAdvice& advice : r.advice) {
         const TradePoint& p = r.points[advice.point];
         fmt::print(
             "  {:.3g} s [{:.3g}, {:.3g}]  RMSE {:.3g} [{:.3g}, {:.3g}]\n    rayscope render {} {} -o OUT\n",
-            p.nextSeconds.value, p.nextSeconds.lower, p.nextSeconds.upper, p.nextError.value,
-            p.nextError.lower, p.nextError.upper, scene, renderArguments(r, p));
+            p.predictedSeconds.value, p.predictedSeconds.lower, p.predictedSeconds.upper,
+            p.predictedError.value, p.predictedError.lower, p.predictedError.upper, scene,
+            renderArguments(r, p));
     }
-    for (const TradePreset& presetPoints : r.presetPoints)
-        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, behind the front by {}\n", presetPoints.preset,
-                   r.points[presetPoints.point].seconds.value, r.points[presetPoints.point].error.value,
-                   excessText(r, presetPoints));
+    for (const TradePreset& preset : r.presetPoints)
+        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, excess time over the Pareto front {}\n", preset.preset,
+                   r.points[preset.point].seconds.value, r.points[preset.point].error.value,
+                   excessText(r, preset));
     for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
 }
 
@@ -101,17 +101,18 @@ int runTrade(const TradeOptions& options) {
 void addTradeCommand(CLI::App& program, int& exitCode) {
     auto options = std::make_shared<TradeOptions>();
     options->scene.size = "200x200";
-    CLI::App* command = program.add_subcommand(
-        "trade",
-        "Measure speed against accuracy on this scene, knob by knob, and recommend settings per time");
+    CLI::App* command =
+        program.add_subcommand("trade",
+                               "Measure rendering time against error on this scene, parameter by parameter, "
+                               "and recommend settings for several time budgets");
     options->scene.addTo(*command, true);
     command->add_option("-o,--output", options->folder,
                         "Folder for the report: trade.html, trade.json, trade.csv");
-    command->add_option("--budget", options->budget, "Seconds to spend; half of them go into the reference")
+    command->add_option("--budget", options->budget, "Seconds to spend, half of them on the reference")
         ->check(CLI::Range(0.1, 1e6))
         ->capture_default_str();
     command->add_flag("--no-cache", options->noCache,
-                      "Neither use nor keep a reference in the cache ($XDG_CACHE_HOME/rayscope/references)");
+                      "Neither read nor write the reference cache ($XDG_CACHE_HOME/rayscope/references)");
     command->add_option("--progress", options->progress, "bar, json or none")
         ->check(CLI::IsMember({"bar", "json", "none"}));
     command->add_flag("--json", options->json, "Print the result as JSON");

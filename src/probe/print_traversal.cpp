@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/json_number.h"
+#include <nlohmann/json.hpp>
 #include "probe/names.h"
 #include "probe/traversal_log.h"
 
@@ -80,18 +80,15 @@ std::string toJson(const TraversalLog& log) {
         advance(state, step);
         nlohmann::json entry = {{"event", nameOf(step.event)},
                                 {isBoxEvent(step.event) ? "box" : "primitive", step.number},
-                                {"t", base::numberOrNull(step.t)},
-                                {"closest_so_far", base::numberOrNull(state.bound)},
+                                {"t", step.t},
+                                {"closest_so_far", state.bound},
                                 {"stack", nlohmann::json::array()}};
         for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
-            entry["stack"].push_back({{"box", waiting->box}, {"t", base::numberOrNull(waiting->t)}});
+            entry["stack"].push_back({{"box", waiting->box}, {"t", waiting->t}});
         j["steps"].push_back(std::move(entry));
     }
     if (log.hit.primitive != kNoPrimitive)
-        j["hit"] = {{"primitive", log.hit.primitive},
-                    {"t", base::numberOrNull(log.hit.t)},
-                    {"u", log.hit.u},
-                    {"v", log.hit.v}};
+        j["hit"] = {{"primitive", log.hit.primitive}, {"t", log.hit.t}, {"u", log.hit.u}, {"v", log.hit.v}};
     return j.dump(2) + "\n";
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the benchmarks build: a bumpy sphere of any number of triangles.
+// The mesh of the benchmarks: a bumpy sphere with any number of triangles.
 #include <rayscope/accel.h>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// How long builders take: build/<builder>/<triangles>/<threads>.
+// Build times: build/<builder>/<triangles>/<threads>.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -25,7 +25,7 @@ void build(benchmark::State& state, BvhBuilder builder) {
     Accel accel;
     for (auto _ : state) accel = Accel::build(mesh.input(), settings);
     const auto triangles = static_cast<double>(mesh.triangles.size());
-    const TreeStatistics statistics = statisticsOf(buildBinaryTree(mesh.input(), settings));
+    const bvh::TreeStatistics statistics = bvh::statisticsOf(bvh::buildBinaryTree(mesh.input(), settings));
     state.counters["bytes/tri"] = static_cast<double>(accel.bytes()) / triangles;
     state.counters["sah"] = statistics.sahCost;
     state.counters["levels"] = statistics.levels;

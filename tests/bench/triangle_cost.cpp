@@ -1,8 +1,8 @@
-// What the sign-exact triangle test costs: the AVX2 kernels as they are against the same walk with Möller and
-// Trumbore's test in its leaves.
+// The cost of the sign-exact triangle test: the AVX2 kernels against the same traversal with the test of
+// Möller and Trumbore.
 //
-//   triangle_cost                 times both in turn and prints the median of the ratios
-//   triangle_cost exact|plain|none N   answers N incoherent rays with one of them, for counting instructions
+//   triangle_cost                      interleaved timings; prints the median of the ratios
+//   triangle_cost exact|plain|none N   traces N incoherent rays with one of them, to count instructions
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kTriangles = 100000;
 
-/// From points around the mesh in all directions: no two neighbours have anything in common.
+/// Independent random rays from around the mesh.
 std::vector<Ray> incoherentRays(std::size_t count) {
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> real(-1.0, 1.0);
@@ -36,30 +36,31 @@ std::vector<Ray> incoherentRays(std::size_t count) {
     return rays;
 }
 
-struct Race {
+struct Comparison {
     BumpySphere mesh{kTriangles};
-    BinaryTree binary = buildBinaryTree(mesh.input(), {});
-    WideTree tree = collapse(binary, mesh.input(), {});
+    bvh::BinaryTree binary = bvh::buildBinaryTree(mesh.input(), {});
+    bvh::WideTree tree = bvh::collapse(binary, mesh.input(), {});
 
     /// Returns seconds.
-    double run(const kernel::Kernels& kernels, const std::vector<Ray>& rays, std::vector<Hit>& hits) const {
+    double run(const bvh::kernel::Kernels& kernels, const std::vector<Ray>& rays,
+               std::vector<Hit>& hits) const {
         const auto start = std::chrono::steady_clock::now();
         kernels.closestHits(tree.view(), reinterpret_cast<const float*>(rays.data()),
-                            reinterpret_cast<kernel::HitData*>(hits.data()), rays.size());
+                            reinterpret_cast<bvh::kernel::HitData*>(hits.data()), rays.size());
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 };
 
-void compare(const Race& race) {
+void compare(const Comparison& comparison) {
     const std::vector<Ray> rays = incoherentRays(200000);
     std::vector<Hit> exact(rays.size()), plain(rays.size());
     std::vector<double> ratios;
     for (int i = 0; i < 15; ++i) {
         const bool exactFirst = i % 2 == 0;
-        const double first =
-            race.run(exactFirst ? kernelsFor(Isa::Avx2) : kPlainKernels, rays, exactFirst ? exact : plain);
-        const double second =
-            race.run(exactFirst ? kPlainKernels : kernelsFor(Isa::Avx2), rays, exactFirst ? plain : exact);
+        const double first = comparison.run(exactFirst ? bvh::kernelsFor(Isa::Avx2) : kPlainKernels, rays,
+                                            exactFirst ? exact : plain);
+        const double second = comparison.run(exactFirst ? kPlainKernels : bvh::kernelsFor(Isa::Avx2), rays,
+                                             exactFirst ? plain : exact);
         ratios.push_back(exactFirst ? first / second : second / first);
     }
     std::sort(ratios.begin(), ratios.end());
@@ -69,7 +70,8 @@ void compare(const Race& race) {
         differ += exact[i].primitive != plain[i].primitive;
     }
     fmt::print(
-        "{} triangles, {} rays, {} hits, {} answered differently\nexact / plain: {:.3f} (quartiles {:.3f} … "
+        "{} triangles, {} rays, {} hits, {} with different primitives\nexact / plain: {:.3f} (quartiles "
+        "{:.3f} … "
         "{:.3f})\n",
         kTriangles, rays.size(), hits, differ, ratios[7], ratios[3], ratios[11]);
 }
@@ -80,12 +82,13 @@ void compare(const Race& race) {
 int main(int argc, char** argv) {
     using namespace rayscope;
     using namespace rayscope::bench;
-    if (!isAvailable(Isa::Avx2)) return fmt::print("needs AVX2\n"), 77;
-    const Race race;
-    if (argc < 3) return compare(race), 0;
+    if (!bvh::isAvailable(Isa::Avx2)) return fmt::print("needs AVX2\n"), 77;
+    const Comparison comparison;
+    if (argc < 3) return compare(comparison), 0;
     const std::vector<Ray> rays = incoherentRays(std::strtoull(argv[2], nullptr, 10));
     std::vector<Hit> hits(rays.size());
     if (std::strcmp(argv[1], "none") == 0) return 0;
-    race.run(std::strcmp(argv[1], "plain") == 0 ? kPlainKernels : kernelsFor(Isa::Avx2), rays, hits);
+    comparison.run(std::strcmp(argv[1], "plain") == 0 ? kPlainKernels : bvh::kernelsFor(Isa::Avx2), rays,
+                   hits);
     return 0;
 }

@@ -117,7 +117,7 @@ TEST(CastCommand, TakesLongFilesInSteps) {
     rays.back() = {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 0, kInfinity};
     folder.write("rays", bytesOf(rays));
     const ProgramResult result = run(folder, "rayscope cast s.toml --rays rays -o any --any");
-    EXPECT_THAT(result.err, HasSubstr(std::to_string(kMany) + " rays, 1 blocked"));
+    EXPECT_THAT(result.err, HasSubstr(std::to_string(kMany) + " rays, 1 occluded"));
     const std::string any = test::readText(folder / "any");
     ASSERT_EQ(any.size(), kMany);
     EXPECT_EQ(any.back(), 1);
@@ -141,7 +141,7 @@ TEST(CastCommand, RefusesWhatIsNoFileOfRays) {
     folder.write("empty", "");
     const ProgramResult odd = run(folder, "rayscope cast s.toml --rays odd -o hits");
     EXPECT_EQ(odd.exitCode, 2);
-    EXPECT_THAT(odd.err, HasSubstr("odd: error: is no file of rays: it has 33 bytes"));
+    EXPECT_THAT(odd.err, HasSubstr("odd: error: not a ray file: its size of 33 bytes"));
     EXPECT_EQ(run(folder, "rayscope cast s.toml --rays missing -o hits").exitCode, 2);
     EXPECT_EQ(run(folder, "rayscope cast s.toml --rays . -o hits").exitCode, 2);
     EXPECT_FALSE(std::filesystem::exists(folder / "hits"));

@@ -89,7 +89,7 @@ TEST(Render, ReachesATargetErrorOrSaysWhyNot) {
     const std::string scene = "rayscope render builtin:cornell-area --size 40x40 -o a.exr --stats s.json ";
     const ProgramResult reached = run(folder, scene + "--target-error 0.01 --confidence 0.99 --adaptive");
     EXPECT_EQ(reached.exitCode, 0) << reached.err;
-    EXPECT_THAT(reached.err, HasSubstr("the target is reached"));
+    EXPECT_THAT(reached.err, HasSubstr("target error reached"));
     EXPECT_EQ(readImage(folder / "a.exr").width, 40);
     EXPECT_GE(nlohmann::json::parse(test::readText(folder / "s.json"))["samples"], 16);
     const ProgramResult late = run(folder, scene + "--target-error 1e-9 --time-limit 0.3 --worst-tile");

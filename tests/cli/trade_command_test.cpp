@@ -44,7 +44,8 @@ TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
         run(folder, kProgram + "builtin:cornell-area --size 24x24 --budget 4 --json");
     const nlohmann::json report = nlohmann::json::parse(result.out);
     run(folder,
-        "rayscope render builtin:cornell-area --size 24x24 --preset reference --spp 4096 -q -o truth.pfm");
+        "rayscope render builtin:cornell-area --size 24x24 --preset reference --spp 4096 -q -o "
+        "reference.pfm");
     for (const nlohmann::json& advice : report["advice"]) {
         const auto point =
             std::find_if(report["points"].begin(), report["points"].end(),
@@ -56,10 +57,10 @@ TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
         for (int seed = 101; seed <= 112; ++seed) {
             run(folder, "rayscope render builtin:cornell-area " + advice["arguments"].get<std::string>() +
                             " -q -o again.pfm --seed " + std::to_string(seed));
-            const double error = rmseBetween(folder, "again.pfm", "truth.pfm");
+            const double error = rmseBetween(folder, "again.pfm", "reference.pfm");
             within += error >= interval["lower"].get<double>() && error <= interval["upper"].get<double>();
         }
-        // The interval, from a few runs itself, holds 95 % on average.
+        // The interval is estimated from few runs; it contains 95 % on average.
         EXPECT_GE(within, 8) << advice["point"];
         break;
     }

@@ -30,7 +30,7 @@ Subject subject() {
     return s;
 }
 
-TEST(ContentHash, IsAFunctionOfContentAlone) {
+TEST(FilmContentHash, DependsOnlyOnTheContent) {
     EXPECT_EQ(subject().hash(), subject().hash());
     EXPECT_EQ(subject().hash().size(), 32u);
     Subject renamed = subject();
@@ -41,10 +41,10 @@ TEST(ContentHash, IsAFunctionOfContentAlone) {
     faster.settings.bvhBuilder = BvhBuilder::Median;
     faster.settings.exposure = 2.0f;
     faster.settings.spp = 99;
-    EXPECT_EQ(faster.hash(), subject().hash()) << "neither changes a sample";
+    EXPECT_EQ(faster.hash(), subject().hash()) << "none of them changes a sample";
 }
 
-TEST(ContentHash, EverythingThatReachesTheFilmChangesIt) {
+TEST(FilmContentHash, ChangesWithEveryInputOfTheFilm) {
     const std::pair<const char*, std::function<void(Subject&)>> changes[] = {
         {"vertex",
          [](Subject& s) {

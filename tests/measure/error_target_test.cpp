@@ -1,4 +1,4 @@
-// What is promised of an error is kept: on pictures whose noise is known, and on scenes with a reference.
+// Estimates and bounds of errors, on synthetic noise and on scenes with a reference.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,22 +43,22 @@ ErrorTargetRequest requestFor(const std::string& name, int size, double error) {
     return request;
 }
 
-TEST(ErrorEstimate, KnowsTheNoiseOfTwoHalves) {
+TEST(ErrorEstimate, MatchesTheNoiseOfTwoHalves) {
     const PixelBounds whole{0, 100, 0, 100};
     const ErrorEstimate estimate = estimateError(noisy(100, 0.1, 1), noisy(100, 0.1, 2), whole, {});
     // The mean of two halves with standard deviation 0.1 has 0.1 / √2; 30000 values estimate it to 0.4 %.
     EXPECT_NEAR(estimate.error, 0.1 / std::sqrt(2.0), 0.0012);
     EXPECT_GT(estimate.upper, estimate.error);
     EXPECT_LT(estimate.upper, 1.05 * estimate.error);
-    EXPECT_TRUE(estimate.trusted);
+    EXPECT_TRUE(estimate.reliable);
     EXPECT_EQ(estimateError(noisy(100, 0.1, 1), noisy(100, 0.1, 1), whole, {}).error, 0.0);
 }
 
-TEST(ErrorEstimate, ItsBoundHoldsAsOftenAsItPromises) {
+TEST(ErrorEstimate, UpperBoundHasTheConfidenceLevel) {
     ErrorTarget target;
     target.confidence = 0.9;
-    const RgbImage truth(24, 24, Rgb(0.5f));
-    int held = 0;
+    const RgbImage reference(24, 24, Rgb(0.5f));
+    int covered = 0;
     constexpr int kTimes = 1000;
     for (int time = 0; time < kTimes; ++time) {
         const auto seed = static_cast<std::uint64_t>(2 * time);
@@ -66,40 +66,40 @@ TEST(ErrorEstimate, ItsBoundHoldsAsOftenAsItPromises) {
         RgbImage mean = a;
         for (std::size_t i = 0; i < mean.pixels.size(); ++i)
             mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
-        held += distance(mean, truth) <= estimateError(a, b, {0, 24, 0, 24}, target).upper;
+        covered += distance(mean, reference) <= estimateError(a, b, {0, 24, 0, 24}, target).upper;
     }
-    EXPECT_NEAR(static_cast<double>(held) / kTimes, 0.9, 0.04);  // four standard errors
+    EXPECT_NEAR(static_cast<double>(covered) / kTimes, 0.9, 0.04);  // four standard errors
 }
 
-TEST(ErrorEstimate, DistrustsWhatFewPixelsHold) {
+TEST(ErrorEstimate, IsUnreliableIfOnePixelDominates) {
     RgbImage a(32, 32, Rgb(0.5f));
     const RgbImage b = a;
     for (int i = 0; i < 32; ++i) a.at(i, 0) += Rgb(0.01f);
-    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted);
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).reliable);
     a.at(7, 7) = Rgb(100.0f);
-    EXPECT_FALSE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted);
+    EXPECT_FALSE(estimateError(a, b, {0, 32, 0, 32}, {}).reliable);
     a.at(7, 7) = Rgb(NAN);
-    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).trusted) << "left out, and counted elsewhere";
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 0, 32}, {}).reliable) << "non-finite pixels are left out";
     EXPECT_EQ(estimateError(a, b, {0, 32, 8, 32}, {}).error, 0.0) << "outside the region";
 }
 
-TEST(ErrorEstimate, TrustsALargeDifferenceIfTheSamplesOfThePixelDoNot) {
+TEST(ErrorEstimate, IsReliableIfOnlyTheDifferenceIsDominatedByOnePixel) {
     RgbImage a(32, 32, Rgb(0.5f));
     const RgbImage b = a;
     a.at(7, 7) = Rgb(0.6f);
-    VarianceImage spread(32, 32, 1e-4);
+    VarianceImage variance(32, 32, 1e-4);
     const PixelBounds whole{0, 32, 0, 32};
-    EXPECT_TRUE(estimateError(a, b, whole, {}, &spread).trusted) << "such a difference is luck";
-    spread.at(7, 7) = 1.0;
-    EXPECT_FALSE(estimateError(a, b, whole, {}, &spread).trusted) << "something rare was met";
-    EXPECT_TRUE(estimateError(a, b, {0, 32, 8, 32}, {}, &spread).trusted) << "outside the region";
+    EXPECT_TRUE(estimateError(a, b, whole, {}, &variance).reliable)
+        << "such a difference is likely by chance";
+    variance.at(7, 7) = 1.0;
+    EXPECT_FALSE(estimateError(a, b, whole, {}, &variance).reliable) << "rare bright samples";
+    EXPECT_TRUE(estimateError(a, b, {0, 32, 8, 32}, {}, &variance).reliable) << "outside the region";
 }
 
-/// Two halves of a picture of which a few pixels are much noisier than the others, and the spread of samples
-/// in each, as known from some dozen of them.
+/// Two halves of a picture with very different noise per pixel, and estimated variances of the samples.
 struct UnevenHalves {
     RgbImage a{32, 32}, b{32, 32}, mean{32, 32};
-    VarianceImage spread{32, 32};
+    VarianceImage variance{32, 32};
 
     explicit UnevenHalves(std::uint64_t seed) {
         std::mt19937_64 random(seed);
@@ -109,29 +109,29 @@ struct UnevenHalves {
             a.pixels[i] = Rgb(static_cast<float>(sigma * noise(random)));
             b.pixels[i] = Rgb(static_cast<float>(sigma * noise(random)));
             mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
-            spread.pixels[i] = 7.0 * sigma * sigma * std::exp(0.2 * noise(random));
+            variance.pixels[i] = 7.0 * sigma * sigma * std::exp(0.2 * noise(random));
         }
     }
 };
 
-TEST(ErrorEstimate, ItsBoundHoldsAndIsSteadierWithTheSpreadOfSamples) {
+TEST(ErrorEstimate, SampleVariancesMakeTheUpperBoundMoreAccurate) {
     constexpr int kTimes = 600;
     const PixelBounds whole{0, 32, 0, 32};
-    const RgbImage truth(32, 32);
+    const RgbImage reference(32, 32);
     ErrorTarget target;
     target.confidence = 0.9;
     std::vector<double> without, with;
-    int held = 0;
+    int covered = 0;
     for (int time = 0; time < kTimes; ++time) {
         const UnevenHalves halves(static_cast<std::uint64_t>(time));
         const ErrorEstimate plain = estimateError(halves.a, halves.b, whole, target);
-        const ErrorEstimate known = estimateError(halves.a, halves.b, whole, target, &halves.spread);
+        const ErrorEstimate known = estimateError(halves.a, halves.b, whole, target, &halves.variance);
         EXPECT_EQ(plain.error, known.error);
-        held += distance(halves.mean, truth) <= known.upper;
+        covered += distance(halves.mean, reference) <= known.upper;
         without.push_back(plain.upper / plain.error);
         with.push_back(known.upper / known.error);
     }
-    EXPECT_NEAR(static_cast<double>(held) / kTimes, 0.9, 0.05);  // four standard errors
+    EXPECT_NEAR(static_cast<double>(covered) / kTimes, 0.9, 0.05);  // four standard errors
     const auto range = [](std::vector<double>& values) {
         std::sort(values.begin(), values.end());
         return values[values.size() * 9 / 10] / values[values.size() / 10];
@@ -139,7 +139,7 @@ TEST(ErrorEstimate, ItsBoundHoldsAndIsSteadierWithTheSpreadOfSamples) {
     EXPECT_LT(range(with), 1.0 + 0.2 * (range(without) - 1.0));
 }
 
-TEST(ErrorEstimate, TheWorstTileIsNoBetterThanTheWhole) {
+TEST(ErrorEstimate, WorstTileHasAtLeastTheErrorOfTheWhole) {
     RgbImage a(64, 64, Rgb(0.5f)), b = a;
     for (int y = 0; y < 32; ++y)
         for (int x = 32; x < 64; ++x) a.at(x, y) += Rgb(x % 2 ? 0.1f : -0.1f);
@@ -152,55 +152,55 @@ TEST(ErrorEstimate, TheWorstTileIsNoBetterThanTheWhole) {
     EXPECT_NEAR(estimateError(a, b, {32, 64, 0, 32}, relative).error, 0.0025 / 0.265, 0.001);
 }
 
-TEST(TileShares, FollowTheNoiseAndGiveNobodyUp) {
+TEST(SampleAllocation, FollowsTheNoiseAndKeepsAMinimum) {
     render::Film film(160, 32, {0, 160, 0, 32});
     render::Film::TileCopy copy;
     for (int tile = 0; tile < 5; ++tile) {
         film.read(tile, copy);
         for (render::PixelSums& pixel : copy.pixels) {
-            // Four samples of which one is bright in the first tile and all are alike elsewhere.
+            // Four samples: one of them bright in the first tile, all equal elsewhere.
             pixel.radiance = RgbSum(1.0);
             pixel.squaredLuminance = tile == 0 ? 1.0 : 0.25;
         }
         copy.samples = 4;
         film.commit(tile, std::move(copy));
     }
-    const std::vector<double> shares = measure::allocateSamples(film, false, false);
-    EXPECT_GT(shares[0], shares[1]);
-    EXPECT_NEAR(shares[1], 0.5 * shares[0], 1e-12) << "the neighbour of the noisy tile";
-    EXPECT_NEAR(shares[2], shares[4], 1e-12);
-    EXPECT_GT(shares[4], 0.0);
-    EXPECT_NEAR(shares[0] + shares[1] + shares[2] + shares[3] + shares[4], 5.0, 1e-12);
+    const std::vector<double> allocation = measure::allocateSamples(film, false, false);
+    EXPECT_GT(allocation[0], allocation[1]);
+    EXPECT_NEAR(allocation[1], 0.5 * allocation[0], 1e-12) << "the neighbour of the noisy tile";
+    EXPECT_NEAR(allocation[2], allocation[4], 1e-12);
+    EXPECT_GT(allocation[4], 0.0);
+    EXPECT_NEAR(allocation[0] + allocation[1] + allocation[2] + allocation[3] + allocation[4], 5.0, 1e-12);
 }
 
-TEST(ErrorTarget, KeepsItsPromiseOnScenes) {
+TEST(ErrorTarget, HoldsTheConfidenceLevelOnScenes) {
     for (const bool adaptive : {false, true}) {
         for (const auto& [scene, error] :
              {std::pair{"builtin:cornell", 0.01}, std::pair{"builtin:cornell-area", 0.004}}) {
             ErrorTargetRequest request = requestFor(scene, 32, error / 8.0);
             request.render.seed = 1000;
-            const RgbImage truth = renderToTarget(request).mean;
+            const RgbImage reference = renderToTarget(request).mean;
             request.target.error = error;
             request.adaptive = adaptive;
-            int kept = 0;
+            int below = 0;
             constexpr int kSeeds = 16;
             for (int seed = 0; seed < kSeeds; ++seed) {
                 request.render.seed = static_cast<std::uint64_t>(seed);
                 const ErrorTargetResult result = renderToTarget(request);
                 EXPECT_EQ(result.reason, StopReason::Reached);
                 EXPECT_LE(result.estimate.upper, error);
-                kept += distance(result.mean, truth) <= error;
+                below += distance(result.mean, reference) <= error;
             }
-            // With 95 % each, fewer than 13 of 16 come once in 140 times.
-            EXPECT_GE(kept, 13) << scene;
+            // With 95 % each, fewer than 13 of 16 have a probability of 1 in 140.
+            EXPECT_GE(below, 13) << scene;
         }
     }
 }
 
-TEST(ErrorTarget, AdaptiveSamplingHasNoBias) {
+TEST(ErrorTarget, AdaptiveSamplingIsUnbiased) {
     ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.0008);
     request.render.seed = 5000;
-    const RgbImage truth = renderToTarget(request).mean;
+    const RgbImage reference = renderToTarget(request).mean;
     request.adaptive = true;
     request.target.error = 0.006;
     const auto brightness = [](const RgbImage& image) {
@@ -218,11 +218,11 @@ TEST(ErrorTarget, AdaptiveSamplingHasNoBias) {
         squares += value * value;
     }
     const double mean = sum / kSeeds, deviation = std::sqrt((squares - sum * mean) / (kSeeds - 1.0));
-    EXPECT_NEAR(mean, brightness(truth), 3.5 * deviation / std::sqrt(kSeeds));
+    EXPECT_NEAR(mean, brightness(reference), 3.5 * deviation / std::sqrt(kSeeds));
     EXPECT_LT(deviation, 1e-3) << "too noisy to find a bias";
 }
 
-TEST(ErrorTarget, IsAFunctionOfTheRequestAlone) {
+TEST(ErrorTarget, DependsOnlyOnTheRequest) {
     ErrorTargetRequest request = requestFor("builtin:cornell-area", 40, 0.004);
     request.threads = 1;
     const ErrorTargetResult one = renderToTarget(request);
@@ -234,9 +234,9 @@ TEST(ErrorTarget, IsAFunctionOfTheRequestAlone) {
     EXPECT_NE(renderToTarget(request).mean.pixels, one.mean.pixels);
 }
 
-TEST(ErrorTarget, SaysWhyItStopped) {
+TEST(ErrorTarget, ReportsTheStopReason) {
     ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.01);
-    EXPECT_THAT(renderToTarget(request).words, HasSubstr("the target is reached at rmse"));
+    EXPECT_THAT(renderToTarget(request).text, HasSubstr("target error reached at rmse"));
     request.target.error = 1e-9;
     request.maxSamples = 24;
     const ErrorTargetResult few = renderToTarget(request);
@@ -246,7 +246,7 @@ TEST(ErrorTarget, SaysWhyItStopped) {
     request.timeLimit = 0.3;
     const ErrorTargetResult late = renderToTarget(request);
     EXPECT_EQ(late.reason, StopReason::TimeLimit);
-    EXPECT_THAT(late.words, HasSubstr("time limit"));
+    EXPECT_THAT(late.text, HasSubstr("time limit"));
     EXPECT_GT(late.samples, 0.0);
     std::stop_source stop;
     request.timeLimit = 0.0;
@@ -257,7 +257,7 @@ TEST(ErrorTarget, SaysWhyItStopped) {
     EXPECT_EQ(renderToTarget(request).reason, StopReason::Interrupted);
 }
 
-TEST(ErrorTarget, ForecastsTheRest) {
+TEST(ErrorTarget, ForecastsRemainingTimeAndErrorAtTheTimeLimit) {
     ErrorTargetRequest request = requestFor("builtin:cornell-area", 48, 0.0008);
     request.timeLimit = 1000.0;
     const ErrorTargetResult result = renderToTarget(request);
@@ -267,7 +267,7 @@ TEST(ErrorTarget, ForecastsTheRest) {
     EXPECT_LT(result.history[1].errorAtLimit, result.history[1].estimate.error);
 }
 
-/// By what the forecast at half of the samples was wrong, as a part of all; 0 if there was no look before.
+/// Relative error of the last forecast before half of the samples; 0 if there was none.
 double forecastError(const ErrorTargetResult& result) {
     double expected = result.samples;
     for (const ErrorForecast& f : result.history)
@@ -275,7 +275,7 @@ double forecastError(const ErrorTargetResult& result) {
     return expected / result.samples - 1.0;
 }
 
-TEST(ErrorTarget, ForecastsAtHalfOfTheWayAreRightWithinAQuarter) {
+TEST(ErrorTarget, ForecastsAtHalfOfTheSamplesAreWithin25Percent) {
     for (const auto& [scene, error] :
          {std::pair{"builtin:cornell", 0.003}, std::pair{"builtin:cornell-area", 0.0009},
           std::pair{"builtin:teapot", 0.002}}) {
@@ -286,17 +286,17 @@ TEST(ErrorTarget, ForecastsAtHalfOfTheWayAreRightWithinAQuarter) {
             request.render.seed = static_cast<std::uint64_t>(seed);
             right += std::abs(forecastError(renderToTarget(request))) <= 0.25;
         }
-        // Of 90 % fewer than 12 of 16 come once in 150 times.
+        // With 90 % each, fewer than 12 of 16 have a probability of 1 in 150.
         EXPECT_GE(right, 12) << scene;
     }
 }
 
-TEST(ErrorTarget, RefusesWhatCannotBePromised) {
+TEST(ErrorTarget, RejectsUnsupportedRequests) {
     ErrorTargetRequest request = requestFor("builtin:cornell", 8, 0.01);
-    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("64 pixels"));
+    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("at least 256 pixels, not 64"));
     request = requestFor("builtin:cornell", 32, 0.01);
     request.target.metric = ErrorMetric::Flip;
-    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("expected rmse or relmse"));
+    EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("supports only rmse and relmse"));
     request.target.metric = ErrorMetric::Rmse;
     request.render.settings.sampler = SamplePattern::Jittered;
     EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("sampler=sobol"));

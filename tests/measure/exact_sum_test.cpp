@@ -16,7 +16,7 @@ constexpr float kLeast = std::numeric_limits<float>::denorm_min(),
 
 int signOf(Int x) { return (x > 0) - (x < 0); }
 
-TEST(ExactSum, HoldsProductsOfTheSmallestAndTheLargestFloats) {
+TEST(ExactSum, SumsProductsOfTheSmallestAndTheLargestFloats) {
     measure::ExactSum sum;
     sum.add(kLargest, kLargest, kLargest);
     sum.add(kLeast, -kLeast, kLeast);
@@ -29,7 +29,7 @@ TEST(ExactSum, HoldsProductsOfTheSmallestAndTheLargestFloats) {
     EXPECT_EQ(sum.value(), 0.0L);
 }
 
-/// Floats that are integers: their products fit into 128 bits, so there is another exact answer.
+/// Products of floats with integer values fit into 128 bits, so the sum is known exactly.
 TEST(ExactSum, AgreesWithIntegers) {
     std::mt19937_64 random(1);
     const auto integer = [&] {
@@ -39,14 +39,14 @@ TEST(ExactSum, AgreesWithIntegers) {
         measure::ExactSum sum;
         Int expected = 0;
         const int terms = static_cast<int>(random() % 20);
-        // Scaled by powers of two, which must not matter.
+        // Scaled by powers of two that cancel.
         const int shift = static_cast<int>(random() % 100) - 50;
         for (int k = 0; k < terms; ++k) {
             const std::int64_t a = integer(), b = integer(), c = random() % 4 ? integer() : 1;
             sum.add(std::ldexp(static_cast<float>(a), shift), static_cast<float>(b),
                     std::ldexp(static_cast<float>(c), -shift));
             expected += Int{a} * b * c;
-            if (random() % 3 == 0) {  // cancels what was just added, but for one unit
+            if (random() % 3 == 0) {  // cancels the last product except for one unit
                 sum.subtract(static_cast<float>(a), static_cast<float>(b), static_cast<float>(c));
                 sum.add(1.0f, 1.0f);
                 expected += 1 - Int{a} * b * c;
@@ -64,7 +64,7 @@ TEST(ExactSum, AgreesWithIntegers) {
     }
 }
 
-TEST(ExactSum, VolumesHaveTheRightSign) {
+TEST(ExactSum, SignedVolumesHaveTheCorrectSign) {
     std::mt19937_64 random(2);
     const auto point = [&] {
         const auto coordinate = [&] { return static_cast<int>(random() % 7) - 3; };

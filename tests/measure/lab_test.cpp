@@ -6,7 +6,7 @@
 
 #include "bvh/intersect/hit_error.h"
 #include "measure/lab/exact_crossing.h"
-#include "measure/lab/mesh.h"
+#include "measure/lab/lab_mesh.h"
 #include "scene/generate.h"
 #include "support/expect_input_error.h"
 
@@ -31,8 +31,8 @@ LabResult quickLab(MeshData data, int rays, int threads = 0) {
     return runLab(request);
 }
 
-/// Small integers have exact doubles for all products, so there is another exact answer.
-TEST(ExactCrossing, AgreesWithIntegers) {
+/// With small integers all products are exact in double.
+TEST(ExactCrossing, AgreesWithIntegerArithmetic) {
     std::mt19937_64 random(1);
     const auto integer = [&](int range) {
         return static_cast<int>(random() % static_cast<unsigned>(2 * range + 1)) - range;
@@ -67,8 +67,8 @@ TEST(ExactCrossing, AgreesWithIntegers) {
     EXPECT_GT(ties, 1000);
 }
 
-/// Decided ties: a line through a grid point of a triangulated plane crosses exactly one triangle.
-TEST(ExactCrossing, TiesAreDecidedOnce) {
+/// A line through a grid point of a triangulated plane crosses exactly one triangle.
+TEST(ExactCrossing, BreaksTiesConsistently) {
     std::mt19937_64 random(2);
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 direction(static_cast<int>(random() % 5) - 2, static_cast<int>(random() % 5) - 2,
@@ -92,7 +92,8 @@ struct WorstRatio {
     int hits = 0;
 };
 
-/// Errors of the test in double over their bounds, for triangles that `shape` makes flat or narrow.
+/// Largest errors of the triangle test in double over their bounds. Edges are scaled by up to 2^`narrowest`,
+/// and the distance of the hit point from an edge by up to 10^`aside`.
 WorstRatio worstRatio(double narrowest, double aside, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> real(0.0, 1.0);
@@ -129,7 +130,7 @@ WorstRatio worstRatio(double narrowest, double aside, std::uint64_t seed) {
     return worst;
 }
 
-TEST(HitError, IsNeverExceededAndNotIdle) {
+TEST(HitError, IsAnUpperBoundAndTight) {
     WorstRatio all;
     for (const auto& [narrowest, aside] : {std::pair{0.0, 0.0}, {-20.0, 0.0}, {-10.0, -9.0}, {-2.0, -3.0}}) {
         const WorstRatio worst = worstRatio(narrowest, aside, 7);
@@ -139,7 +140,6 @@ TEST(HitError, IsNeverExceededAndNotIdle) {
         all.t = std::max(all.t, worst.t);
         all.weight = std::max(all.weight, worst.weight);
     }
-    // A bound that nothing comes near says little.
     EXPECT_GE(all.t, 0.01);
     EXPECT_GE(all.weight, 0.01);
     std::printf("error over bound: t %.3f, weights %.3f\n", all.t, all.weight);
@@ -147,7 +147,7 @@ TEST(HitError, IsNeverExceededAndNotIdle) {
     RecordProperty("worst weight over bound", std::to_string(all.weight));
 }
 
-TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
+TEST(Lab, RayscopePassesAndControlsFail) {
     const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 3}), 1500);
     EXPECT_EQ(result.testPoints.size(), 20u);
     EXPECT_EQ(result.triangles, 1280u);
@@ -177,7 +177,7 @@ TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
                       testPoint.of(LabMethod::Epsilon).sharedEdgeRays);
         }
     }
-    EXPECT_GT(worst, 0.5) << "floats are rounded, so the bound is nearly reached";
+    EXPECT_GT(worst, 0.5) << "results are rounded to float, so the bound is tight";
     EXPECT_GT(sharedEdgeRays, 15000u);
     EXPECT_GT(spawned, 8000u);
     EXPECT_GT(offsetSurfaceRays, 2000u);
@@ -185,9 +185,8 @@ TEST(Lab, RayscopeMakesNoMistakeAndTheControlsDo) {
     EXPECT_GT(floatLost, 100u);
 }
 
-/// Turned by 180 or 90 degrees in floating point, a plane through the origin is tilted by 1e-16 of its size:
-/// less than rounding to float makes up for, more than nothing.
-TEST(Lab, PlanesThatAreTurnedByRightAnglesDoNotHitThemselves) {
+/// A rotation by 90 or 180 degrees in double tilts a plane through the origin by about 1e-16.
+TEST(Lab, PlanesRotatedByRightAnglesHaveNoSelfIntersections) {
     for (const glm::vec3& degrees : {glm::vec3(0, 180, 0), {90, 0, 0}, {0, 90, 180}, {180, 270, 90}}) {
         SceneDescription scene = sceneOf(scene::generate(scene::QuadShape{{1.4f, 1.0f}}));
         scene.meshes[0].transform.rotate = degrees;
@@ -199,7 +198,7 @@ TEST(Lab, PlanesThatAreTurnedByRightAnglesDoNotHitThemselves) {
     }
 }
 
-TEST(Lab, CountsAreTheSameForAnyThreads) {
+TEST(Lab, CountsDoNotDependOnThreads) {
     const LabResult one = quickLab(scene::generate(scene::BoxShape{}), 300, 1),
                     four = quickLab(scene::generate(scene::BoxShape{}), 300, 4);
     EXPECT_EQ(labCsv(one), labCsv(four));
@@ -208,19 +207,20 @@ TEST(Lab, CountsAreTheSameForAnyThreads) {
         EXPECT_EQ(std::memcmp(&one.failures[i].ray, &four.failures[i].ray, sizeof(Ray)), 0);
 }
 
-TEST(Lab, SaysWhenTheMeshItselfLosesItsShape) {
+TEST(Lab, CountsDegenerateTriangles) {
     const LabResult result = quickLab(scene::generate(scene::IcosphereShape{.subdivisions = 4}), 50);
     EXPECT_EQ(result.meshOffset, 1e4);
     for (const LabTestPoint& testPoint : result.testPoints)
         EXPECT_EQ(testPoint.degenerate > 0, testPoint.transform.offset > 1e4);
 }
 
-TEST(Lab, TakesWhatIsOdd) {
+TEST(Lab, AcceptsDegenerateAndNonFiniteMeshes) {
     MeshData one{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
     const LabResult single = quickLab(one, 200);
     EXPECT_EQ(single.sharedEdges, 0u);
     EXPECT_EQ(single.range(LabMethod::Rayscope).failingTestPoints, 0u);
     EXPECT_NE(labText(single).find("no edge is shared"), std::string::npos);
+    EXPECT_EQ(labHtml(single).find("nan"), std::string::npos) << "fractions of no rays are gaps";
 
     MeshData odd = scene::generate(scene::IcosphereShape{.subdivisions = 2});
     odd.positions[3].x = std::nanf("");
@@ -237,7 +237,7 @@ TEST(Lab, TakesWhatIsOdd) {
     EXPECT_NE(inputErrorOf([&] { runLab(nothing); }).find("needs triangles"), std::string::npos);
 }
 
-TEST(Lab, AStopKeepsWhatWasMeasured) {
+TEST(Lab, KeepsResultsAfterAStop) {
     std::stop_source stop;
     LabRequest request;
     request.scene = std::make_shared<SceneDescription>(sceneOf(scene::generate(scene::BoxShape{})));
@@ -252,12 +252,13 @@ TEST(Lab, AStopKeepsWhatWasMeasured) {
     const LabResult result = runLab(request);
     EXPECT_TRUE(result.interrupted);
     ASSERT_EQ(result.testPoints.size(), 3u);
-    EXPECT_TRUE(result.range(LabMethod::Rayscope).soundUntransformed) << "the scene as it is comes first";
+    EXPECT_TRUE(result.range(LabMethod::Rayscope).soundUntransformed)
+        << "the untransformed scene comes first";
     EXPECT_FALSE(labHtml(result).empty());
     EXPECT_TRUE(nlohmann::json::parse(labJson(result))["interrupted"]);
 }
 
-TEST(Lab, ShapesAreClosedWhereTheyShouldBe) {
+TEST(Lab, ShapesHaveClosedVertices) {
     const measure::LabMesh mesh(labShapes());
     EXPECT_GT(mesh.closedVertices().size(), 5000u);
     EXPECT_GT(mesh.edges().size(), 15000u);

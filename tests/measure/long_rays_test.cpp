@@ -1,4 +1,4 @@
-// Takes minutes to hours: $RAYSCOPE_LONG_RAYS rays, 10^8 if nothing is said.
+// Takes minutes to hours: $RAYSCOPE_LONG_RAYS rays, by default 10^8.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,8 +9,8 @@ namespace rayscope::test {
 namespace {
 
 std::uint64_t rayCount() {
-    const char* wanted = std::getenv("RAYSCOPE_LONG_RAYS");
-    return wanted ? std::strtoull(wanted, nullptr, 10) : 100'000'000;
+    const char* requested = std::getenv("RAYSCOPE_LONG_RAYS");
+    return requested ? std::strtoull(requested, nullptr, 10) : 100'000'000;
 }
 
 void report(const char* what, std::uint64_t rays) {
@@ -18,10 +18,12 @@ void report(const char* what, std::uint64_t rays) {
     testing::Test::RecordProperty(what, std::to_string(rays));
 }
 
-TEST(LongRays, NoneLeaksAtASharedEdgeOrVertex) {
+TEST(LongRays, NoLeaksAtSharedEdgesAndVertices) {
     report("without a leak", traceRaysAtSharedEdges(rayCount()));
 }
-TEST(LongRays, NoneHitsTheSurfaceItLeaves) { report("without a false hit", traceSpawnedRays(rayCount())); }
+TEST(LongRays, SpawnedRaysDoNotHitTheirOwnSurface) {
+    report("without a false hit", traceSpawnedRays(rayCount()));
+}
 
 }  // namespace
 }  // namespace rayscope::test

@@ -20,7 +20,7 @@ TradePoint point(const std::string& name, double seconds, double error, double s
     return p;
 }
 
-TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
+TEST(Pareto, FindsTheFrontAndADominatedPoint) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base), point("finer", 4.0, 0.05),
                                    point("planted", 4.5, 0.12), point("coarse", 0.25, 0.20)};
     EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{3, 0, 1}));
@@ -29,7 +29,7 @@ TEST(Pareto, FindsTheFrontAndAPlantedDominatedSetting) {
     for (const std::size_t i : {0u, 1u, 3u}) EXPECT_EQ(points[i].dominatedBy, "");
 }
 
-TEST(Pareto, WhatIsNotBeyondDoubtIsTied) {
+TEST(Pareto, InsignificantDifferencesDoNotDominate) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("worse", 1.02, 0.101)};
     measure::markParetoFront(points);
@@ -37,7 +37,7 @@ TEST(Pareto, WhatIsNotBeyondDoubtIsTied) {
     EXPECT_EQ(points[1].dominatedBy, "");
 }
 
-TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
+TEST(Pareto, IdenticalPicturesAreComparedByTime) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("slow tree", 2.0, 0.10), point("like base", 1.01, 0.10)};
     points[1].samePicture = points[2].samePicture = true;
@@ -47,7 +47,7 @@ TEST(Pareto, WithTheSamePictureTimeAloneDecides) {
     EXPECT_EQ(points[2].dominatedBy, "");
 }
 
-TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
+TEST(Pareto, ExcessTimeIsMeasuredAtTheSameError) {
     std::vector<TradePoint> points{point("base", 1.0, 0.16, 0.05, TradeRole::Base),
                                    point("finer", 4.0, 0.04)};
     const std::vector<std::size_t> front = measure::markParetoFront(points);
@@ -58,7 +58,7 @@ TEST(Pareto, MeasuresHowFarBehindTheFrontAPointIs) {
     EXPECT_NEAR(measure::excessOverParetoFront(points, front, point("coarse", 1.5, 0.3)), 0.5, 1e-9);
 }
 
-TEST(Pareto, WhatTheNoiseOfTheMachineCanExplainIsTied) {
+TEST(Pareto, DifferencesWithinTimingNoiseDoNotDominate) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("slower", 2.0, 0.12)};
     measure::markParetoFront(points, 1.5);
@@ -67,23 +67,23 @@ TEST(Pareto, WhatTheNoiseOfTheMachineCanExplainIsTied) {
     EXPECT_EQ(points[1].dominatedBy, "base");
 }
 
-TEST(Pareto, EffectsControlsAndSingleRunsAreNoChoice) {
+TEST(Pareto, EffectsControlsAndSingleRunsAreNotOnTheFront) {
     std::vector<TradePoint> points{point("base", 1.0, 0.10, 0.05, TradeRole::Base),
                                    point("control", 0.5, 0.01, 0.05, TradeRole::Control),
-                                   point("effect off", 0.5, 0.01, 0.05, TradeRole::Feature),
+                                   point("effect off", 0.5, 0.01, 0.05, TradeRole::Effect),
                                    point("once", 0.5, 0.01)};
     points[3].runs = 1;
     EXPECT_EQ(measure::markParetoFront(points), (std::vector<std::size_t>{0}));
 }
 
-TEST(Pareto, FindsTheMeasurementOfSettingsAsFarAsTheyMatter) {
+TEST(Pareto, MeasuredPointIgnoresSettingsWithoutEffect) {
     TradeResult result;
     result.points = {point("base", 1.0, 0.10, 0.05, TradeRole::Base), point("finer", 4.0, 0.05),
                      point("never", 4.0, 0.05)};
     result.points[1].settings.spp = 64;
     result.points[2].settings.spp = 128;
     result.points[2].runs = 0;
-    result.withoutEffect = {"glossy_samples"};
+    result.inactiveSettings = {"glossy_samples"};
     Settings settings;
     EXPECT_EQ(measuredPoint(result, settings), 0u);
     settings.spp = 64;
@@ -97,7 +97,7 @@ TEST(Pareto, FindsTheMeasurementOfSettingsAsFarAsTheyMatter) {
     EXPECT_EQ(measuredPoint(result, settings), std::nullopt) << "it was not run";
 }
 
-TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
+TEST(Pareto, AdviceFitsIntoItsBudget) {
     std::vector<TradePoint> points;
     for (int i = 0; i < 12; ++i)
         points.push_back(point(std::to_string(i), 0.1 * std::pow(1.7, i), std::pow(0.7, i), 0.1,
@@ -116,11 +116,11 @@ TEST(Pareto, AdviceNeverNeedsMoreThanItsBudget) {
     EXPECT_TRUE(measure::adviceFrom({}, {}).empty());
 }
 
-TEST(Dial, SaysWhetherBeingBehindIsBeyondDoubt) {
+TEST(ExcessText, TellsWhetherTheExcessIsSignificant) {
     TradeResult result;
     result.points.resize(1);
     EXPECT_EQ(excessText(result, {"preview", 0, 0.0}), "0 %");
-    EXPECT_EQ(excessText(result, {"preview", 0, 0.12}), "12 %, not beyond doubt");
+    EXPECT_EQ(excessText(result, {"preview", 0, 0.12}), "12 %, not significant");
     result.points[0].dominatedBy = "base";
     EXPECT_EQ(excessText(result, {"preview", 0, 0.12}), "12 %");
 }

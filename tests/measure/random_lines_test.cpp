@@ -9,7 +9,7 @@
 namespace rayscope::test {
 namespace {
 
-TEST(RandomLines, CostWhatTheSurfaceAreaHeuristicPredicts) {
+TEST(RandomLines, HaveTheSahCostOnAverage) {
     const TestGeometry scene = soup(3000, 0.1, 3);
     for (const BvhBuilder builder : {BvhBuilder::Median, BvhBuilder::SahBinned}) {
         BuildSettings settings;
@@ -19,12 +19,12 @@ TEST(RandomLines, CostWhatTheSurfaceAreaHeuristicPredicts) {
     }
 }
 
-TEST(RandomLines, OfTreesByHand) {
+TEST(RandomLines, HaveTheExactCostInSmallTrees) {
     EXPECT_EQ(measure::costOfRandomLines({}, 10), 0.0);
     bvh::BinaryTree leaf;
     leaf.nodes = {{{0, 0, 0}, 0, {1, 2, 3}, 5}};
-    EXPECT_EQ(measure::costOfRandomLines(leaf, 100), 5.0) << "every line meets the root";
-    bvh::BinaryTree halves;  // of a flat box, seen by every line that meets it, in one half or the other
+    EXPECT_EQ(measure::costOfRandomLines(leaf, 100), 5.0) << "every line intersects the root";
+    bvh::BinaryTree halves;  // a flat box: each line intersects one of its halves
     halves.nodes = {{{0, 0, 0}, 1, {2, 2, 0}, 0}, {{0, 0, 0}, 0, {1, 2, 0}, 4}, {{1, 0, 0}, 4, {2, 2, 0}, 4}};
     EXPECT_NEAR(measure::costOfRandomLines(halves, 1000), 5.0, 0.1);
 }

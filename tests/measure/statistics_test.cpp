@@ -1,4 +1,4 @@
-// Quantiles against printed tables, intervals against the coverage that they promise.
+// Quantiles against printed tables, intervals against their confidence level.
 #include "measure/statistics/statistics.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Abramowitz and Stegun, table 26.10, and exact values for 1 and 2 degrees of freedom.
-TEST(Statistics, StudentQuantilesAreThoseOfTheTables) {
+TEST(Statistics, StudentQuantilesMatchTables) {
     EXPECT_NEAR(measure::studentQuantile(0.975, 1), std::tan(0.475 * std::acos(-1.0)), 1e-9);
     EXPECT_NEAR(measure::studentQuantile(0.95, 2), 0.9 * std::sqrt(2.0 / (1.0 - 0.81)), 1e-9);
     EXPECT_NEAR(measure::studentQuantile(0.975, 7), 2.364624, 1e-6);
@@ -22,18 +22,18 @@ TEST(Statistics, StudentQuantilesAreThoseOfTheTables) {
     EXPECT_NEAR(measure::studentQuantile(0.5, 3), 0.0, 1e-9);
 }
 
-TEST(Statistics, KnowsSmallSamples) {
+TEST(Statistics, IntervalsOfSmallSamples) {
     const std::vector<double> values{1.0, 2.0, 3.0};
     const Interval mean = measure::meanInterval(values);
     EXPECT_DOUBLE_EQ(mean.value, 2.0);
     EXPECT_NEAR(mean.upper, 2.0 + 4.302653 / std::sqrt(3.0), 1e-6);
-    EXPECT_NEAR(measure::nextValueInterval(values).upper, 2.0 + 4.302653 * std::sqrt(4.0 / 3.0), 1e-6);
+    EXPECT_NEAR(measure::predictionInterval(values).upper, 2.0 + 4.302653 * std::sqrt(4.0 / 3.0), 1e-6);
     EXPECT_EQ(measure::meanInterval(std::vector<double>{5.0}).upper, kInfinity);
     EXPECT_EQ(measure::medianInterval(std::vector<double>{5.0}).value, 5.0);
     EXPECT_EQ(measure::medianInterval(std::vector<double>{5.0}).upper, kInfinity);
 }
 
-TEST(Statistics, TheMedianLiesBetweenOrderStatistics) {
+TEST(Statistics, MedianIntervalIsBetweenOrderStatistics) {
     // Of 10 values, the 2nd and the 9th cover the median with 97.9 %, the 3rd and the 8th with only 89.1 %.
     const std::vector<double> ten{10, 9, 8, 7, 6, 5, 4, 3, 2, 1};
     const Interval median = measure::medianInterval(ten);
@@ -45,22 +45,22 @@ TEST(Statistics, TheMedianLiesBetweenOrderStatistics) {
     EXPECT_DOUBLE_EQ(six.upper, 6.0);
 }
 
-/// How often, of 4000 times, the interval of `count` values of a distribution holds `truth`.
+/// The fraction of 4000 intervals, each of `count` random values, that contain `expected`.
 template <class Draw, class Make>
-double coverage(int count, double truth, Draw draw, Make make) {
+double coverage(int count, double expected, Draw draw, Make make) {
     std::mt19937_64 random(7);
     int covered = 0;
     constexpr int kTimes = 4000;
     for (int time = 0; time < kTimes; ++time) {
         std::vector<double> values;
         for (int i = 0; i < count; ++i) values.push_back(draw(random));
-        covered += make(values).contains(truth);
+        covered += make(values).contains(expected);
     }
     return static_cast<double>(covered) / kTimes;
 }
 
 // The standard error of a coverage of 95 % over 4000 times is 0.34 %.
-TEST(Statistics, IntervalsCoverAsOftenAsTheyPromise) {
+TEST(Statistics, IntervalsHaveTheConfidenceLevel) {
     std::normal_distribution<double> normal(3.0, 2.0);
     std::lognormal_distribution<double> skewed(0.0, 0.5);
     const auto mean = [](const auto& v) { return measure::meanInterval(v); };
@@ -73,19 +73,19 @@ TEST(Statistics, IntervalsCoverAsOftenAsTheyPromise) {
     }
 }
 
-TEST(Statistics, ANextValueFallsIntoItsInterval) {
+TEST(Statistics, PredictionIntervalsContainTheNextValue) {
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal(10.0, 1.0);
     int inside = 0;
     for (int time = 0; time < 4000; ++time) {
         std::vector<double> values;
         for (int i = 0; i < 6; ++i) values.push_back(normal(random));
-        inside += measure::nextValueInterval(values).contains(normal(random));
+        inside += measure::predictionInterval(values).contains(normal(random));
     }
     EXPECT_NEAR(inside / 4000.0, 0.95, 0.015);
 }
 
-TEST(Statistics, APairedRatioIsFreeOfWhatSlowsDownBoth) {
+TEST(Statistics, PairedRatiosCancelChangesInMachineLoad) {
     std::mt19937_64 random(3);
     std::lognormal_distribution<double> machine(0.0, 0.5), own(0.0, 0.01);
     std::vector<double> a, b;

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-TEST(SvgChart, EqualFactorsAreEqualDistances) {
+TEST(SvgChart, AxesAreLogarithmic) {
     measure::LogChart chart(800, 400, {1.0, 100.0}, {1.0, 100.0}, "x", "y");
     chart.line({{1.0, 1.0}, {10.0, 10.0}, {100.0, 100.0}}, "front");
     const std::string svg = chart.svg();
@@ -23,10 +23,10 @@ TEST(SvgChart, EqualFactorsAreEqualDistances) {
     EXPECT_NEAR(x[1] - x[0], x[2] - x[1], 0.15);
     EXPECT_NEAR(y[0] - y[1], y[1] - y[2], 0.15);
     EXPECT_GT(x[1], x[0]);
-    EXPECT_LT(y[1], y[0]) << "larger values stand higher";
+    EXPECT_LT(y[1], y[0]) << "larger values are higher";
 }
 
-TEST(SvgChart, DrawsNothingThatHasNoPlace) {
+TEST(SvgChart, SkipsNonPositiveAndNonFiniteValues) {
     measure::LogChart chart(800, 400, measure::rangeOf({0.0, NAN, INFINITY}), measure::rangeOf({1e-9, 1e9}),
                             "x", "y");
     chart.mark({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}, "a", "no");

@@ -33,10 +33,10 @@ double secondsOf(const std::function<void()>& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Answers a set of rays again and again, with any of the contestants.
-class Track {
+/// Times queries of a fixed set of rays, with Rayscope or with Embree.
+class RayTimer {
   public:
-    Track(std::span<const Ray> rays, bool any, int threads)
+    RayTimer(std::span<const Ray> rays, bool any, int threads)
         : rays_(rays.begin(), rays.end()),
           hits_(rays_.size()),
           occluded_(rays_.size()),
@@ -50,8 +50,8 @@ class Track {
                     : static_cast<std::size_t>(std::ranges::count_if(
                           hits_, [](const Hit& hit) { return hit.primitive != kNoPrimitive; }));
     }
-    /// Whether something was hit, ray by ray.
-    std::vector<bool> answers() const {
+    /// For each ray, whether the last query found a hit.
+    std::vector<bool> hitMask() const {
         std::vector<bool> result(size());
         for (std::size_t i = 0; i < size(); ++i)
             result[i] = any_ ? occluded_[i] != 0 : hits_[i].primitive != kNoPrimitive;
@@ -105,34 +105,34 @@ class Track {
     int threads_;
 };
 
-struct Contestants {
+struct Accels {
     const Accel& own;
     const EmbreeBaseline* fast;
     const EmbreeBaseline* robust;
 };
 
-RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, int rounds) {
+RayTiming timeRays(const Accels& accels, BenchRayKind kind, RayTimer& timer, int rounds) {
     RayTiming timing;
     timing.kind = kind;
-    timing.rays = track.size();
+    timing.rays = timer.size();
     const bool coherent = kind != BenchRayKind::Bounce && kind != BenchRayKind::AmbientOcclusion;
     std::vector<double> single, batched, fast, robust, packet, stream;
     std::vector<double> toSingle, toRobust, batchToSingle, batchToBest, batchToOwn;
     for (int round = 0; round < rounds; ++round) {
-        single.push_back(track.single(contestants.own));
-        const std::vector<bool> ownAnswers = round == 0 ? track.answers() : std::vector<bool>{};
-        if (round == 0) timing.hits = track.countHits();
-        batched.push_back(track.batched(contestants.own));
+        single.push_back(timer.single(accels.own));
+        const std::vector<bool> ownMask = round == 0 ? timer.hitMask() : std::vector<bool>{};
+        if (round == 0) timing.hits = timer.countHits();
+        batched.push_back(timer.batched(accels.own));
         batchToOwn.push_back(single.back() / batched.back());
-        if (!contestants.fast) continue;
-        robust.push_back(track.embree(*contestants.robust, EmbreeQuery::Single, coherent));
+        if (!accels.fast) continue;
+        robust.push_back(timer.embree(*accels.robust, EmbreeQuery::Single, coherent));
         if (round == 0) {
-            const std::vector<bool> answers = track.answers();
-            for (std::size_t i = 0; i < answers.size(); ++i) timing.mismatches += answers[i] != ownAnswers[i];
+            const std::vector<bool> mask = timer.hitMask();
+            for (std::size_t i = 0; i < mask.size(); ++i) timing.mismatches += mask[i] != ownMask[i];
         }
-        fast.push_back(track.embree(*contestants.fast, EmbreeQuery::Single, coherent));
-        packet.push_back(track.embree(*contestants.fast, EmbreeQuery::Packet16, coherent));
-        stream.push_back(track.embree(*contestants.fast, EmbreeQuery::Stream, coherent));
+        fast.push_back(timer.embree(*accels.fast, EmbreeQuery::Single, coherent));
+        packet.push_back(timer.embree(*accels.fast, EmbreeQuery::Packet16, coherent));
+        stream.push_back(timer.embree(*accels.fast, EmbreeQuery::Stream, coherent));
         toSingle.push_back(fast.back() / single.back());
         toRobust.push_back(robust.back() / single.back());
         batchToSingle.push_back(fast.back() / batched.back());
@@ -140,7 +140,7 @@ RayTiming race(const Contestants& contestants, BenchRayKind kind, Track& track, 
     }
     const auto speed = [&](const std::vector<double>& seconds) {
         return seconds.empty() ? 0.0
-                               : static_cast<double>(track.size()) * 1e-6 / medianInterval(seconds).value;
+                               : static_cast<double>(timer.size()) * 1e-6 / medianInterval(seconds).value;
     };
     timing.single = speed(single);
     timing.batched = speed(batched);
@@ -171,9 +171,9 @@ void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, co
     row.summary = accel.summary();
     if (row.summary.triangleBlocks > 0)
         row.blockFill = static_cast<double>(row.triangles) / static_cast<double>(row.summary.triangleBlocks);
-    BuildSettings toLookAt = settings;
-    toLookAt.keepBinaryTree = true;
-    const bvh::BinaryTree tree = bvh::buildBinaryTree(input, toLookAt);
+    BuildSettings withBinaryTree = settings;
+    withBinaryTree.keepBinaryTree = true;
+    const bvh::BinaryTree tree = bvh::buildBinaryTree(input, withBinaryTree);
     row.sahCost = bvh::statisticsOf(tree).sahCost;
     row.countedCost = costOfRandomLines(tree, kLines);
 }
@@ -182,7 +182,7 @@ void describeTree(BenchRow& row, const Accel& accel, const AccelInput& input, co
 
 BenchRow runBench(const std::string& name, const AccelInput& input, const CameraDescription& camera,
                   const glm::vec3& light, const BenchOptions& options,
-                  const std::function<void(const std::string&)>& note) {
+                  const std::function<void(const std::string&)>& progress) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(options.threads));
     BenchRow row;
@@ -191,7 +191,7 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
     row.spheres = input.spheres.size();
     row.threads = options.threads;
     row.build = options.build;
-    note("build");
+    progress("build");
     std::vector<double> build, embreeBuild, ratio;
     Accel accel;
     std::optional<EmbreeBaseline> fast, robust;
@@ -212,15 +212,15 @@ BenchRow runBench(const std::string& name, const AccelInput& input, const Camera
     row.isa = accel.summary().isa;
     describeTree(row, accel, input, options.build);
     for (const BenchRayKind kind : kBenchRayKinds) {
-        note(std::string(benchNameOf(kind)));
-        Track track(makeBenchRays(accel, camera, light, kind, options.size), isAnyHitKind(kind),
-                    options.threads);
-        if (track.size() == 0) continue;
-        row.rays.push_back(
-            race({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind, track, options.rounds));
+        progress(std::string(benchNameOf(kind)));
+        RayTimer timer(makeBenchRays(accel, camera, light, kind, options.size), isAnyHitKind(kind),
+                       options.threads);
+        if (timer.size() == 0) continue;
+        row.rays.push_back(timeRays({accel, fast ? &*fast : nullptr, robust ? &*robust : nullptr}, kind,
+                                    timer, options.rounds));
         if (accel.wideTree())
             setCounts(row.rays.back(),
-                      bvh::countTraversals(*accel.wideTree(), track.rays(), isAnyHitKind(kind)));
+                      bvh::countTraversals(*accel.wideTree(), timer.rays(), isAnyHitKind(kind)));
     }
     return row;
 }

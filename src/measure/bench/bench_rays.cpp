@@ -11,7 +11,7 @@ namespace rayscope::measure {
 namespace {
 
 constexpr int kTile = 8;
-constexpr double kOffset = 1e-5, kOcclusionReach = 0.1;
+constexpr double kOffset = 1e-5, kOcclusionDistance = 0.1;  // in sizes of the scene
 
 std::vector<Ray> primaryRays(const trace::Camera& camera, int size) {
     std::vector<Ray> rays;
@@ -37,7 +37,7 @@ double sizeOf(const AccelInput& input) {
     return glm::length(glm::dvec3(upper) - glm::dvec3(lower));
 }
 
-/// Towards the origin of the ray.
+/// The geometric normal on the side of the ray's origin.
 glm::dvec3 normalAt(const AccelInput& input, const Ray& ray, const Hit& hit, const glm::dvec3& point) {
     glm::dvec3 normal;
     if (hit.primitive >= input.triangles.size()) {
@@ -95,7 +95,7 @@ std::vector<Ray> makeBenchRays(const Accel& accel, const CameraDescription& desc
         const glm::vec3 direction(cosineDirection(normal, uniform(2 * i), uniform(2 * i + 1)));
         rays.push_back({origin, direction, 0.0f,
                         kind == BenchRayKind::Bounce ? std::numeric_limits<float>::infinity()
-                                                     : static_cast<float>(kOcclusionReach * sceneSize)});
+                                                     : static_cast<float>(kOcclusionDistance * sceneSize)});
     }
     return rays;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The same geometry and rays in Embree, where it is installed.
+// Embree with the same geometry and rays, where it is installed.
 #include <rayscope/accel.h>
 #include <memory>
 #include <span>
@@ -8,7 +8,7 @@ namespace rayscope::measure {
 
 enum class EmbreeQuery { Single, Packet16, Stream };
 
-/// Embree at medium quality.
+/// An Embree scene of medium build quality.
 class EmbreeBaseline {
   public:
     static bool isAvailable();

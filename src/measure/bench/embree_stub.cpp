@@ -1,4 +1,4 @@
-// Stands in for embree_race.cpp where Embree is not installed.
+// Replaces embree_baseline.cpp where Embree is not installed.
 #include <stdexcept>
 
 #include "measure/bench/embree_baseline.h"

@@ -10,8 +10,8 @@
 namespace rayscope::measure {
 namespace {
 
-/// Lines that are uniform in the set of all lines meeting a convex body pass its surface uniformly, at angles
-/// that are distributed with their cosine (Santaló 1976, ch. 12).
+/// Uniform random lines through a convex body intersect its surface at uniformly distributed points with
+/// cosine-distributed angles (Santaló 1976, ch. 12).
 class LinesThroughBox {
   public:
     LinesThroughBox(const glm::dvec3& lower, const glm::dvec3& upper) : lower_(lower), size_(upper - lower) {}
@@ -55,7 +55,7 @@ double costOfRandomLines(const bvh::BinaryTree& tree, int lines) {
             const bvh::BinaryNode& node = tree.nodes[number];
             stack.pop_back();
             float entry;
-            // The root is met by construction, though rounding may say otherwise at its edges.
+            // Lines intersect the root by construction, but rounding may miss it at its edges.
             if (number != 0 && !bvh::intersectBox(bvh::planes(node), box, box.tMax, entry)) continue;
             if (node.isLeaf()) {
                 cost += bvh::kIntersectionCost * node.count;

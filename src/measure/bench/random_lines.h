@@ -3,10 +3,10 @@
 
 namespace rayscope::measure {
 
-/// The cost that TreeStatistics::sahCost predicts, counted: `lines` random lines through the root's box, all
-/// directions and places being equally likely, visit every box that they meet. The mean number of inner nodes
-/// and primitives in leaves per line. The prediction holds for boxes that lie inside their parents, so the
-/// counted cost tends to it as 1/√lines.
+/// The cost that TreeStatistics::sahCost predicts, measured: `lines` uniformly distributed random lines
+/// through the root's box visit every node whose box they intersect. Returns the mean cost of inner nodes and
+/// of primitives in leaves per line. For boxes inside their parents it converges to the prediction as
+/// 1/√lines.
 double costOfRandomLines(const bvh::BinaryTree& tree, int lines);
 
 }  // namespace rayscope::measure

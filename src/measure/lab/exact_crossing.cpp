@@ -29,7 +29,7 @@ class ExactRay {
         return sum;
     }
 
-    /// The sign of an edge function, of which ties are decided by the sheared coordinates of its end points.
+    /// The sign of an edge function; the sheared coordinates of its end points break ties.
     int edgeSign(const ExactSum& value, const glm::vec3& p, const glm::vec3& q) const {
         if (const int sign = value.sign(); sign != 0) return sign;
         if (const int above = compareSheared(p, q, axes_.ky); above != 0) return above;

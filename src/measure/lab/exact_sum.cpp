@@ -28,15 +28,15 @@ Parts split(float x) {
 
 void ExactSum::add(float a, float b, float c) {
     const Parts x = split(a), y = split(b), z = split(c);
-    // 72 bits, moved by less than a word: three words.
+    // 72 bits, shifted by less than 64: three words.
     const Wide mantissa = static_cast<Wide>(std::uint64_t{x.mantissa} * y.mantissa) * z.mantissa;
     if (mantissa == 0) return;
     const int shift = x.exponent + y.exponent + z.exponent - kLowestExponent;
     const auto first = static_cast<std::size_t>(shift / 64);
     const int within = shift % 64;
-    const Wide moved = mantissa << within;
+    const Wide shifted = mantissa << within;
     const std::uint64_t addend[3] = {
-        static_cast<std::uint64_t>(moved), static_cast<std::uint64_t>(moved >> 64),
+        static_cast<std::uint64_t>(shifted), static_cast<std::uint64_t>(shifted >> 64),
         within > 56 ? static_cast<std::uint64_t>(mantissa >> (128 - within)) : 0};
 
     const bool negative = x.negative != y.negative ? !z.negative : z.negative;

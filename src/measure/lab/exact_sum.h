@@ -5,11 +5,11 @@
 
 namespace rayscope::measure {
 
-/// A sum of products of up to three floats without any rounding: what geometric predicates are judged by.
+/// An exact sum of products of up to three floats, for geometric predicates.
 ///
 /// A finite float is a multiple of 2^-149 below 2^128, so a product of three is a multiple of 2^-447 below
 /// 2^384. The sum is kept as one integer in units of 2^-448, in two's complement; its 896 bits hold 2^60
-/// addends. Slower than a filtered predicate, but short enough to be read and believed.
+/// addends. Much slower than a filtered predicate.
 class ExactSum {
   public:
     /// Adds a · b · c; all finite.
@@ -18,7 +18,7 @@ class ExactSum {
 
     /// −1, 0 or 1.
     int sign() const;
-    /// With a relative error of at most 2^-62 where long double has 64 digits, else that of the type.
+    /// Relative error at most 2^-62 where long double has a mantissa of 64 bits, otherwise its precision.
     long double value() const;
 
     ExactSum& operator+=(const ExactSum& other);

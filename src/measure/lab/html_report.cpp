@@ -1,31 +1,33 @@
-// The result of the laboratory for people: one page that needs no other file.
+// The HTML report of a robustness test; its text is in report/lab.html.
 #include <fmt/format.h>
 
 #include <rayscope/lab.h>
 #include <algorithm>
 #include <cmath>
 
-#include "embedded_report.h"
+#include "measure/report/report_template.h"
 #include "measure/statistics/svg_chart.h"
 
 namespace rayscope {
 
 namespace {
 
-/// Classes of the style sheet: the front is Rayscope, the others are alternatives.
-constexpr const char* kClasses[] = {"front", "knob", "yours", "feature"};
+using measure::escaped;
 
-const char* classOf(LabMethod method) { return kClasses[static_cast<int>(method)]; }
-
-using Share = double (*)(const LabCounts&);
-
-double share(std::uint64_t part, std::uint64_t whole) {
-    return static_cast<double>(part) / static_cast<double>(whole);  // NaN: no ray could be tried
+const measure::ReportTemplate& parts() {
+    static const measure::ReportTemplate embedded = measure::embeddedTemplate("lab.html");
+    return embedded;
 }
-double leakShare(const LabCounts& c) { return share(c.leaks, c.sharedEdgeRays); }
-double doubleShare(const LabCounts& c) { return share(c.doubleHits, c.sharedEdgeRays); }
-double falseShare(const LabCounts& c) { return share(c.falseHits, c.spawned); }
-double lostShare(const LabCounts& c) { return share(c.missedSurfaces, c.offsetSurfaceRays); }
+
+using Fraction = double (*)(const LabCounts&);
+
+double fraction(std::uint64_t part, std::uint64_t whole) {
+    return static_cast<double>(part) / static_cast<double>(whole);  // NaN without rays: a gap in the map
+}
+double leakFraction(const LabCounts& c) { return fraction(c.leaks, c.sharedEdgeRays); }
+double doubleHitFraction(const LabCounts& c) { return fraction(c.doubleHits, c.sharedEdgeRays); }
+double falseHitFraction(const LabCounts& c) { return fraction(c.falseHits, c.spawned); }
+double missedFraction(const LabCounts& c) { return fraction(c.missedSurfaces, c.offsetSurfaceRays); }
 double errorOf(const LabCounts& c) { return std::isfinite(c.tRatio) ? c.tRatio : 1e30; }
 
 std::string percent(double x) {
@@ -33,7 +35,7 @@ std::string percent(double x) {
     return x < 0.001 ? fmt::format("{:.2g} ‰", 1000.0 * x) : fmt::format("{:.3g} %", 100.0 * x);
 }
 
-/// Green for nothing, then the redder the more.
+/// Green for 0, then increasingly red on a logarithmic scale.
 std::string cellColor(double x) {
     if (x == 0.0) return "hsl(140 45% 45% / 0.25)";
     const double strength = std::clamp(1.0 + std::log10(x) / 4.0, 0.15, 1.0);
@@ -56,41 +58,52 @@ std::vector<int> scalesOf(const LabResult& r) {
     return scales;
 }
 
-const LabTestPoint* cellAt(const LabResult& r, int scale, double offset) {
+const LabTestPoint* testPointAt(const LabResult& r, int scale, double offset) {
     for (const LabTestPoint& testPoint : r.testPoints)
         if (testPoint.transform.scale == scale && testPoint.transform.offset == offset) return &testPoint;
     return nullptr;
 }
 
-/// Scales down, offsets to the right; a testPoint says and shows the share of rays that went wrong.
-std::string map(const LabResult& r, LabMethod method, Share value, const char* title) {
-    std::string table = fmt::format("<div class='card'><b>{}: {}</b><table><tr><th>scale</th>", title,
-                                    measure::escaped(infoOf(method).label));
-    const std::vector<double> offsets = offsetsOf(r);
-    for (const double offset : offsets) table += fmt::format("<th class='n'>{:g}</th>", offset);
-    table += "</tr>\n";
-    for (const int scale : scalesOf(r)) {
-        table += fmt::format("<tr><td>2<sup>{}</sup></td>", scale);
-        for (const double offset : offsets) {
-            const LabTestPoint* testPoint = cellAt(r, scale, offset);
-            const double x = testPoint ? value(testPoint->of(method)) : 0.0;
-            table += testPoint ? fmt::format("<td class='n' style='background:{}'>{}</td>", cellColor(x),
-                                             percent(x))
-                               : std::string("<td class='n soft'>–</td>");
-        }
-        table += "</tr>\n";
-    }
-    return table + "</table></div>\n";
+std::string powerOfTwo(int exponent) {
+    return parts().fill("power of two", {{"exponent", std::to_string(exponent)}});
 }
 
-/// Error over bound by offset, at the scale of the scene.
+/// A table of one fraction over the test points: a row per scale, a column per offset.
+std::string map(const LabResult& r, LabMethod method, Fraction value, const char* title) {
+    const std::vector<double> offsets = offsetsOf(r);
+    std::string heads, rows;
+    for (const double offset : offsets)
+        heads += parts().fill("map offset", {{"offset", fmt::format("{:g}", offset)}});
+    for (const int scale : scalesOf(r)) {
+        std::string cells;
+        for (const double offset : offsets) {
+            const LabTestPoint* testPoint = testPointAt(r, scale, offset);
+            const double x = testPoint ? value(testPoint->of(method)) : std::nan("");
+            cells += std::isnan(x)
+                         ? parts().fill("map gap", {})
+                         : parts().fill("map cell", {{"color", cellColor(x)}, {"fraction", percent(x)}});
+        }
+        rows += parts().fill("map row", {{"scale", powerOfTwo(scale)}, {"cells", cells}}) + "\n";
+    }
+    return parts().fill(
+        "map",
+        {{"title", title}, {"method", escaped(infoOf(method).label)}, {"offsets", heads}, {"rows", rows}});
+}
+
+std::string maps(const LabResult& r, Fraction value, const char* title) {
+    std::string all;
+    for (const LabMethod method : kLabMethods) all += map(r, method, value, title) + "\n";
+    return all;
+}
+
+/// Error over bound by offset, at scale 2^0. The classes of report.css are named as the methods.
 std::string errorChart(const LabResult& r) {
     std::vector<double> values{1.0};
     for (const LabTestPoint& testPoint : r.testPoints)
         for (const LabMethod method : kLabMethods)
             if (testPoint.transform.scale == 0) values.push_back(errorOf(testPoint.of(method)));
     measure::LogChart chart(1040, 380, {0.1, 2e7}, measure::rangeOf(values),
-                            "offset in sizes (0 stands at 0.1)", "largest error of t / bound");
+                            "offset in sizes (0 is drawn at 0.1)", "largest error of t / bound");
     chart.line({{0.1, 1.0}, {2e7, 1.0}}, "base");
     for (const LabMethod method : kLabMethods) {
         std::vector<std::pair<double, double>> line;
@@ -98,74 +111,54 @@ std::string errorChart(const LabResult& r) {
             if (testPoint.transform.scale != 0) continue;
             const double x = std::max(testPoint.transform.offset, 0.1), y = errorOf(testPoint.of(method));
             line.emplace_back(x, y);
-            chart.mark({x, x, x}, {y, y, y}, classOf(method),
+            chart.mark({x, x, x}, {y, y, y}, infoOf(method).name,
                        fmt::format("{}\noffset {:g} sizes\nerror / bound {}", infoOf(method).label,
                                    testPoint.transform.offset, measure::shortNumber(y)));
         }
-        chart.line(line, classOf(method));
+        chart.line(line, infoOf(method).name);
     }
-    std::string legend = "<p class='legend soft'>";
+    return chart.svg();
+}
+
+std::string legend() {
+    std::string entries;
     for (const LabMethod method : kLabMethods)
-        legend += fmt::format("<span class='{}'><i></i>{}</span>", classOf(method),
-                              measure::escaped(infoOf(method).label));
-    return "<div class='card'>" + chart.svg() + legend + "</p></div>\n";
+        entries += parts().fill("legend",
+                                {{"class", infoOf(method).name}, {"label", escaped(infoOf(method).label)}});
+    return entries;
 }
 
-std::string fact(const std::string& value, const std::string& what) {
-    return fmt::format("<div class='fact'><b>{}</b><span>{}</span></div>\n", value, what);
-}
-
-std::string header(const LabResult& r) {
-    const LabRange& safe = r.range(LabMethod::Rayscope);
-    std::string page = fmt::format(
-        "<h1>Numbers at the extremes: {}</h1>\n<p class='soft'>{} triangles, {} shared edges, {} closed "
-        "vertices. "
-        "The mesh was scaled and moved through {} cells; in each, exact arithmetic on its floats says what "
-        "{} rays "
-        "have to hit.</p>\n<div class='facts'>\n",
-        measure::escaped(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.testPoints.size(),
-        r.raysPerTestPoint + r.raysPerTestPoint / 2);
-    page += fact(fmt::format("2<sup>{}</sup> … 2<sup>{}</sup>", safe.lowestScale, safe.highestScale),
-                 "scales without a fault");
-    page += fact(fmt::format("{:g} sizes", safe.largestOffset), "largest offset without a fault");
-    page +=
-        fact(fmt::format("{:g} sizes", r.meshOffset), "largest offset at which the mesh keeps all triangles");
-    page +=
-        fact(fmt::format("{:.3g} / {:.3g}", r.size, r.offset), "size of the scene, and its offset in sizes");
-    page += "</div>\n";
-    for (const std::string& remark : r.remarks)
-        page += fmt::format("<p class='warn'>{}</p>\n", measure::escaped(remark));
-    return page;
-}
-
-std::string maps(const LabResult& r, Share value, const char* title, const char* words) {
-    std::string page = fmt::format("<h2>{}</h2>\n<p>{}</p>\n", title, words);
-    for (const LabMethod method : kLabMethods) page += map(r, method, value, title);
-    return page;
+std::string facts(const LabResult& r) {
+    const LabRange& range = r.range(LabMethod::Rayscope);
+    return measure::reportFact(powerOfTwo(range.lowestScale) + " … " + powerOfTwo(range.highestScale),
+                               "scales without a failure") +
+           measure::reportFact(fmt::format("{:g} sizes", range.largestOffset),
+                               "largest offset without a failure") +
+           measure::reportFact(fmt::format("{:g} sizes", r.meshOffset),
+                               "largest offset without degenerate triangles") +
+           measure::reportFact(fmt::format("{:.3g} / {:.3g}", r.size, r.offset),
+                               "size of the scene, and its offset in sizes");
 }
 
 }  // namespace
 
 std::string labHtml(const LabResult& r) {
-    std::string page =
-        "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>Rayscope lab</title><style>\n";
-    page += report::files()[0].content;
-    page += "</style></head><body><main>\n" + header(r);
-    page +=
-        "<h2>Errors of t</h2>\n<p>Against exact rational arithmetic, over the bound that the tracer promises "
-        "(src/bvh/intersect/hit_error.h). Below 1 the promise is kept.</p>\n" +
-        errorChart(r);
-    page += maps(r, leakShare, "Leaks",
-                 "Rays at shared edges and vertices that hit none of the triangles around "
-                 "them. Columns are offsets in sizes of the mesh; – where no ray could be aimed because the "
-                 "mesh has collapsed.");
-    page += maps(r, doubleShare, "Double hits",
-                 "The same rays, if they cross an even number of those triangles.");
-    page +=
-        maps(r, falseShare, "False hits", "Rays that leave a surface and hit it, or what lies behind it.");
-    page +=
-        maps(r, lostShare, "Lost surfaces", "A second surface eight error bounds above the first, missed.");
-    return page + "</main></body></html>\n";
+    return measure::reportPage(
+        "Numerical robustness: " + r.scene,
+        parts().fill("body", {{"scene", escaped(r.scene)},
+                              {"triangles", std::to_string(r.triangles)},
+                              {"edges", std::to_string(r.sharedEdges)},
+                              {"vertices", std::to_string(r.closedVertices)},
+                              {"points", std::to_string(r.testPoints.size())},
+                              {"rays", std::to_string(r.raysPerTestPoint + r.raysPerTestPoint / 2)},
+                              {"facts", facts(r)},
+                              {"remarks", measure::reportRemarks(r.remarks)},
+                              {"chart", errorChart(r)},
+                              {"legend", legend()},
+                              {"leaks", maps(r, leakFraction, "Leaks")},
+                              {"double hits", maps(r, doubleHitFraction, "Double hits")},
+                              {"false hits", maps(r, falseHitFraction, "False hits")},
+                              {"lost surfaces", maps(r, missedFraction, "Lost surfaces")}}));
 }
 
 }  // namespace rayscope

@@ -1,11 +1,12 @@
-// The result of the laboratory as text, and for programs.
+// The results of a robustness test as text, JSON and CSV. Keys and column names are an interface for scripts
+// and older than the names of the members.
 #include <fmt/format.h>
 
 #include <rayscope/lab.h>
 #include <algorithm>
 #include <cmath>
 
-#include "base/json_number.h"
+#include <nlohmann/json.hpp>
 
 namespace rayscope {
 
@@ -19,8 +20,8 @@ nlohmann::json toJson(const LabCounts& c) {
             {"false_hits", c.falseHits},
             {"second_surfaces", c.offsetSurfaceRays},
             {"lost_surfaces", c.missedSurfaces},
-            {"t_error_over_bound", base::numberOrNull(c.tRatio)},
-            {"weight_error_over_bound", base::numberOrNull(c.weightRatio)},
+            {"t_error_over_bound", c.tRatio},
+            {"weight_error_over_bound", c.weightRatio},
             {"sound", c.passed()}};
 }
 
@@ -45,13 +46,13 @@ nlohmann::json toJson(const Ray& r) {
             {"direction", {r.direction.x, r.direction.y, r.direction.z}}};
 }
 
-/// "sound from 2^-40 to 2^10 (2^20 fails) and up to 1e+07 sizes from the origin".
+/// "passes from 2^-40 to 2^10 (2^20 fails) times its size, and up to 1e+07 sizes from the origin".
 std::string rangeText(const LabRange& r) {
-    if (!r.soundUntransformed) return "fails with the scene as it is";
+    if (!r.soundUntransformed) return "fails for the untransformed scene";
     const auto scale = [](int passed, const std::optional<int>& fails) {
         return fmt::format("2^{}{}", passed, fails ? fmt::format(" (2^{} fails)", *fails) : "");
     };
-    return fmt::format("sound from {} to {} times its size, and up to {:g} sizes{} from the origin",
+    return fmt::format("passes from {} to {} times its size, and up to {:g} sizes{} from the origin",
                        scale(r.lowestScale, r.failsBelow), scale(r.highestScale, r.failsAbove),
                        r.largestOffset, r.failsBeyond ? fmt::format(" ({:g} fail)", *r.failsBeyond) : "");
 }
@@ -67,8 +68,8 @@ void appendRow(std::string& text, const std::string& name, const LabCounts& c) {
 }
 
 void appendHeader(std::string& text, const std::string& first) {
-    text += fmt::format("{:<30} {:>9} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9}\n", first, "at seams",
-                        "leaks", "doubled", "spawned", "false", "plates", "lost", "t/bound", "uv/bound");
+    text += fmt::format("{:<30} {:>9} {:>8} {:>8} {:>9} {:>8} {:>9} {:>8} {:>9} {:>9}\n", first, "at edges",
+                        "leaks", "doubled", "spawned", "false", "surfaces", "lost", "t/bound", "uv/bound");
 }
 
 }  // namespace
@@ -76,10 +77,10 @@ void appendHeader(std::string& text, const std::string& first) {
 std::string labText(const LabResult& r) {
     std::string text = fmt::format(
         "{}: {} triangles, {} shared edges, {} closed vertices; {:.4g} units large, {:.3g} sizes from the "
-        "origin\n{} cells of {} rays in {:.1f} s\n\n",
+        "origin\n{} test points of {} rays in {:.1f} s\n\n",
         r.scene, r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset, r.testPoints.size(),
         r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
-    appendHeader(text, "all cells");
+    appendHeader(text, "all test points");
     for (const LabMethod method : kLabMethods) appendRow(text, infoOf(method).label, r.total(method));
     text += "\n";
     appendHeader(text, "Rayscope, by scale and offset");
@@ -88,12 +89,12 @@ std::string labText(const LabResult& r) {
                   fmt::format("2^{:<3} {:>5g} sizes{}", testPoint.transform.scale, testPoint.transform.offset,
                               testPoint.degenerate ? fmt::format(" ({} flat)", testPoint.degenerate) : ""),
                   testPoint.of(LabMethod::Rayscope));
-    text += "\nsafe range for this scene\n";
+    text += "\nrange without failures for this scene\n";
     for (const LabMethod method : kLabMethods)
         text +=
-            fmt::format("  {:<30} {}; {} of {} cells fail\n", infoOf(method).label,
+            fmt::format("  {:<30} {}; {} of {} test points fail\n", infoOf(method).label,
                         rangeText(r.range(method)), r.range(method).failingTestPoints, r.testPoints.size());
-    text += fmt::format("  {:<30} keeps all its triangles up to an offset of {:g} sizes\n",
+    text += fmt::format("  {:<30} has no degenerate triangles up to an offset of {:g} sizes\n",
                         "the mesh in float", r.meshOffset);
     for (const std::string& remark : r.remarks) text += fmt::format("note: {}\n", remark);
     return text;
@@ -118,7 +119,7 @@ std::string labJson(const LabResult& r) {
     for (const LabFailure& f : r.failures)
         failures.push_back({{"cell", f.testPoint},
                             {"method", infoOf(f.method).name},
-                            {"fault", nameOf(f.fault)},
+                            {"fault", nameOf(f.kind)},
                             {"ray", toJson(f.ray)}});
     const nlohmann::json all = {{"scene", r.scene},
                                 {"triangles", r.triangles},

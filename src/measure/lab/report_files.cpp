@@ -1,4 +1,4 @@
-// The laboratory's report in a folder, and what repeats its failures.
+// Writes the reports of a robustness test, and files that reproduce its failures.
 #include <fmt/format.h>
 
 #include <rayscope/lab.h>
@@ -11,7 +11,7 @@ namespace rayscope {
 
 namespace {
 
-/// Nine digits are enough to read the same floats again.
+/// Nine digits reproduce floats exactly.
 std::string objOf(const MeshData& mesh) {
     std::string text = "# written by rayscope lab\n";
     for (const glm::vec3& v : mesh.positions) text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", v.x, v.y, v.z);
@@ -19,15 +19,16 @@ std::string objOf(const MeshData& mesh) {
     return text;
 }
 
-/// The testPoint nearest to the scene as it is in which a method failed.
+/// A failure at the failing test point of a method that is nearest to the untransformed scene.
 const LabFailure* nearestFailure(const LabResult& result, LabMethod method) {
     const LabFailure* nearest = nullptr;
-    const auto remoteness = [&](const LabFailure& f) {
+    const auto distanceFromOriginal = [&](const LabFailure& f) {
         const LabTransform& transform = result.testPoints[f.testPoint].transform;
         return std::pair(std::abs(transform.scale), transform.offset);
     };
     for (const LabFailure& failure : result.failures)
-        if (failure.method == method && (!nearest || remoteness(failure) < remoteness(*nearest)))
+        if (failure.method == method &&
+            (!nearest || distanceFromOriginal(failure) < distanceFromOriginal(*nearest)))
             nearest = &failure;
     return nearest;
 }

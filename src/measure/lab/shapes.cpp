@@ -7,7 +7,7 @@ namespace rayscope {
 SceneDescription labShapes() {
     SceneDescription scene;
     scene.path = "shapes";
-    scene.title = "Closed and open shapes made by formula";
+    scene.title = "Generated closed and open meshes";
     scene.materials.emplace_back();
     scene.cameras.emplace_back();
     const auto add = [&](const char* name, MeshData data, const glm::vec3& at) {

@@ -1,15 +1,14 @@
-// Rays that leave a surface: they must not hit it again, and must not skip what lies just above it.
+// Spawned rays: they must not hit the surface they start on, nor miss a surface just above it.
 #include <algorithm>
 #include <cmath>
 
 #include "bvh/intersect/hit_error.h"
 #include "bvh/intersect/ray_query.h"
-#include "math/frame.h"
 #include "math/spawn.h"
 #include "measure/lab/controls.h"
 #include "measure/lab/exact_sum.h"
-#include "measure/lab/random.h"
 #include "measure/lab/test_point.h"
+#include "measure/lab/test_rays.h"
 #include "trace/interaction.h"
 
 namespace rayscope::measure {
@@ -20,30 +19,8 @@ struct Corners {
     glm::vec3 a, b, c;
 };
 
-Corners cornersOf(const LabContext& target, std::uint32_t triangle) {
-    return {target.corner(triangle, 0), target.corner(triangle, 1), target.corner(triangle, 2)};
-}
-
-/// A ray at a point of a triangle, half of the points next to its edges, from near and far.
-Ray rayAtSurface(const LabContext& target, const Corners& t, LabRandom& random) {
-    double u = random.real(), v = random.real();
-    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    if (random.coin()) u *= std::pow(10.0, random.real(-6.0, 0.0));
-    const glm::dvec3 a = t.a, point = a + u * (glm::dvec3(t.b) - a) + v * (glm::dvec3(t.c) - a);
-    Ray ray;
-    const double distance = target.size * std::pow(10.0, random.real(-2.0, 2.0));
-    ray.origin = glm::vec3(point + distance * random.onSphere());
-    ray.direction = glm::vec3(point - glm::dvec3(ray.origin));
-    return ray;
-}
-
-/// A direction above a plane at an angle from a right one down to 1e-4.
-glm::vec3 directionAbove(const glm::dvec3& normal, LabRandom& random) {
-    const double sine = std::pow(10.0, random.real(-4.0, 0.0)),
-                 phi = random.real(0.0, 2.0 * std::numbers::pi);
-    const math::Frame frame = math::frameAround(normal);
-    const double cosine = std::sqrt(1.0 - sine * sine);
-    return glm::vec3(sine * normal + cosine * (std::cos(phi) * frame.u + std::sin(phi) * frame.v));
+Corners cornersOf(const LabContext& context, std::uint32_t triangle) {
+    return {context.corner(triangle, 0), context.corner(triangle, 1), context.corner(triangle, 2)};
 }
 
 /// The exact sign of direction · normal.
@@ -59,21 +36,22 @@ int sideOfPoint(const Corners& t, const glm::vec3& point) {
     return signedVolume(t.a, t.b, t.c, point).sign();
 }
 
-/// The point where a control believes the ray to have hit.
+/// The hit point as the control computes it.
 template <class Test>
 bool controlPoint(const Test& test, const Ray& ray, const Corners& t, typename Test::Vector& point) {
-    typename Test::Found found;
+    typename Test::Hit found;
     if (!test(typename Test::Vector(ray.origin), typename Test::Vector(ray.direction), t.a, t.b, t.c, found))
         return false;
     point = typename Test::Vector(ray.origin) + found.t * typename Test::Vector(ray.direction);
     return true;
 }
 
-/// A second surface: the triangle, moved so far that eight error bounds remain after rounding.
+/// A second surface: the triangle translated along its normal, at least eight error bounds away after
+/// rounding.
 struct OffsetSurface {
     Corners corners{};
     glm::vec3 towards{0.0f};
-    bool isWide = false;  ///< so much wider than the distance that a ray along the normal is sure to hit it
+    bool isWide = false;  ///< so much wider than the distance that a ray along the normal must hit it
 
     OffsetSurface(const Corners& t, const trace::Interaction& at, const glm::dvec3& normal) {
         const glm::dvec3 a = t.a, b = t.b, c = t.c;
@@ -98,7 +76,7 @@ void checkControl(const Corners& t, const Ray& first, const glm::vec3& direction
     if (!controlPoint(test, first, t, point)) return;
     LabCounts& counts = tally.of(method);
     ++counts.spawned;
-    typename Test::Found found;
+    typename Test::Hit found;
     if (test(point, Vector(direction), t.a, t.b, t.c, found)) {
         ++counts.falseHits;
         tally.fail(method, LabFailureKind::FalseHit, {glm::vec3(point), direction});
@@ -112,16 +90,16 @@ void checkControl(const Corners& t, const Ray& first, const glm::vec3& direction
     tally.fail(method, LabFailureKind::LostSurface, {glm::vec3(point), offsetSurface.towards});
 }
 
-void checkTracer(const LabContext& target, const Corners& t, const Ray& next,
+void checkTracer(const LabContext& context, const Corners& t, const Ray& next,
                  const OffsetSurface& offsetSurface, int side, LabTally& tally) {
     LabCounts& counts = tally.of(LabMethod::Rayscope);
     ++counts.spawned;
-    // What has no corner on the side to which the ray goes cannot be hit by it, nor can it start there.
+    // The ray must start on the side to which it goes, and can only hit triangles with a vertex there.
     bool isFalse = sideOfPoint(t, next.origin) != side;
     Hit hit;
-    if (target.world.closestHit(next, 0.0f, hit)) {
-        checkHit(target, next, hit, tally);
-        const Corners other = cornersOf(target, hit.primitive);
+    if (context.world.closestHit(next, 0.0f, hit)) {
+        checkHit(context, next, hit, tally);
+        const Corners other = cornersOf(context, hit.primitive);
         isFalse |= sideOfPoint(t, other.a) != side && sideOfPoint(t, other.b) != side &&
                    sideOfPoint(t, other.c) != side;
     }
@@ -141,24 +119,24 @@ void checkTracer(const LabContext& target, const Corners& t, const Ray& next,
 
 }  // namespace
 
-void testSpawnedRay(const LabContext& target, std::uint64_t index, LabTally& tally) {
-    LabRandom random(target.seed, index);
-    const auto triangle = static_cast<std::uint32_t>(random.below(target.mesh.triangles().size()));
-    const Ray first = rayAtSurface(target, cornersOf(target, triangle), random);
+void testSpawnedRay(const LabContext& context, std::uint64_t index, LabTally& tally) {
+    LabRandom random(context.seed, index);
+    const auto triangle = static_cast<std::uint32_t>(random.below(context.mesh.triangles().size()));
+    const Ray first = rayAtTriangle(context, triangle, random);
     Hit hit;
-    if (first.direction == glm::vec3(0.0f) || !target.world.closestHit(first, 0.0f, hit)) return;
-    checkHit(target, first, hit, tally);
-    const Corners t = cornersOf(target, hit.primitive);
-    const trace::Interaction at = trace::interactionAt(target.world, first, 0.0f, {}, hit);
+    if (first.direction == glm::vec3(0.0f) || !context.world.closestHit(first, 0.0f, hit)) return;
+    checkHit(context, first, hit, tally);
+    const Corners t = cornersOf(context, hit.primitive);
+    const trace::Interaction at = trace::interactionAt(context.world, first, 0.0f, {}, hit);
     const bool through = random.coin();
     const glm::dvec3 normal = through ? -at.geometricNormal : at.geometricNormal;
     const glm::vec3 direction = directionAbove(normal, random);
-    // The rounding of a grazing direction may turn it below the plane; then there is nothing to say about it.
+    // Rounding may turn a grazing direction below the plane; such rays are not tested.
     const int side = sideOf(t, direction);
     if (side == 0 || side != -sideOf(t, glm::vec3(-normal))) return;
     const OffsetSurface offsetSurface(t, at, normal);
-    checkTracer(target, t, {through ? at.originBehind() : at.originOutside(), direction}, offsetSurface, side,
-                tally);
+    checkTracer(context, t, {through ? at.originBehind() : at.originOutside(), direction}, offsetSurface,
+                side, tally);
     checkControl(t, first, direction, offsetSurface, LabMethod::Float, kFloatControl, tally);
     checkControl(t, first, direction, offsetSurface, LabMethod::Epsilon, kEpsilonControl, tally);
     checkControl(t, first, direction, offsetSurface, LabMethod::Double, kDoubleControl, tally);

@@ -75,8 +75,8 @@ double medianOfSorted(const std::vector<double>& sorted) {
     return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
 }
 
-/// How many of the lowest order statistics may be left out so that the rest, cut alike on both sides, still
-/// covers the median; negative if not even all values do.
+/// The largest number of order statistics that can be dropped at each end while the interval between the
+/// remaining ones covers the median with `confidence`; negative if even all values do not.
 int droppedOrderStatistics(std::size_t n, double confidence) {
     double below = 0.0, probability = std::pow(0.5, static_cast<double>(n));
     int dropped = -1;
@@ -106,7 +106,7 @@ Interval meanInterval(std::span<const double> values, double confidence) {
     return studentInterval(values, confidence, 1.0 / static_cast<double>(values.size()));
 }
 
-Interval nextValueInterval(std::span<const double> values, double confidence) {
+Interval predictionInterval(std::span<const double> values, double confidence) {
     return studentInterval(values, confidence, 1.0 + 1.0 / static_cast<double>(values.size()));
 }
 

@@ -93,8 +93,8 @@ void LogChart::drawAxes() {
         (kTop + bottom) / 2, escaped(yTitle_));
 }
 
-void LogChart::mark(const Interval& x, const Interval& y, std::string_view cssClass, const std::string& tip,
-                    double radius) {
+void LogChart::mark(const Interval& x, const Interval& y, std::string_view cssClass,
+                    const std::string& tooltip, double radius) {
     if (!(x.value > 0.0) || !(y.value > 0.0)) return;
     const double cx = px(x.value), cy = py(y.value);
     const auto atLeast = [](double value, double lowest) { return std::max(value, lowest); };
@@ -102,8 +102,8 @@ void LogChart::mark(const Interval& x, const Interval& y, std::string_view cssCl
         "<g class='mark {}'><title>{}</title><line x1='{:.1f}' y1='{:.1f}' x2='{:.1f}' y2='{:.1f}'/>"
         "<line x1='{:.1f}' y1='{:.1f}' x2='{:.1f}' y2='{:.1f}'/><circle cx='{:.1f}' cy='{:.1f}' "
         "r='{}'/></g>\n",
-        cssClass, escaped(tip), px(atLeast(x.lower, x_.lower)), cy, px(atLeast(x.upper, x_.lower)), cy, cx,
-        py(atLeast(y.lower, y_.lower)), cx, py(atLeast(y.upper, y_.lower)), cx, cy, radius);
+        cssClass, escaped(tooltip), px(atLeast(x.lower, x_.lower)), cy, px(atLeast(x.upper, x_.lower)), cy,
+        cx, py(atLeast(y.lower, y_.lower)), cx, py(atLeast(y.upper, y_.lower)), cx, cy, radius);
 }
 
 void LogChart::line(const std::vector<std::pair<double, double>>& points, std::string_view cssClass) {

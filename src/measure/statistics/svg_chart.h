@@ -1,18 +1,18 @@
 #pragma once
-#include <rayscope/trade.h>
+#include <rayscope/interval.h>
 #include <string>
 #include <string_view>
 
 namespace rayscope::measure {
 
-/// Text that means itself in HTML and SVG.
+/// Text with special characters escaped for HTML and SVG.
 std::string escaped(std::string_view text);
 
-/// "0.0123", "1.2e-5", "12 s": short enough for a table, exact enough to tell neighbours apart.
+/// Three significant digits: "0.0123", "1.2e-05"; infinity as "∞".
 std::string shortNumber(double value);
 
-/// A chart with logarithmic axes as an inline SVG element; colours are classes of the page's style sheet.
-/// Values must be positive; others are not drawn.
+/// A chart with logarithmic axes as an inline SVG element, coloured by classes of the page's style sheet.
+/// Values that are not positive are not drawn.
 class LogChart {
   public:
     struct Range {
@@ -20,8 +20,8 @@ class LogChart {
     };
     LogChart(int width, int height, Range x, Range y, std::string xTitle, std::string yTitle);
 
-    /// A mark with bars of its intervals; `tip` is shown when the pointer rests on it.
-    void mark(const Interval& x, const Interval& y, std::string_view cssClass, const std::string& tip,
+    /// A mark with error bars; `tooltip` is shown under the pointer.
+    void mark(const Interval& x, const Interval& y, std::string_view cssClass, const std::string& tooltip,
               double radius = 4);
     void line(const std::vector<std::pair<double, double>>& points, std::string_view cssClass);
     void label(double x, double y, const std::string& text);
@@ -37,7 +37,7 @@ class LogChart {
     std::string xTitle_, yTitle_, body_;
 };
 
-/// The range of positive values with a margin of a few per cent on a logarithmic axis.
+/// The range of the positive finite values with a margin of 5 % of its length on the logarithmic axis.
 LogChart::Range rangeOf(const std::vector<double>& values);
 
 }  // namespace rayscope::measure

@@ -13,7 +13,7 @@
 
 namespace rayscope::measure {
 
-/// The threads that a measurement uses; 0 takes one per core.
+/// The task arena of a measurement; 0 threads: one per core.
 class Workers {
   public:
     explicit Workers(int threads = 0)
@@ -34,7 +34,7 @@ class Workers {
     oneapi::tbb::task_arena arena_;
 };
 
-/// Requests a stop after some seconds, or when `outer` does.
+/// Requests a stop after some seconds, or when one is requested through `outer`.
 class Deadline {
   public:
     Deadline(double seconds, const std::stop_token& outer)

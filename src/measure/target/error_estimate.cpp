@@ -12,10 +12,11 @@ namespace rayscope {
 namespace {
 
 constexpr int kTile = 32;
-/// If one pixel holds more of the squared error than this, the next sample may well find another like it.
-constexpr double kLargestShare = 0.5;
+/// Largest fraction of the squared error in one pixel with which an estimate counts as reliable: above it,
+/// other pixels may have such a rare contribution that is not sampled yet.
+constexpr double kMaxPixelFraction = 0.5;
 
-/// How what pixels have adds up, and whether few of them hold most of it.
+/// Sums of a non-negative quantity over pixels.
 struct PixelTotals {
     double sum = 0.0, squares = 0.0, largest = 0.0, count = 0.0;
 
@@ -26,55 +27,56 @@ struct PixelTotals {
         ++count;
     }
     double mean() const { return sum / count; }
-    bool isHeldByOne() const { return largest > kLargestShare * sum; }
+    bool isDominatedByOne() const { return largest > kMaxPixelFraction * sum; }
 };
 
 glm::dvec3 meanOf(const Rgb& a, const Rgb& b) { return 0.5 * (glm::dvec3(a) + glm::dvec3(b)); }
 
-/// What relative squared errors are relative to; 1 for others.
-glm::dvec3 unitOf(const glm::dvec3& mean, ErrorMetric metric) {
+/// The denominator of relative squared errors; 1 for absolute ones.
+glm::dvec3 denominatorOf(const glm::dvec3& mean, ErrorMetric metric) {
     return metric == ErrorMetric::RelMse ? mean * mean + 0.01 : glm::dvec3(1.0);
 }
 
 double meanOf(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3.0; }
 
-/// The standard error of the estimate, relative to it. The squared error of a pixel is the square of about a
-/// Gaussian, which varies by √2 of its expectation; and the expectations are in proportion to the variances
-/// of the samples within the pixels, which are known far better than from one difference. Without them, from
-/// the spread between pixels.
-double relativeStandardError(const PixelTotals& errors, const PixelTotals& spreads) {
-    if (spreads.sum > 0.0) return std::sqrt(2.0 * spreads.squares) / spreads.sum;
+/// Relative standard error of the estimate. The difference of a pixel is nearly Gaussian, so the standard
+/// deviation of its square is √2 times the expectation. The expectations are proportional to the sample
+/// variances within the pixels, which are far more accurate than single differences. Without sample
+/// variances, from the variance of the squared differences over pixels.
+double relativeStandardError(const PixelTotals& errors, const PixelTotals& variances) {
+    if (variances.sum > 0.0) return std::sqrt(2.0 * variances.squares) / variances.sum;
     const double mean = errors.mean(), n = errors.count;
     const double variance = std::max(0.0, errors.squares / n - mean * mean) * n / (n - 1.0);
     return std::sqrt(variance / n) / mean;
 }
 
-/// The part of the picture as a whole. `quantile` is the one-sided normal quantile of the confidence.
+/// The error over `region`. `quantile` is the one-sided normal quantile of the confidence level.
 ///
-/// Half the difference of the halves has the expected square of the error of their mean. The error of this
-/// very picture is as random as that estimate: the sum and the difference of two halves vary alike and
-/// independently. So the distance between both has √2 times the standard error of the estimate. Squared
-/// errors are skewed; their logarithm is less so. What a few pixels hold is not trusted; but that must show
-/// in their samples, too, since any single difference may happen to be large.
-ErrorEstimate estimatePart(const RgbImage& a, const RgbImage& b, const PixelBounds& part, ErrorMetric metric,
-                           double quantile, const VarianceImage* spread) {
-    PixelTotals errors, spreads;
-    for (int y = part.y0; y < part.y1; ++y) {
-        for (int x = part.x0; x < part.x1; ++x) {
+/// Half the difference of the halves has the same expected square as the error of their mean. The squared
+/// error of this particular picture varies as much as its estimate and independently of it, since sum and
+/// difference of two halves are uncorrelated with equal variance. So the standard deviation of their
+/// difference is √2 times the standard error of the estimate. The bound is computed for the logarithm, which
+/// is less skewed. An estimate is unreliable if one pixel dominates both the squared differences and the
+/// sample variances; a single difference may be large by chance.
+ErrorEstimate estimateRegion(const RgbImage& a, const RgbImage& b, const PixelBounds& region,
+                             ErrorMetric metric, double quantile, const VarianceImage* variance) {
+    PixelTotals errors, variances;
+    for (int y = region.y0; y < region.y1; ++y) {
+        for (int x = region.x0; x < region.x1; ++x) {
             const glm::dvec3 half = 0.5 * (glm::dvec3(a.at(x, y)) - glm::dvec3(b.at(x, y)));
-            const glm::dvec3 unit = unitOf(meanOf(a.at(x, y), b.at(x, y)), metric);
-            const double error = meanOf(half * half / unit);
+            const glm::dvec3 denominator = denominatorOf(meanOf(a.at(x, y), b.at(x, y)), metric);
+            const double error = meanOf(half * half / denominator);
             if (!std::isfinite(error)) continue;
             errors.add(error);
-            const double ofSamples = spread ? spread->at(x, y) / meanOf(unit) : 0.0;
-            if (std::isfinite(ofSamples)) spreads.add(ofSamples);
+            const double sampleVariance = variance ? variance->at(x, y) / meanOf(denominator) : 0.0;
+            if (std::isfinite(sampleVariance)) variances.add(sampleVariance);
         }
     }
     if (errors.count < 2.0 || errors.sum == 0.0) return {};
     const double mean = errors.mean();
-    const double distance = std::numbers::sqrt2 * relativeStandardError(errors, spreads);
+    const double distance = std::numbers::sqrt2 * relativeStandardError(errors, variances);
     ErrorEstimate estimate{mean, mean * std::exp(quantile * distance),
-                           !errors.isHeldByOne() || (spread && !spreads.isHeldByOne())};
+                           !errors.isDominatedByOne() || (variance && !variances.isDominatedByOne())};
     if (metric == ErrorMetric::Rmse) {
         estimate.error = std::sqrt(estimate.error);
         estimate.upper = std::sqrt(estimate.upper);
@@ -85,25 +87,24 @@ ErrorEstimate estimatePart(const RgbImage& a, const RgbImage& b, const PixelBoun
 }  // namespace
 
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
-                            const ErrorTarget& target, const VarianceImage* spread) {
+                            const ErrorTarget& target, const VarianceImage* variance) {
     constexpr double kNormal = std::numeric_limits<double>::infinity();
     if (!target.worstTile)
-        return estimatePart(halfA, halfB, region, target.metric,
-                            measure::studentQuantile(target.confidence, kNormal), spread);
+        return estimateRegion(halfA, halfB, region, target.metric,
+                              measure::studentQuantile(target.confidence, kNormal), variance);
     std::vector<PixelBounds> tiles;
     for (int y = region.y0; y < region.y1; y += kTile)
         for (int x = region.x0; x < region.x1; x += kTile)
             tiles.push_back({x, std::min(x + kTile, region.x1), y, std::min(y + kTile, region.y1)});
-    // Bonferroni: all bounds hold together if each holds with the confidence that leaves its part of the
-    // risk.
+    // Bonferroni correction, so that the bounds of all tiles hold together.
     const double risk = (1.0 - target.confidence) / static_cast<double>(tiles.size());
     const double quantile = measure::studentQuantile(1.0 - risk, kNormal);
     ErrorEstimate worst;
     for (const PixelBounds& tile : tiles) {
-        const ErrorEstimate estimate = estimatePart(halfA, halfB, tile, target.metric, quantile, spread);
+        const ErrorEstimate estimate = estimateRegion(halfA, halfB, tile, target.metric, quantile, variance);
         worst.error = std::max(worst.error, estimate.error);
         worst.upper = std::max(worst.upper, estimate.upper);
-        worst.trusted = worst.trusted && (estimate.trusted || estimate.upper < target.error);
+        worst.reliable = worst.reliable && (estimate.reliable || estimate.upper < target.error);
     }
     return worst;
 }

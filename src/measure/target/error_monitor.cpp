@@ -7,30 +7,31 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Samples per pixel before which nothing is believed.
+/// Samples per pixel from which on the target can count as reached.
 constexpr int kMinSamples = 8;
 
-/// Two pictures whose half difference has the expected square of the error of the mean of all samples, and
-/// whose mean that is. With a and b samples in the halves the difference of their means has the variance
-/// σ² (a + b) / (a b), the mean of all σ² / (a + b): so the difference counts √(a b) / (a + b) times.
+/// Two pictures whose mean is the mean of all samples, and whose half difference has the same expected square
+/// as the error of that mean. With a and b samples in the halves, the difference of their means has the
+/// variance σ² (a + b) / (a b), and the mean of all samples σ² / (a + b); so the difference is scaled by √(a
+/// b) / (a + b).
 void splitHalves(const ErrorMonitor::Snapshot& before, const ErrorMonitor::Snapshot& now, RgbImage& first,
                  RgbImage& second) {
     for (std::size_t i = 0; i < now.sums.size(); ++i) {
         const double a = before.samples[i], b = now.samples[i] - before.samples[i];
         const RgbSum mean = now.sums[i].radiance / static_cast<double>(now.samples[i]);
-        RgbSum spread(0.0);
+        RgbSum difference(0.0);
         if (a > 0.0 && b > 0.0) {
             const RgbSum late = (now.sums[i].radiance - before.sums[i].radiance) / b;
-            spread = (before.sums[i].radiance / a - late) * (std::sqrt(a * b) / (a + b));
+            difference = (before.sums[i].radiance / a - late) * (std::sqrt(a * b) / (a + b));
         }
-        first.pixels[i] = Rgb(mean + spread);
-        second.pixels[i] = Rgb(mean - spread);
+        first.pixels[i] = Rgb(mean + difference);
+        second.pixels[i] = Rgb(mean - difference);
     }
 }
 
 }  // namespace
 
-ErrorMonitor::Snapshot ErrorMonitor::take(const render::Film& film) {
+ErrorMonitor::Snapshot ErrorMonitor::snapshotOf(const render::Film& film) {
     const PixelBounds& region = film.region();
     Snapshot snapshot;
     snapshot.width = region.x1 - region.x0;
@@ -60,7 +61,7 @@ bool ErrorMonitor::isEstimateDue(int completeSamples) const {
     return completeSamples >= std::max(1, 2 * before_.completeSamples);
 }
 
-void ErrorMonitor::look(Snapshot now) {
+void ErrorMonitor::update(Snapshot now) {
     const bool sameFilm = before_.width == now.width && before_.sums.size() == now.sums.size();
     if (sameFilm && now.completeSamples > before_.completeSamples) {
         const int height = static_cast<int>(now.sums.size()) / std::max(1, now.width);
@@ -72,18 +73,19 @@ void ErrorMonitor::look(Snapshot now) {
 }
 
 bool ErrorMonitor::reached() const {
-    return any() && trend_.samples() >= kMinSamples && latest().trusted && latest().upper <= target_.error;
+    return hasEstimate() && trend_.samples() >= kMinSamples && latest().reliable &&
+           latest().upper <= target_.error;
 }
 
 ErrorForecast ErrorMonitor::forecast(double samples, double seconds, double timeLimit) const {
     ErrorForecast f;
     f.samples = static_cast<int>(samples);
     f.elapsedSeconds = seconds;
-    if (!any() || !(samples > 0.0)) return f;
+    if (!hasEstimate() || !(samples > 0.0)) return f;
     f.estimate = latest();
     const double perSample = seconds / samples;
     if (target_.error > 0.0) {
-        // A look, which may end the rendering, comes at each doubling.
+        // The target can be reached at each doubling of the samples.
         double stop = reached() ? trend_.samples() : 2.0 * trend_.samples();
         while (!reached() && stop < std::max<double>(kMinSamples, trend_.samplesFor(target_.error)))
             stop *= 2.0;

@@ -1,5 +1,5 @@
 #pragma once
-// What a film that grows says about its own error, for whoever watches it.
+// The error of a growing film, estimated from the film alone.
 #include <rayscope/error_target.h>
 #include <utility>
 #include <vector>
@@ -9,36 +9,35 @@
 
 namespace rayscope::measure {
 
-/// Compares a film with what it was at about half of its samples: two halves of the same pixels, one after
-/// the other. For independent samples the estimate has the expectation of the squared error; later points of
-/// a Sobol sequence fill the gaps of earlier ones, so there the estimate is above the error, on the safe
-/// side.
+/// Estimates the error of a film from the difference between its first and its second half of samples. For
+/// independent samples the estimate of the squared error is unbiased. Later points of a Sobol sequence fill
+/// the gaps between earlier ones; then the estimate is above the error, which is conservative.
 class ErrorMonitor {
   public:
     explicit ErrorMonitor(ErrorTarget target = {}, SamplePattern sampler = SamplePattern::Sobol)
         : target_(target), trend_(target.metric, sampler) {}
 
-    /// Sums of a film at one moment.
+    /// A copy of the sums of a film.
     struct Snapshot {
         int width = 0;
         std::vector<render::PixelSums> sums;  ///< row by row of the region
         std::vector<int> samples;             ///< of each pixel
         int completeSamples = 0;
     };
-    static Snapshot take(const render::Film& film);
+    static Snapshot snapshotOf(const render::Film& film);
 
-    /// Whether a film with so many samples is worth a look: twice as many as at the last one.
+    /// Whether a film with so many samples gives a new estimate: twice as many as at the last update().
     bool isEstimateDue(int completeSamples) const;
-    /// Takes a look.
-    void look(Snapshot now);
+    /// Estimates the error from the last snapshot and this one.
+    void update(Snapshot now);
 
-    /// Looks that estimated an error.
-    bool any() const { return trend_.any(); }
+    /// Whether there is an estimate.
+    bool hasEstimate() const { return trend_.hasEstimate(); }
     const ErrorEstimate& latest() const { return trend_.latest(); }
-    /// Whether the target is reached: the upper bound lies below it, and the estimate can be trusted.
+    /// Whether the upper bound is below the target and the estimate is reliable.
     bool reached() const;
 
-    /// What is to be expected of a film that has `samples` per pixel after `seconds`; `timeLimit` 0: none.
+    /// The forecast for a film that has `samples` per pixel after `seconds`; `timeLimit` 0: none.
     ErrorForecast forecast(double samples, double seconds, double timeLimit) const;
 
   private:

@@ -7,7 +7,7 @@
 
 #include "measure/statistics/workers.h"
 #include "measure/target/error_trend.h"
-#include "measure/target/film_pair.h"
+#include "measure/target/half_films.h"
 #include "measure/target/sample_allocation.h"
 #include "render/crash_report.h"
 #include "render/pass_plan.h"
@@ -21,18 +21,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Samples per pixel and half before the first look, and before a look may end the rendering.
+/// Samples per pixel and half at the first estimate, and at the first one that may end the rendering.
 constexpr int kFirstEstimate = 4, kFirstStop = 8;
 constexpr int kPilotSamples = 8;
-/// Fewer pixels say too little about their own spread.
+/// With fewer pixels the upper bound is not accurate.
 constexpr int kMinPixels = 256;
-/// The rendering is planned to end where the bound should be so far below the target that it mostly is.
-constexpr double kPlannedFor = 0.95;
-/// A rendering does not end at a look whose own bound is so many times above the target, whatever the looks
-/// before it saw: something rare may just have been met.
-constexpr double kLargestSurprise = 1.5;
+/// The rendering is planned to end where the expected upper bound is this fraction of the target, so that it
+/// is usually below the target there.
+constexpr double kPlannedFraction = 0.95;
+/// The rendering continues if the bound of the latest estimate alone exceeds the target by this factor,
+/// whatever the smoothed bound: a rare contribution may just have been sampled.
+constexpr double kMaxLatestRatio = 1.5;
 
-/// The course of one rendering: both halves grow by the same plan, between looks at their difference.
+/// One rendering: both halves are extended to the same sample counts, with an estimate of the error at each.
 class TargetRender {
   public:
     explicit TargetRender(const ErrorTargetRequest& request);
@@ -41,7 +42,7 @@ class TargetRender {
   private:
     void pilot();
     bool extendTo(int samples);
-    void look(int samples);
+    void estimate(int samples);
     bool reached(int samples) const;
     void plan(int samples);
     int expectedEnd() const;
@@ -53,12 +54,12 @@ class TargetRender {
     const ErrorTargetRequest& request_;
     measure::Workers workers_;
     PixelBounds region_;
-    std::unique_ptr<measure::FilmPair> halves_;
+    std::unique_ptr<measure::HalfFilms> halves_;
     render::RenderCounters counters_;
     measure::ErrorTrend trend_;  ///< over samples per pixel and half
     int planned_ = 0;            ///< samples per half before which it does not end; 0: no plan yet
     Clock::time_point start_ = Clock::now();
-    std::vector<std::pair<double, double>> timed_;  ///< samples taken, seconds, as they grew
+    std::vector<std::pair<double, double>> timed_;  ///< samples taken and elapsed seconds
     std::unique_ptr<measure::Deadline> limit_;
     ErrorTargetResult result_;
 };
@@ -72,21 +73,21 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
     const ErrorMetric metric = request.target.metric;
     if (metric != ErrorMetric::Rmse && metric != ErrorMetric::RelMse)
         throw InputError(
-            fmt::format("the error '{}' cannot be promised: expected rmse or relmse", nameOf(metric)));
+            fmt::format("--target-error supports only rmse and relmse, not '{}'", nameOf(metric)));
     const int pixels = (region_.x1 - region_.x0) * (region_.y1 - region_.y0);
     if (pixels < kMinPixels)
-        throw InputError(fmt::format(
-            "an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels, kMinPixels));
+        throw InputError(fmt::format("--target-error needs at least {} pixels, not {}; use --spp instead",
+                                     kMinPixels, pixels));
     render::describeForCrashReport(render);
     limit_ =
         std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
     trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
-    // A jittered pattern must know how many samples follow, which nobody does here.
+    // A jittered pattern needs the final number of samples, which is unknown here.
     if (compiled.settings.sampler == SamplePattern::Jittered)
         throw InputError(
-            "the jittered sampler needs a fixed number of samples; use sampler=sobol with a target");
+            "the jittered sampler needs a fixed number of samples; use sampler=sobol with --target-error");
     result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });
-    halves_ = std::make_unique<measure::FilmPair>(render.width, render.height, region_);
+    halves_ = std::make_unique<measure::HalfFilms>(render.width, render.height, region_);
 }
 
 ErrorTargetResult TargetRender::run() {
@@ -99,7 +100,7 @@ ErrorTargetResult TargetRender::run() {
             finish(request_.stop.stop_requested() ? StopReason::Interrupted : StopReason::TimeLimit);
             break;
         }
-        look(samples);
+        estimate(samples);
         if (reached(samples)) {
             finish(StopReason::Reached);
             break;
@@ -112,8 +113,8 @@ ErrorTargetResult TargetRender::run() {
     return std::move(result_);
 }
 
-/// Finds out where the noise is, with samples that enter nothing else: so the number of samples of a pixel
-/// does not depend on their values, and their mean stays without bias.
+/// Measures the noise of each tile with samples that are then discarded, so that the number of samples of a
+/// pixel does not depend on their values and their mean is unbiased.
 void TargetRender::pilot() {
     render::Film film(request_.render.width, request_.render.height, region_);
     const std::uint64_t seed = sampling::hashPair(request_.render.seed, 0x70696c6f74u);
@@ -122,11 +123,11 @@ void TargetRender::pilot() {
                                   counters_);
     });
     if (complete)
-        halves_->share(measure::allocateSamples(film, request_.target.metric == ErrorMetric::RelMse,
-                                                request_.target.worstTile));
+        halves_->setAllocation(measure::allocateSamples(film, request_.target.metric == ErrorMetric::RelMse,
+                                                        request_.target.worstTile));
 }
 
-/// Brings both halves to `samples` per pixel on average. False if it was stopped.
+/// Extends both halves to `samples` per pixel on average. False if stopped.
 bool TargetRender::extendTo(int samples) {
     for (int done = static_cast<int>(trend_.samples()); done < samples;) {
         done = render::nextPassTarget(done, samples, false);
@@ -140,43 +141,42 @@ bool TargetRender::extendTo(int samples) {
     return true;
 }
 
-void TargetRender::look(int samples) {
+void TargetRender::estimate(int samples) {
     trend_.add(samples, halves_->estimate(request_.target));
     if (!reached(samples)) plan(samples);
     result_.history.push_back(forecast());
     if (request_.progress) request_.progress(result_.history.back());
 }
 
-/// Whether the rendering may end at this look.
+/// Whether the rendering ends at this estimate.
 bool TargetRender::reached(int samples) const {
     const double target = request_.target.error;
-    return samples >= std::max(kFirstStop, planned_) && trend_.latest().trusted &&
-           trend_.smoothed().upper <= target && trend_.latest().upper <= kLargestSurprise * target;
+    return samples >= std::max(kFirstStop, planned_) && trend_.latest().reliable &&
+           trend_.smoothed().upper <= target && trend_.latest().upper <= kMaxLatestRatio * target;
 }
 
-/// From half of the way on the end is fixed in advance: then it does not hang on which look happens to be
-/// lucky, which would make bounds too small and forecasts wrong. If the target is missed there, a new end
-/// follows.
+/// In the second half of the samples the end is fixed in advance. To stop at the first estimate below the
+/// target would select estimates that are low by chance, with bounds that are too low and wrong forecasts. If
+/// the target is missed at the planned end, a new one is planned.
 void TargetRender::plan(int samples) {
     if (samples < planned_) return;
     planned_ = 0;
     if (const int end = expectedEnd(); end <= 2.0 * samples) planned_ = end;
 }
 
-/// Samples per half at which the target should be reached.
+/// Expected samples per half at the target.
 int TargetRender::expectedEnd() const {
     if (planned_ > trend_.samples()) return planned_;
     const double more =
-        std::max(trend_.samples() + 1.0, trend_.samplesFor(kPlannedFor * request_.target.error));
+        std::max(trend_.samples() + 1.0, trend_.samplesFor(kPlannedFraction * request_.target.error));
     return std::max(kFirstStop, measure::roundUpSampleCount(more));
 }
 
-/// By the later half of the samples: what was loaded and compiled before them, and what else the machine did
-/// then, says nothing about what is to come.
+/// From the later half of the samples, to leave out loading and compilation.
 double TargetRender::secondsPerSample() const {
     const auto& [samples, seconds] = timed_.back();
     const auto half = std::find_if(timed_.rbegin(), timed_.rend(),
-                                   [&](const auto& mark) { return mark.first <= 0.5 * samples; });
+                                   [&](const auto& entry) { return entry.first <= 0.5 * samples; });
     return half == timed_.rend() || samples <= 0.0 ? 0.0 : (seconds - half->second) / (samples - half->first);
 }
 
@@ -185,14 +185,14 @@ ErrorForecast TargetRender::forecast() const {
     ErrorForecast f;
     f.samples = static_cast<int>(std::lround(taken));
     f.elapsedSeconds = elapsed();
-    if (!trend_.any()) return f;
+    if (!trend_.hasEstimate()) return f;
     f.estimate = trend_.smoothed();
     const int samples = static_cast<int>(trend_.samples());
     f.samplesAtTarget = reached(samples) ? taken : std::max(taken, halves_->samplesAt(expectedEnd()));
-    const double pace = secondsPerSample();
-    f.remainingSeconds = (f.samplesAtTarget - taken) * pace;
-    if (request_.timeLimit > 0.0 && f.estimate.error > 0.0 && pace > 0.0) {
-        const double more = std::max(0.0, request_.timeLimit - f.elapsedSeconds) / pace;
+    const double perSample = secondsPerSample();
+    f.remainingSeconds = (f.samplesAtTarget - taken) * perSample;
+    if (request_.timeLimit > 0.0 && f.estimate.error > 0.0 && perSample > 0.0) {
+        const double more = std::max(0.0, request_.timeLimit - f.elapsedSeconds) / perSample;
         f.errorAtLimit = trend_.errorAt(trend_.samples() * (taken + more) / halves_->samplesAt(samples));
     }
     return f;
@@ -201,7 +201,7 @@ ErrorForecast TargetRender::forecast() const {
 void TargetRender::finish(StopReason reason) {
     result_.reason = reason;
     result_.mean = halves_->mean();
-    if (trend_.any()) result_.estimate = trend_.smoothed();
+    if (trend_.hasEstimate()) result_.estimate = trend_.smoothed();
     result_.seconds = elapsed();
     result_.rays = counters_.rays;
     result_.nonFiniteSamples = counters_.nonFiniteSamples;
@@ -211,15 +211,15 @@ void TargetRender::finish(StopReason reason) {
     const std::string what = fmt::format("{}{}", nameOf(request_.target.metric),
                                          request_.target.worstTile ? " of the worst tile" : "");
     const std::string state =
-        !trend_.any()
+        !trend_.hasEstimate()
             ? "before its error could be estimated"
-            : fmt::format("at {} {:.3g}, {:.2f} % sure to be below {:.3g}{}", what, e.error,
+            : fmt::format("at {} {:.3g}, {:.4g} % upper bound {:.3g}{}", what, e.error,
                           100.0 * request_.target.confidence, e.upper,
-                          e.trusted ? "" : "; a few pixels hold most of the error, so this may be too low");
-    constexpr const char* kWhy[] = {"the target is reached", "stopped by the time limit",
-                                    "stopped by the limit of samples", "interrupted"};
-    result_.words =
-        fmt::format("{} {} with {:.0f} samples per pixel (target {:.3g})", kWhy[static_cast<int>(reason)],
+                          e.reliable ? "" : " (unreliable: few pixels hold most of the error)");
+    constexpr const char* kReasons[] = {"target error reached", "stopped by the time limit",
+                                        "stopped by the sample limit", "interrupted"};
+    result_.text =
+        fmt::format("{} {} with {:.0f} samples per pixel (target {:.3g})", kReasons[static_cast<int>(reason)],
                     state, result_.samples, request_.target.error);
 }
 

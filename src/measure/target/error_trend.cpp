@@ -7,11 +7,11 @@ namespace rayscope::measure {
 
 namespace {
 
-/// The usual slope counts as much as looks whose logarithms of samples have this sum of squared distances
-/// from their mean: a dozen looks over four doublings.
+/// Weight of the usual slope: the sum of squared deviations of log samples of estimates that count as much, a
+/// dozen estimates over four doublings.
 constexpr double kPriorWeight = 8.0;
-/// Looks within three doublings of the last, and those a rounding error below, are taken together.
-const double kTogether = std::log(8.0) + 1e-9;
+/// Estimates within three doublings of the latest are combined, with a margin for rounding.
+const double kWindow = std::log(8.0) + 1e-9;
 
 }  // namespace
 
@@ -21,22 +21,23 @@ ErrorTrend::ErrorTrend(ErrorMetric metric, SamplePattern sampler)
 
 double ErrorTrend::rootOf(double value) const { return std::log(value) / power_; }
 
-void ErrorTrend::add(double samples, const ErrorEstimate& look) {
+void ErrorTrend::add(double samples, const ErrorEstimate& estimate) {
     samples_ = samples;
-    latest_ = look;
-    if (look.error > 0.0) estimates_.push_back({std::log(samples), rootOf(look.error), rootOf(look.upper)});
+    latest_ = estimate;
+    if (estimate.error > 0.0)
+        estimates_.push_back({std::log(samples), rootOf(estimate.error), rootOf(estimate.upper)});
 }
 
 double ErrorTrend::slope() const {
     double x = 0.0, y = 0.0;
-    for (const LogEstimate& look : estimates_) {
-        x += look.samples / static_cast<double>(estimates_.size());
-        y += look.upper / static_cast<double>(estimates_.size());
+    for (const LogEstimate& e : estimates_) {
+        x += e.samples / static_cast<double>(estimates_.size());
+        y += e.upper / static_cast<double>(estimates_.size());
     }
     double xx = kPriorWeight, xy = -kPriorWeight * priorSlope_;
-    for (const LogEstimate& look : estimates_) {
-        xx += (look.samples - x) * (look.samples - x);
-        xy += (look.samples - x) * (look.upper - y);
+    for (const LogEstimate& e : estimates_) {
+        xx += (e.samples - x) * (e.samples - x);
+        xy += (e.samples - x) * (e.upper - y);
     }
     return std::clamp(-xy / xx, 0.4, 1.1);
 }
@@ -44,13 +45,13 @@ double ErrorTrend::slope() const {
 ErrorEstimate ErrorTrend::smoothed() const {
     ErrorEstimate result = latest_;
     if (!(latest_.error > 0.0)) return result;
-    const double now = std::log(samples_), falls = slope();
+    const double latest = std::log(samples_), fallRate = slope();
     double error = 0.0, upper = 0.0, count = 0.0;
-    for (const LogEstimate& look : estimates_) {
-        if (look.samples < now - kTogether) continue;
-        const double fallen = falls * (now - look.samples);
-        error += look.error - fallen;
-        upper += look.upper - fallen;
+    for (const LogEstimate& e : estimates_) {
+        if (e.samples < latest - kWindow) continue;
+        const double fallen = fallRate * (latest - e.samples);
+        error += e.error - fallen;
+        upper += e.upper - fallen;
         ++count;
     }
     result.error = std::exp(power_ * error / count);

@@ -5,46 +5,46 @@
 
 namespace rayscope::measure {
 
-/// How the estimated error of a picture falls while samples are added. One look is noisy, above all at a
-/// small picture; what the looks of the last three doublings say together is less so.
+/// Trend of the error estimates of a picture over increasing samples. Single estimates are noisy, above all
+/// for small pictures; smoothed() combines those of the last three doublings.
 class ErrorTrend {
   public:
-    /// `sampler` says how fast errors fall before the looks can.
+    /// `sampler` gives the slope that is assumed before there are enough estimates.
     ErrorTrend(ErrorMetric metric, SamplePattern sampler);
 
-    /// Takes note of an estimate at `samples`, which grow from look to look.
-    void add(double samples, const ErrorEstimate& look);
+    /// Adds an estimate; `samples` must increase from call to call.
+    void add(double samples, const ErrorEstimate& estimate);
 
-    bool any() const { return samples_ > 0.0; }
-    /// The last look, and its samples; 0 before the first.
+    bool hasEstimate() const { return samples_ > 0.0; }
+    /// The last estimate, and its samples; 0 before the first.
     const ErrorEstimate& latest() const { return latest_; }
     double samples() const { return samples_; }
 
-    /// −d log √(squared error) / d log samples: least squares over all looks, drawn towards what is usual for
-    /// the sampler as long as they span few doublings; 0.4 … 1.1.
+    /// −d log √(squared error) / d log samples: least squares over all estimates with the usual slope of the
+    /// sampler as a prior, which matters while they span few doublings; 0.4 … 1.1.
     double slope() const;
 
-    /// The error at the last look, by all looks at no less than an eighth of its samples: the geometric mean
-    /// of their estimates, each moved to the last look along the slope.
+    /// The error at the latest samples: the geometric mean of the estimates from an eighth of them on, each
+    /// extrapolated to the latest samples along the slope.
     ErrorEstimate smoothed() const;
 
-    /// The samples at which the upper bound of smoothed() should be down to `error`.
+    /// Expected samples at which the upper bound of smoothed() falls to `error`.
     double samplesFor(double error) const;
-    /// The error of smoothed() to be expected at `samples`.
+    /// Expected error of smoothed() at `samples`.
     double errorAt(double samples) const;
 
   private:
-    /// Logarithms of samples, and of the roots of the squared error and of its bound.
+    /// Logarithms of the samples, and of the roots of the squared error and of its bound.
     struct LogEstimate {
         double samples, error, upper;
     };
     double rootOf(double value) const;
 
-    double power_;  ///< of the root of the squared error that is the metric
+    double power_;  ///< the metric is the root of the squared error to this power
     double priorSlope_;
     double samples_ = 0.0;
     ErrorEstimate latest_;
-    std::vector<LogEstimate> estimates_;  ///< those that saw an error
+    std::vector<LogEstimate> estimates_;  ///< without those of error 0
 };
 
 }  // namespace rayscope::measure

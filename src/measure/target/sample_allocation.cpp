@@ -28,28 +28,28 @@ bool touch(const PixelBounds& a, const PixelBounds& b) {
     return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
-void scaleToMeanOne(std::vector<double>& shares) {
+void scaleToMeanOne(std::vector<double>& allocation) {
     const double mean =
-        std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
-    for (double& share : shares) share = mean > 0.0 ? share / mean : 1.0;
+        std::accumulate(allocation.begin(), allocation.end(), 0.0) / static_cast<double>(allocation.size());
+    for (double& samples : allocation) samples = mean > 0.0 ? samples / mean : 1.0;
 }
 
 }  // namespace
 
-std::vector<double> allocateSamples(const render::Film& pilot, bool relative, bool alike) {
-    std::vector<double> shares;
+std::vector<double> allocateSamples(const render::Film& pilot, bool relative, bool equalErrors) {
+    std::vector<double> allocation;
     for (int tile = 0; tile < pilot.tileCount(); ++tile) {
         const double variance = variancePerPixel(pilot, tile, relative);
-        shares.push_back(alike ? variance : std::sqrt(variance));
+        allocation.push_back(equalErrors ? variance : std::sqrt(variance));
     }
-    scaleToMeanOne(shares);
-    std::vector<double> widened = shares;
+    scaleToMeanOne(allocation);
+    std::vector<double> widened = allocation;
     for (int tile = 0; tile < pilot.tileCount(); ++tile) {
-        double& share = widened[static_cast<std::size_t>(tile)];
-        share = std::max(share, 0.25);
+        double& samples = widened[static_cast<std::size_t>(tile)];
+        samples = std::max(samples, 0.25);
         for (int other = 0; other < pilot.tileCount(); ++other)
             if (touch(pilot.tileBounds(tile), pilot.tileBounds(other)))
-                share = std::max(share, 0.5 * shares[static_cast<std::size_t>(other)]);
+                samples = std::max(samples, 0.5 * allocation[static_cast<std::size_t>(other)]);
     }
     scaleToMeanOne(widened);
     return widened;

@@ -5,11 +5,11 @@
 
 namespace rayscope::measure {
 
-/// How many samples each tile should get, relative to a mean of 1, judged by a pilot film of two or more
-/// samples: in proportion to the standard deviation of its samples, which makes the squared error of the
-/// whole image smallest (Neyman 1934), or to its variance, which makes all tiles alike. No tile gets less
-/// than half of what its noisiest neighbour gets, nor less than a quarter of the mean, so that one which saw
-/// nothing yet is not given up.
-std::vector<double> allocateSamples(const render::Film& pilot, bool relative, bool alike);
+/// Samples of each tile relative to a mean of 1, from a pilot film of at least two samples per pixel. They
+/// are proportional to the standard deviation of the samples, which minimises the squared error of the image
+/// (Neyman 1934), or with `equalErrors` to their variance, which gives all tiles the same error. No tile gets
+/// less than half of its noisiest neighbour or a quarter of the mean, so that noise which the pilot missed is
+/// still sampled. `relative`: for relative errors.
+std::vector<double> allocateSamples(const render::Film& pilot, bool relative, bool equalErrors);
 
 }  // namespace rayscope::measure

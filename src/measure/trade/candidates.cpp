@@ -24,14 +24,15 @@ TradePoint candidate(TradeRole role, const Settings& base, const Settings& setti
     return point;
 }
 
-void addParameters(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs, const Settings& base) {
-    for (const Parameter& knob : knobs) {
-        for (const std::string& level : knob.levels) {
+void addParameters(std::vector<TradePoint>& list, const std::vector<Parameter>& parameters,
+                   const Settings& base) {
+    for (const Parameter& parameter : parameters) {
+        for (const std::string& level : parameter.levels) {
             Settings settings = base;
-            assign(settings, knob.key, level);
+            assign(settings, parameter.key, level);
             if (settings == base) continue;
             TradePoint point = candidate(TradeRole::Parameter, base, settings);
-            point.knob = knob.key;
+            point.parameter = parameter.key;
             point.level = level;
             list.push_back(std::move(point));
         }
@@ -42,8 +43,8 @@ void addEffects(std::vector<TradePoint>& list, const SceneRequirements& scene, c
     for (const Effect& effect : effectsOf(scene, base)) {
         Settings settings = base;
         assign(settings, effect.key, effect.on ? "false" : "true");
-        TradePoint point = candidate(TradeRole::Feature, base, settings);
-        point.knob = effect.key;
+        TradePoint point = candidate(TradeRole::Effect, base, settings);
+        point.parameter = effect.key;
         point.level = effect.on ? "false" : "true";
         list.push_back(std::move(point));
     }
@@ -60,8 +61,9 @@ void addPresets(std::vector<TradePoint>& list, const Settings& base, const Setti
     }
 }
 
-/// Every combination of samples per pixel with splits of a few sizes, and with shallow reflections.
-void addJoint(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs, const Settings& base) {
+/// Every combination of samples per pixel with a few counts of samples per pixel sample and a few depths.
+void addCombinations(std::vector<TradePoint>& list, const std::vector<Parameter>& parameters,
+                     const Settings& base) {
     std::vector<Settings> variants{base};
     const auto multiply = [&](const std::string& key, const std::vector<std::string>& levels) {
         std::vector<Settings> more;
@@ -74,14 +76,25 @@ void addJoint(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs
         }
         variants = std::move(more);
     };
-    const auto splits =
-        std::count_if(knobs.begin(), knobs.end(), [](const Parameter& k) { return k.splits; });
-    for (const Parameter& knob : knobs) {
-        const std::string present = textOf(base, knob.key);
-        if (knob.splits && splits == 1) multiply(knob.key, {"1", "2", "4", present});
-        if (knob.splits && splits > 1) multiply(knob.key, {"1", present});
-        if (knob.key == "max_depth") multiply(knob.key, {"1", "2", present});
-        if (knob.key == "spp") multiply(knob.key, knob.levels);
+    const auto splitCounts = std::count_if(parameters.begin(), parameters.end(), [](const Parameter& p) {
+        return p.meaning == ParameterMeaning::SplitCount;
+    });
+    for (const Parameter& parameter : parameters) {
+        const std::string present = textOf(base, parameter.key);
+        switch (parameter.meaning) {
+            case ParameterMeaning::SamplesPerPixel:
+                multiply(parameter.key, parameter.levels);
+                break;
+            case ParameterMeaning::SplitCount:
+                multiply(parameter.key, splitCounts == 1 ? std::vector<std::string>{"1", "2", "4", present}
+                                                         : std::vector<std::string>{"1", present});
+                break;
+            case ParameterMeaning::MaxDepth:
+                multiply(parameter.key, {"1", "2", present});
+                break;
+            case ParameterMeaning::Other:
+                break;
+        }
     }
     const auto known = [&](const Settings& settings) {
         return std::any_of(list.begin(), list.end(),
@@ -94,20 +107,19 @@ void addJoint(std::vector<TradePoint>& list, const std::vector<Parameter>& knobs
 }  // namespace
 
 std::string differenceText(const Settings& base, const Settings& settings) {
-    std::string words;
+    std::string text;
     for (const std::string_view key : settingKeys()) {
         const std::string value = textOf(settings, key);
-        if (value != textOf(base, key))
-            words += fmt::format("{}{} {}", words.empty() ? "" : ", ", key, value);
+        if (value != textOf(base, key)) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, value);
     }
-    return words.empty() ? "base" : words;
+    return text.empty() ? "base" : text;
 }
 
 std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Settings& base,
                                       const TradeRequest& request) {
-    const std::vector<Parameter> knobs = parametersOf(scene, base);
+    const std::vector<Parameter> parameters = parametersOf(scene, base);
     std::vector<TradePoint> list{candidate(TradeRole::Base, base, base),
-                                 candidate(TradeRole::Control, base, base, "base once more")};
+                                 candidate(TradeRole::Control, base, base, "base repeated")};
     for (const auto& [name, settings] : request.extra)
         list.push_back(candidate(TradeRole::Extra, base, settings, name));
     const auto sortByCost = [&](std::size_t from) {
@@ -121,11 +133,11 @@ std::vector<TradePoint> candidatesFor(const SceneRequirements& scene, const Sett
     if (request.render.settings != base)
         list.push_back(candidate(TradeRole::UserSettings, base, request.render.settings));
     addEffects(list, scene, base);
-    addParameters(list, knobs, base);
+    addParameters(list, parameters, base);
     sortByCost(first);
-    const std::size_t joint = list.size();
-    addJoint(list, knobs, base);
-    sortByCost(joint);
+    const std::size_t combinations = list.size();
+    addCombinations(list, parameters, base);
+    sortByCost(combinations);
     return list;
 }
 

@@ -13,7 +13,7 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Two lanes of 64 bits that take in words of 8 bytes.
+/// A 128-bit hash of a sequence of 8-byte words.
 class Hasher {
   public:
     void bytes(const void* data, std::size_t size) {
@@ -111,14 +111,14 @@ void add(Hasher& hash, const SceneDescription& scene) {
     add(hash, scene.environment->equirect);
 }
 
-/// Samples that only this tracer gives for this world.
-void addBehaviour(Hasher& hash, const trace::World& world) {
-    trace::NullObserver silent;
+/// Traced samples: they change whenever the tracer does.
+void addSamples(Hasher& hash, const trace::World& world) {
+    trace::NullObserver observer;
     for (int i = 0; i < 64; ++i) {
-        const auto place = sampling::hashPair(0, static_cast<std::uint64_t>(i));
-        const SampleId name{static_cast<int>(place % static_cast<std::uint64_t>(world.width)),
-                            static_cast<int>((place >> 32) % static_cast<std::uint64_t>(world.height)), i};
-        const RgbSum radiance = rayscope::trace::radiance(world, 0, name, silent).radiance;
+        const auto random = sampling::hashPair(0, static_cast<std::uint64_t>(i));
+        const SampleId sample{static_cast<int>(random % static_cast<std::uint64_t>(world.width)),
+                              static_cast<int>((random >> 32) % static_cast<std::uint64_t>(world.height)), i};
+        const RgbSum radiance = trace::radiance(world, 0, sample, observer).radiance;
         hash.bytes(&radiance, sizeof radiance);
     }
 }
@@ -132,11 +132,18 @@ std::string filmContentHash(const trace::CompileRequest& request, const trace::W
     add(hash, request.camera);
     add(hash, *request.scene);
     settings::forEachSetting([&](const auto& row) {
-        const bool counts = row.text.key == "spp" && request.settings.sampler != SamplePattern::Jittered;
-        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !counts)
+        // Only a jittered pattern depends on the number of samples that will be taken.
+        const bool onlyCount = row.text.key == "spp" && request.settings.sampler != SamplePattern::Jittered;
+        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !onlyCount)
             hash.text(textOf(request.settings, row.text.key));
     });
-    addBehaviour(hash, world);
+    addSamples(hash, world);
+    return hash.digits();
+}
+
+std::string imageContentHash(const RgbImage& image) {
+    Hasher hash;
+    hash.array(image.pixels);
     return hash.digits();
 }
 

@@ -1,5 +1,5 @@
-// A header line that names the content, then for each tile of each film its sample count and its sums as they
-// lie in memory, then a hash of all that. Only this machine reads it again.
+// File format: a header line with content hash and size; for each tile of each film its sample count and
+// pixel sums; a checksum. Numbers are in the byte order of the machine, since the file is a local cache.
 #include "measure/trade/film_file.h"
 
 #include <fmt/format.h>

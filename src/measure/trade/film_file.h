@@ -5,12 +5,13 @@
 
 namespace rayscope::measure {
 
-/// Keeps two films of the same size in one file, whole or not at all. `hash` stands for what they show.
+/// Saves two films of the same size in one file, atomically. `hash` identifies their content. Throws
+/// InputError if the file cannot be written.
 void saveFilms(const std::string& path, const std::string& hash, const render::Film& a,
                const render::Film& b);
 
-/// Fills two empty films. False, with the films still empty, if there is no such file, it shows something
-/// else, or it is damaged.
+/// Fills two empty films. Returns false and leaves them empty if the file does not exist, has another hash or
+/// size, or is damaged.
 bool loadFilms(const std::string& path, const std::string& hash, render::Film& a, render::Film& b);
 
 }  // namespace rayscope::measure

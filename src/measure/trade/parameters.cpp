@@ -18,9 +18,22 @@ std::vector<std::string> levelsOf(const settings::Choice<E, N>& row, const Setti
     return {row.names.begin(), row.names.end()};
 }
 
+/// Every count of samples trades noise, so the table alone tells samples per pixel and split counts from
+/// other settings, and new ones are found.
+template <class Row>
+ParameterMeaning meaningOf(const Row& row) {
+    if constexpr (std::is_same_v<Row, settings::Range<int>>) {
+        if (row.member == &Settings::spp) return ParameterMeaning::SamplesPerPixel;
+        if (row.member == &Settings::maxDepth) return ParameterMeaning::MaxDepth;
+        if (row.text.trade == Trade::Noise) return ParameterMeaning::SplitCount;
+    }
+    return ParameterMeaning::Other;
+}
+
 template <class T>
 std::vector<std::string> levelsOf(const settings::Range<T>& row, const Settings& settings) {
-    const T highest = std::min<T>(row.highest, row.text.key == "spp" ? T(4096) : T(64));
+    const bool pixels = meaningOf(row) == ParameterMeaning::SamplesPerPixel;
+    const T highest = std::min<T>(row.highest, pixels ? T(4096) : T(64));
     std::set<T> numbers{settings.*row.member};
     if (row.lowest <= T(0)) numbers.insert(T(0));
     for (T number = 1; number <= highest; number = static_cast<T>(number * 2))
@@ -39,13 +52,12 @@ std::string reasonForNoEffect(const Row& row, const SceneRequirements& scene, co
 }  // namespace
 
 std::vector<Parameter> parametersOf(const SceneRequirements& scene, const Settings& settings) {
-    std::vector<Parameter> knobs;
+    std::vector<Parameter> parameters;
     settings::forEachSetting([&](const auto& row) {
         if (row.text.trade == Trade::Nothing || !reasonForNoEffect(row, scene, settings).empty()) return;
-        const bool splits = row.text.key.ends_with("_samples");
-        knobs.push_back({std::string(row.text.key), row.text.trade, splits, levelsOf(row, settings)});
+        parameters.push_back({std::string(row.text.key), meaningOf(row), levelsOf(row, settings)});
     });
-    return knobs;
+    return parameters;
 }
 
 std::vector<Effect> effectsOf(const SceneRequirements& scene, const Settings& settings) {

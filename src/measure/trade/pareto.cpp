@@ -9,19 +9,19 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Whether the point is a choice at all: a switched effect makes another picture than the one asked for, and
-/// what gives the base's picture in the base's time is the base.
-bool counts(const TradePoint& point) {
+/// Whether the point can be on the front. A switched effect changes the picture that is asked for, and a
+/// point with the picture and the time of the base is no alternative to it.
+bool isAlternative(const TradePoint& point) {
     const bool likeBase = point.samePicture && point.role != TradeRole::Base && point.timeRatio.contains(1.0);
     return point.runs >= 2 && !likeBase && point.role != TradeRole::Control &&
-           point.role != TradeRole::Feature;
+           point.role != TradeRole::Effect;
 }
 
 bool samePicture(const TradePoint& a, const TradePoint& b) {
     return (a.samePicture || a.role == TradeRole::Base) && (b.samePicture || b.role == TradeRole::Base);
 }
 
-bool betterBeyondDoubt(const TradePoint& a, const TradePoint& b, double noise) {
+bool isSignificantlyBetter(const TradePoint& a, const TradePoint& b, double noise) {
     return a.seconds.upper < b.seconds.lower && b.seconds.value > (1.0 + noise) * a.seconds.value &&
            (a.error.upper < b.error.lower || samePicture(a, b));
 }
@@ -31,7 +31,7 @@ bool betterBeyondDoubt(const TradePoint& a, const TradePoint& b, double noise) {
 std::vector<std::size_t> markParetoFront(std::vector<TradePoint>& points, double noise) {
     std::vector<std::size_t> order, front;
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (counts(points[i])) order.push_back(i);
+        if (isAlternative(points[i])) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return points[a].seconds.value < points[b].seconds.value;
     });
@@ -41,7 +41,7 @@ std::vector<std::size_t> markParetoFront(std::vector<TradePoint>& points, double
         if (point.onParetoFront) front.push_back(i);
         const TradePoint* best = nullptr;
         for (const std::size_t j : order)
-            if (betterBeyondDoubt(points[j], point, noise) &&
+            if (isSignificantlyBetter(points[j], point, noise) &&
                 (!best || points[j].efficiency.value > best->efficiency.value))
                 best = &points[j];
         point.dominatedBy = best ? best->name : "";
@@ -91,13 +91,13 @@ std::vector<TradeAdvice> adviceFrom(const std::vector<TradePoint>& points,
 namespace rayscope {
 
 double excessTime(const TradeResult& result, std::size_t point) {
-    return measure::excessOverParetoFront(result.points, result.front, result.points[point]);
+    return measure::excessOverParetoFront(result.points, result.paretoFront, result.points[point]);
 }
 
-std::string excessText(const TradeResult& result, const TradePreset& dial) {
-    const std::string percent = fmt::format("{:.0f} %", 100.0 * dial.excess);
-    const bool doubtful = percent != "0 %" && result.points[dial.point].dominatedBy.empty();
-    return doubtful ? percent + ", not beyond doubt" : percent;
+std::string excessText(const TradeResult& result, const TradePreset& preset) {
+    const std::string percent = fmt::format("{:.0f} %", 100.0 * preset.excess);
+    const bool significant = percent == "0 %" || !result.points[preset.point].dominatedBy.empty();
+    return significant ? percent : percent + ", not significant";
 }
 
 std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settings& settings) {
@@ -105,7 +105,7 @@ std::optional<std::size_t> measuredPoint(const TradeResult& result, const Settin
         const TradePoint& point = result.points[i];
         if (point.runs == 0 || point.role == TradeRole::Control) continue;
         Settings same = settings;
-        for (const std::string& key : result.withoutEffect) assign(same, key, textOf(point.settings, key));
+        for (const std::string& key : result.inactiveSettings) assign(same, key, textOf(point.settings, key));
         if (same.spp == point.settings.spp && changed(same, point.settings) <= Invalidates::Display) return i;
     }
     return std::nullopt;

@@ -5,7 +5,8 @@
 
 namespace rayscope::viewer {
 
-/// The laboratory on the open scene, beside the window. A stop keeps what was measured.
+/// The numerical robustness test of the open scene as a background job. A stop keeps the finished test
+/// points.
 class LabJob : public BackgroundJob<LabResult> {
   public:
     bool quick = true, overlay = true;

@@ -128,7 +128,7 @@ void RenderControl::updateErrorEstimate(const ViewRequest& viewRequest) {
     estimating_ = std::async(std::launch::async,
                              [before = watch_, film]() -> std::shared_ptr<const measure::ErrorMonitor> {
                                  auto next = std::make_shared<measure::ErrorMonitor>(*before);
-                                 next->look(measure::ErrorMonitor::take(*film));
+                                 next->update(measure::ErrorMonitor::snapshotOf(*film));
                                  return next;
                              });
 }
@@ -144,7 +144,7 @@ void RenderControl::applyStopCriteria(const ViewRequest& viewRequest) {
 }
 
 std::optional<ErrorForecast> RenderControl::forecast() const {
-    if (!watch_ || !watch_->any() || coarse_ || !estimatedFilm_) return std::nullopt;
+    if (!watch_ || !watch_->hasEstimate() || coarse_ || !estimatedFilm_) return std::nullopt;
     const double samples =
         std::max<double>(estimatedFilm_->completeSamples(), status_.progress * status_.targetSamples);
     return watch_->forecast(samples, status_.elapsedSeconds,

@@ -6,7 +6,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// Pixels along the longer side: errors do not depend on their number, and times grow with it.
+/// Pixels along the longer side: errors do not depend on their number, and times are proportional to it.
 constexpr int kLongerSide = 96;
 
 }  // namespace

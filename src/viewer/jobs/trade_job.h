@@ -6,16 +6,15 @@
 
 namespace rayscope::viewer {
 
-/// The trade of speed for accuracy on the open scene, measured beside the window. A stop keeps what was
-/// measured.
+/// The speed-accuracy study of the open scene as a background job. A stop keeps the finished measurements.
 class TradeJob : public BackgroundJob<TradeResult> {
   public:
     float budget = 20.0f;  ///< seconds
 
-    /// Measures a small picture of what `shown`, the size of the window's picture, shows.
+    /// Measures a small picture with the aspect ratio of `shown`, the size of the picture in the window.
     void start(const EditState& state, glm::ivec2 shown, int threads);
 
-    /// The camera that the result is about.
+    /// The camera of the result.
     const CameraDescription& camera() const { return camera_; }
 
   private:

@@ -42,7 +42,7 @@ class Chart {
     }
 
     static bool isDrawn(const TradePoint& p) {
-        return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Feature &&
+        return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Effect &&
                p.seconds.value > 0.0 && p.error.value > 0.0;
     }
     ImVec2 place(const TradePoint& p) const {
@@ -98,9 +98,10 @@ void drawChart(const TradeResult& result, std::optional<std::size_t> here) {
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(20, 22, 26, 255));
     for (const TradePoint& p : result.points)
         if (Chart::isDrawn(p)) draw.AddCircleFilled(chart.place(p), scaled(2.0f), kOther);
-    for (std::size_t i = 0; i < result.front.size(); ++i) {
-        const ImVec2 to = chart.place(result.points[result.front[i]]);
-        if (i > 0) draw.AddLine(chart.place(result.points[result.front[i - 1]]), to, kFront, scaled(1.5f));
+    for (std::size_t i = 0; i < result.paretoFront.size(); ++i) {
+        const ImVec2 to = chart.place(result.points[result.paretoFront[i]]);
+        if (i > 0)
+            draw.AddLine(chart.place(result.points[result.paretoFront[i - 1]]), to, kFront, scaled(1.5f));
         draw.AddCircleFilled(to, scaled(2.5f), kFront);
     }
     for (const TradePreset& d : result.presetPoints) {
@@ -142,7 +143,8 @@ void drawTradePanel(Workspace& workspace) {
         drawChart(*result, here);
         drawPosition(*result, here);
         dimText(fmt::format("{} x {} pixels, {} threads; differences\nin time below {:.0f} % are noise",
-                            result->width, result->height, result->threads, 100.0 * result->smallestRatio));
+                            result->width, result->height, result->threads,
+                            100.0 * result->smallestTimeDifference));
     }
     for (const std::string& remark : result->remarks) wrappedText(remark);
 }

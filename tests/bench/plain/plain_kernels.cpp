@@ -4,6 +4,6 @@
 #include "bench/plain/plain_kernels.h"
 #include "bvh/kernel/stream.inl"
 
-const rayscope::kernel::Kernels rayscope::bench::kPlainKernels = {
-    rayscope::kernel::closestHit, rayscope::kernel::anyHit, rayscope::kernel::closestHits,
-    rayscope::kernel::anyHits};
+const rayscope::bvh::kernel::Kernels rayscope::bench::kPlainKernels = {
+    rayscope::bvh::kernel::closestHit, rayscope::bvh::kernel::anyHit, rayscope::bvh::kernel::closestHits,
+    rayscope::bvh::kernel::anyHits};

@@ -4,6 +4,6 @@
 namespace rayscope::bench {
 
 /// The AVX2 kernels with a plain triangle test in their leaves.
-extern const kernel::Kernels kPlainKernels;
+extern const bvh::kernel::Kernels kPlainKernels;
 
 }  // namespace rayscope::bench

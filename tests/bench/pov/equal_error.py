@@ -1,17 +1,16 @@
 #!/usr/bin/env python3
-"""Time to equal error beside POV-Ray 3.7: an antialiased dragon, and pictures whose models differ in detail, a rough mirror
-and a lens.
+"""Time to equal error compared with POV-Ray 3.7: an antialiased dragon, a rough mirror, and a lens.
 
     tests/bench/pov/equal_error.py [--program build/release/rayscope] [--rounds 3] [--size N] [--scene glossy|lens|dragon]
                                    [--keep FOLDER]
 
-Both programs render the scene with more and more samples, in turns, on all cores. The error is the RMSE of linear values,
+Both programs render the scene at increasing sample counts, interleaved, on all cores. The error is the RMSE of linear values,
 clipped to 0 … 1. The dragon's is against a picture by Rayscope with far more samples, to which both converge. Elsewhere it is
 against such a picture of the same program, since the two do not converge to the same one: POV-Ray has no rough mirrors, so
-fine noise on the normals takes their place, and it samples the lens in patterns of its own. `apart` says how far the
-converged pictures are from each other. Rayscope's time at the error of each of POV-Ray's pictures is interpolated between its
+noise on the normals is used instead, and it samples the lens in other patterns. `apart` is the RMSE between the converged
+pictures. Rayscope's time at the error of each of POV-Ray's pictures is interpolated between its
 own on logarithmic axes. Prints tables in Markdown. With --keep, converged pictures and finished runs are kept in the folder,
-and a race that was interrupted goes on.
+and an interrupted comparison is resumed.
 """
 import argparse
 import json
@@ -38,7 +37,7 @@ def glossy():
         "roughness": round(2.0 / (3.0 * rough * 0.3), 3),
         "rayscope": {f"{spp} spp": (f"spp={spp}", *common) for spp in (1, 4, 16, 64, 256)},
         "rayscope_reference": ("spp=4096", *common),
-        # Subpixels per side; each meets four textures.
+        # Subpixels per side; each samples four textures.
         "povray": {"1 sample": 1, "3 x 3": 3, "5 x 5": 5, "7 x 7": 7}, "povray_reference": 33,
     })
     return scene
@@ -65,13 +64,13 @@ def lens():
 
 
 def dragon():
-    """The antialiased dragon over a mirroring floor, which both programs compute alike."""
+    """The antialiased dragon over a mirroring floor, with the same model in both programs."""
     scene = race.dragon()
     scene.update({
         "size": 300,
         "rayscope": {f"{spp} spp": (f"spp={spp}",) for spp in (1, 2, 4, 8, 16, 32)},
         "rayscope_reference": ("spp=1024",),
-        # Adaptive with the usual thresholds, and subpixels everywhere.
+        # Adaptive antialiasing with usual thresholds, and subpixels everywhere.
         "povray": {"1 sample": 1, "+A0.3 +R3": ("+AM1", "+A0.3", "+R3"), "+A0.1 +R3": ("+AM1", "+A0.1", "+R3"),
                    "+AM2 +A0.1 +R3": ("+AM2", "+A0.1", "+R3"), "3 x 3": 3, "5 x 5": 5},
         "povray_reference": None,
@@ -98,7 +97,7 @@ def antialiasing_of(level, through_lens):
         return level
     if through_lens or level == 1:
         return ("-A",)
-    # Its regular grids end at 9 per side; what subdivides itself goes on to 33.
+    # Regular grids are limited to 9 per side, recursive ones to 33.
     return ("+AM1", "+A0.0", f"+R{level}") if level <= 9 else ("+AM2", "+A0.0", "+R5")
 
 
@@ -124,23 +123,23 @@ def read(picture):
     return race.read_ppm16(picture) if picture.suffix == ".ppm" else race.read_pfm(picture)
 
 
-def truth_of(program, scene, folder, options):
-    """The converged picture of the program, from the folder if it is there; None where the other's is used."""
+def reference_of(program, scene, folder, options):
+    """The converged picture of the program, from the folder if it exists; None where the other's is used."""
     level = scene[KEY[program] + "_reference"]
     if level is None:
         return None
-    kept = folder / f"truth-{program}-{options.size}{'.ppm' if program == 'POV-Ray' else '.pfm'}"
+    kept = folder / f"reference-{program}-{options.size}{'.ppm' if program == 'POV-Ray' else '.pfm'}"
     if not kept.exists():
         shutil.move(RENDER[program](scene, level, folder, options)[1], kept)
     return read(kept)
 
 
 def measure(scene, options, folder):
-    """{(program, variant): (median tracing seconds, RMSE)}, and how far the converged pictures are apart."""
+    """{(program, variant): (median tracing seconds, RMSE)}, and the RMSE between the converged pictures."""
     race.write_rayscope(scene, folder)
-    truths = {program: truth_of(program, scene, folder, options) for program in RENDER}
-    apart = None if truths["POV-Ray"] is None else race.rmse(*truths.values())
-    truths["POV-Ray"] = truths["POV-Ray"] or truths["Rayscope"]
+    references = {program: reference_of(program, scene, folder, options) for program in RENDER}
+    apart = None if references["POV-Ray"] is None else race.rmse(*references.values())
+    references["POV-Ray"] = references["POV-Ray"] or references["Rayscope"]
     record = folder / f"runs-{options.size}.json"
     done = json.loads(record.read_text()) if record.exists() else []
     order = [(program, variant) for program in RENDER for variant in scene[KEY[program]]]
@@ -152,7 +151,7 @@ def measure(scene, options, folder):
                 continue
             level = scene[KEY[program]][variant]
             traced, picture = RENDER[program](scene, level, folder, options)
-            done.append([program, variant, traced, race.rmse(read(picture), truths[program])])
+            done.append([program, variant, traced, race.rmse(read(picture), references[program])])
             record.write_text(json.dumps(done))
     figures = {}
     for program in RENDER:
@@ -163,7 +162,7 @@ def measure(scene, options, folder):
 
 
 def seconds_at(error, runs):
-    """Between (seconds, RMSE) of neighbours on logarithmic axes; None beyond them."""
+    """Interpolates between (seconds, RMSE) of neighbours on logarithmic axes; None outside of their range."""
     runs = sorted(runs)
     for (s, e), (s2, e2) in zip(runs, runs[1:]):
         if e >= error >= e2 and e > e2:
@@ -172,7 +171,7 @@ def seconds_at(error, runs):
 
 
 def report(scene, options, folder):
-    options.size = options.asked_size or scene["size"]
+    options.size = options.requested_size or scene["size"]
     medians, apart = measure(scene, options, folder)
     ours = [figures for (program, _), figures in medians.items() if program == "Rayscope"]
     print(f"\n{scene['name']}, {options.size} x {options.size}, {os.cpu_count()} threads, medians of {options.rounds} "
@@ -188,7 +187,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(race.ROOT / "build/release/rayscope"))
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--size", dest="asked_size", type=int, help="absent: 80 to 300, so that each race takes minutes")
+    parser.add_argument("--size", dest="requested_size", type=int, help="absent: 80 to 300, so that each comparison takes minutes")
     parser.add_argument("--keep", type=Path, help="folder for scenes and pictures; absent: a temporary one")
     parser.add_argument("--scene", choices=("glossy", "lens", "dragon"), help="absent: the first two")
     options = parser.parse_args()

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
-"""Renders equal pictures with Rayscope and with POV-Ray 3.7 and compares time and error.
+"""Renders the same pictures with Rayscope and with POV-Ray 3.7 and compares time and error.
 
     tests/bench/pov/race.py [--program build/release/rayscope] [--rounds 7] [--size 800] [--scene NAME]
                            [--keep FOLDER]
 
-Both programs get the same triangles, materials, lights and camera, written from one description here, and run on
-all cores, in turns. The error is the RMSE of linear values, clipped to 0 … 1 as POV-Ray's files are, against a
-converged picture by Rayscope; `offset` is the mean of POV-Ray's picture minus the reference, which shows whether
-the two programs compute the same thing. Prints a table in Markdown.
+Both programs get the same triangles, materials, lights and camera, and run interleaved on all cores. The error is the RMSE of linear values, clipped to 0 … 1 as POV-Ray's files are, against a
+converged picture by Rayscope; `offset` is the mean of POV-Ray's picture minus the reference, to check that
+both render the same picture. Prints a table in Markdown.
 """
 import argparse
 import array
@@ -30,15 +29,15 @@ CAMERA = {"from": (-0.964181, 1.026060, -2.649067), "at": (0.0, 0.0, 0.0), "fov"
 def read_materials(path):
     materials, current = {}, None
     for line in path.read_text().splitlines():
-        words = line.split()
-        if not words:
+        fields = line.split()
+        if not fields:
             continue
-        if words[0] == "newmtl":
-            current = materials.setdefault(words[1], {"kd": (0.8,) * 3, "ks": (0.0,) * 3, "ns": 1.0})
-        elif words[0] in ("Kd", "Ks"):
-            current[words[0].lower()] = tuple(float(w) for w in words[1:4])
-        elif words[0] == "Ns":
-            current["ns"] = float(words[1])
+        if fields[0] == "newmtl":
+            current = materials.setdefault(fields[1], {"kd": (0.8,) * 3, "ks": (0.0,) * 3, "ns": 1.0})
+        elif fields[0] in ("Kd", "Ks"):
+            current[fields[0].lower()] = tuple(float(w) for w in fields[1:4])
+        elif fields[0] == "Ns":
+            current["ns"] = float(fields[1])
     return materials
 
 
@@ -47,13 +46,13 @@ def cornell():
     scale, move = 0.0019155, (-0.5298, -0.4075, -0.5474)
     vertices, triangles, material = [], [], None
     for line in (ROOT / "scenes/cornell.obj").read_text().splitlines():
-        words = line.split()
-        if words[:1] == ["v"]:
-            vertices.append(tuple(float(w) * scale + m for w, m in zip(words[1:4], move)))
-        elif words[:1] == ["usemtl"]:
-            material = words[1]
-        elif words[:1] == ["f"]:
-            corners = [int(w.split("/")[0]) - 1 for w in words[1:]]
+        fields = line.split()
+        if fields[:1] == ["v"]:
+            vertices.append(tuple(float(w) * scale + m for w, m in zip(fields[1:4], move)))
+        elif fields[:1] == ["usemtl"]:
+            material = fields[1]
+        elif fields[:1] == ["f"]:
+            corners = [int(w.split("/")[0]) - 1 for w in fields[1:]]
             for i in range(1, len(corners) - 1):
                 triangles.append((material, corners[0], corners[i], corners[i + 1]))
     return {
@@ -69,7 +68,7 @@ def cornell():
 
 
 def scales():
-    """A scaly, closed shape of 87,362 triangles over a mirroring floor, under a point light."""
+    """A closed shape of 87,362 triangles with a scaly surface over a mirroring floor, under a point light."""
     rings, columns = 209, 209
     vertices, normals, triangles = [], [], []
 
@@ -91,14 +90,14 @@ def scales():
 
 
 def dragon():
-    """The Stanford dragon of 87,130 triangles, which scripts/fetch_dragon.sh makes, in the same place."""
+    """The Stanford dragon of 87,130 triangles from scripts/fetch_dragon.sh, at the same position."""
     vertices, triangles = [], []
     for line in (ROOT / "scenes/meshes/dragon.obj").read_text().splitlines():
-        words = line.split()
-        if words[:1] == ["v"]:
-            vertices.append(tuple(map(float, words[1:])))
-        elif words[:1] == ["f"]:
-            triangles.append(("shape", *(int(w.split("/")[0]) - 1 for w in words[1:])))
+        fields = line.split()
+        if fields[:1] == ["v"]:
+            vertices.append(tuple(map(float, fields[1:])))
+        elif fields[:1] == ["f"]:
+            triangles.append(("shape", *(int(w.split("/")[0]) - 1 for w in fields[1:])))
     return on_mirror("Dragon, point light, mirroring floor", vertices, triangles, -0.52)
 
 
@@ -147,18 +146,18 @@ def write_rayscope(scene, folder):
     white = "[1, 1, 1]"
     if "corner" in light:
         edges = ", ".join(f"[{numbers(e)}]" for e in light["edges"])
-        lamp = (f'type = "parallelogram"\ncorner = [{numbers(light["corner"])}]\nedges = [{edges}]\n'
+        light_text = (f'type = "parallelogram"\ncorner = [{numbers(light["corner"])}]\nedges = [{edges}]\n'
                 f"colors = [{white}, {white}, {white}, {white}]\n")
     else:
-        lamp = f'type = "point"\nposition = [{numbers(light["position"])}]\ncolor = {white}\n'
+        light_text = f'type = "point"\nposition = [{numbers(light["position"])}]\ncolor = {white}\n'
     (folder / "scene.toml").write_text(
         f'version = 1\n[[camera]]\nlook_from = [{numbers(CAMERA["from"])}]\nlook_at = [{numbers(CAMERA["at"])}]\n'
-        f'fov = {CAMERA["fov"]}\n{lens_of(scene)}[[mesh]]\nfile = "scene.obj"\n[[light]]\n{lamp}')
+        f'fov = {CAMERA["fov"]}\n{lens_of(scene)}[[mesh]]\nfile = "scene.obj"\n[[light]]\n{light_text}')
 
 
 def povray_texture(material, roughness, copies):
-    """Reflections are sharp in POV-Ray; rough ones are the usual mean of `copies` textures whose normals a fine noise
-    tilts in different ways."""
+    """POV-Ray has only sharp reflections; rough ones are approximated by averaging `copies` textures with noise on the
+    normals."""
     ks = numbers(material["ks"])
     shine = (f" phong {material['ks'][0]} phong_size {material['ns']} reflection {{ rgb <{ks}> }}" if any(material["ks"])
              else "")
@@ -174,12 +173,12 @@ def write_povray(scene, folder, blur_samples=0, copies=1):
     if "corner" in light:
         (u, v), corner = light["edges"], light["corner"]
         middle = tuple(c + 0.5 * (a + b) for c, a, b in zip(corner, u, v))
-        # POV-Ray spreads n jittered samples over n / (n - 1) of its axes.
+        # POV-Ray distributes n jittered samples over n / (n - 1) of the axes.
         axes = [tuple(0.9 * a for a in axis) for axis in (u, v)]
-        lamp = (f"light_source {{ <{numbers(middle)}> rgb 1 area_light <{numbers(axes[0])}>, <{numbers(axes[1])}>, 10, 10 "
+        light_text = (f"light_source {{ <{numbers(middle)}> rgb 1 area_light <{numbers(axes[0])}>, <{numbers(axes[1])}>, 10, 10 "
                 "jitter area_illumination on }\n")
     else:
-        lamp = f"light_source {{ <{numbers(light['position'])}> rgb 1 }}\n"
+        light_text = f"light_source {{ <{numbers(light['position'])}> rgb 1 }}\n"
     blur = ""
     if "lens" in scene:
         # The aperture is a diameter; variance 0 takes all samples everywhere.
@@ -190,10 +189,10 @@ def write_povray(scene, folder, blur_samples=0, copies=1):
         blur = (f"aperture {2 * radius:.9g} focal_point <{numbers(focus)}> blur_samples {blur_samples} "
                 "confidence 0.999 variance 0")
     with open(folder / "scene.pov", "w") as f:
-        # `right -x` makes POV-Ray's left-handed space ours.
+        # `right -x` converts from POV-Ray's left-handed coordinates.
         f.write("#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 6 }\n"
                 f"camera {{ location <{numbers(CAMERA['from'])}> right -x up y angle {CAMERA['fov']} "
-                f"look_at <{numbers(CAMERA['at'])}> {blur} }}\n" + lamp)
+                f"look_at <{numbers(CAMERA['at'])}> {blur} }}\n" + light_text)
         names = list(scene["materials"])
         f.write("mesh2 {\nvertex_vectors { %d,\n" % len(scene["vertices"]))
         f.write(",\n".join(f"<{numbers(v)}>" for v in scene["vertices"]) + " }\n")
@@ -266,23 +265,23 @@ def race(make, options, folder):
     random.seed(1)
     for _ in range(options.rounds):
         random.shuffle(order)
-        for who in order:
-            if who == "POV-Ray":
-                times[who].append(run_povray(folder, size, folder / "pov.ppm"))
+        for variant in order:
+            if variant == "POV-Ray":
+                times[variant].append(run_povray(folder, size, folder / "pov.ppm"))
             else:
-                output = folder / (re.sub(r"\W+", "-", who) + ".pfm")
-                times[who].append(run_rayscope(options.program, folder, size, scene["variants"][who], output))
+                output = folder / (re.sub(r"\W+", "-", variant) + ".pfm")
+                times[variant].append(run_rayscope(options.program, folder, size, scene["variants"][variant], output))
     pov = read_ppm16(folder / "pov.ppm")
     offset = sum(x - y for x, y in zip(pov, reference)) / len(pov)
-    median = {who: [statistics.median(column) for column in zip(*rows)] for who, rows in times.items()}
+    median = {variant: [statistics.median(column) for column in zip(*rows)] for variant, rows in times.items()}
     print(f"\n{scene['name']}, {size} x {size}, {os.cpu_count()} threads, medians of {options.rounds} interleaved runs; "
           f"offset {offset:+.1e}\n")
     print("| program | whole run, s | tracing, s | RMSE | times faster, whole run | times faster, tracing |")
     print("|---|---|---|---|---|---|")
-    for who in times:
-        picture = pov if who == "POV-Ray" else read_pfm(folder / (re.sub(r"\W+", "-", who) + ".pfm"))
-        whole, traced = median[who]
-        label = who if who == "POV-Ray" else f"Rayscope, {who}"
+    for variant in times:
+        picture = pov if variant == "POV-Ray" else read_pfm(folder / (re.sub(r"\W+", "-", variant) + ".pfm"))
+        whole, traced = median[variant]
+        label = variant if variant == "POV-Ray" else f"Rayscope, {variant}"
         print(f"| {label} | {whole:.3f} | {traced:.3f} | {rmse(picture, reference):.5f} | "
               f"{median['POV-Ray'][0] / whole:.1f} | {median['POV-Ray'][1] / traced:.1f} |")
     sys.stdout.flush()

@@ -1,10 +1,10 @@
-// Stands in for src/bvh/kernel/intersect_block.inl in a benchmark: Möller and Trumbore 1997 in float, in the
-// same walk of the same tree. It leaks; what the sign-exact test costs is measured against it.
+// Replaces src/bvh/kernel/intersect_block.inl in a benchmark: Möller and Trumbore 1997 in float, as the
+// baseline for the cost of the sign-exact test. It is not watertight.
 #include "bvh/kernel/hit_acceptance.h"
 #include "bvh/kernel/prepare_rays.h"
 #include "bvh/kernel/wide_layout.h"
 
-namespace rayscope::kernel {
+namespace rayscope::bvh::kernel {
 namespace {
 
 /// Three lanes at a time.
@@ -44,23 +44,23 @@ RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRe
     const Lanes u = flipSign(dot(s, p), signedDet), v = flipSign(dot(direction, q), signedDet);
     const Lanes t = flipSign(dot(edge2, q) * Lanes::all(ray.scaleZ), signedDet);
     const unsigned inside = lessOrEqual(zero, u) & lessOrEqual(zero, v) & lessOrEqual(u + v, det);
-    const unsigned inReach = less(Lanes::all(tMin) * det, t) & lessOrEqual(t, Lanes::all(bound) * det);
+    const unsigned inInterval = less(Lanes::all(tMin) * det, t) & lessOrEqual(t, Lanes::all(bound) * det);
     const unsigned present = (1u << trianglesIn(leaf)) - 1u;
-    return {inside & inReach & less(zero, det) & present};
+    return {inside & inInterval & less(zero, det) & present};
 }
 
-/// Rays that are tested together are tested one by one.
+/// No test of several rays at once: each is tested by BlockRay.
 RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock&, int, const RayColumns&, const RayAxes&,
                                              Lanes, unsigned present) {
     return {present};
 }
 
-/// One triangle again, for its t and weights.
+/// One triangle, for t and the barycentric weights.
 struct BlockRay {
     RayData ray;
 
-    RAYSCOPE_INLINE BlockRay(RayData words, const FastShear&) : ray(words) {}
-    RAYSCOPE_INLINE BlockRay(RayData words, const RayAxes&) : ray(words) {}
+    RAYSCOPE_INLINE BlockRay(RayData data, const FastShear&) : ray(data) {}
+    RAYSCOPE_INLINE BlockRay(RayData data, const RayAxes&) : ray(data) {}
 
     RAYSCOPE_INLINE bool hits(const TriangleBlock& block, int lane, float bound, HitData& found) const {
         float a[3], edge1[3], edge2[3], s[3], p[3], q[3];
@@ -86,4 +86,4 @@ struct BlockRay {
 };
 
 }  // namespace
-}  // namespace rayscope::kernel
+}  // namespace rayscope::bvh::kernel

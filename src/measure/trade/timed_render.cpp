@@ -1,4 +1,4 @@
-#include "measure/trade/trial.h"
+#include "measure/trade/timed_render.h"
 
 #include <rayscope/diagnostics.h>
 
@@ -8,20 +8,20 @@
 
 namespace rayscope::measure {
 
-std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& request,
-                              const trace::World* previous, std::uint64_t seed, double maxSeconds,
-                              const std::stop_token& stop) {
+std::optional<TimedRender> renderTimed(Workers& workers, const trace::CompileRequest& request,
+                                       const trace::World* previous, std::uint64_t seed, double maxSeconds,
+                                       const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const Deadline deadline(maxSeconds, stop);
-    return workers.run([&]() -> std::optional<Trial> {
+    return workers.run([&]() -> std::optional<TimedRender> {
         std::shared_ptr<const trace::World> world;
         try {
             world = trace::compile(request, previous, deadline.token());
         } catch (const Stopped&) {
             return std::nullopt;
         }
-        Trial trial;
-        trial.buildSeconds = world->buildSeconds;
+        TimedRender timed;
+        timed.buildSeconds = world->buildSeconds;
         render::Film film(request.width, request.height, {0, request.width, 0, request.height});
         render::RenderCounters counters;
         const int wanted = request.settings.spp;
@@ -30,11 +30,11 @@ std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& req
             if (!render::renderPass(*world, seed, film, render::nextPassTarget(done, wanted, false),
                                     {deadline.token(), {}}, counters))
                 return std::nullopt;
-        trial.image = post::applyDisplayTransform(film.mean(), request.settings, false);
-        trial.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        trial.rays = counters.rays;
-        trial.world = std::move(world);
-        return trial;
+        timed.image = post::applyDisplayTransform(film.mean(), request.settings, false);
+        timed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        timed.rays = counters.rays;
+        timed.world = std::move(world);
+        return timed;
     });
 }
 

@@ -1,4 +1,4 @@
-#include "measure/trade/reference.h"
+#include "measure/trade/reference_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Apart from all seeds that people choose.
+/// Unlikely to equal a seed that a user chooses.
 constexpr std::array<std::uint64_t, 2> kSeeds{0x7265666572656e41u, 0x7265666572656e42u};
 
-/// The mean over pixels and channels of what `product` gives for pixel i, over finite ones.
+/// The mean of `product(i)` over pixels and channels; non-finite pixels are left out.
 template <class Product>
 double meanOver(std::size_t pixels, Product&& product) {
     double sum = 0.0;
@@ -44,8 +44,8 @@ bool converges(const std::vector<std::pair<int, double>>& history) {
     return steps < 3 || history[steps - 1].second <= kConverging * history[steps - 3].second;
 }
 
-Reference::Reference(trace::CompileRequest request, Workers& workers, const trace::World* previous,
-                     const std::stop_token& stop)
+ReferenceImage::ReferenceImage(trace::CompileRequest request, Workers& workers, const trace::World* previous,
+                               const std::stop_token& stop)
     : request_(std::move(request)), workers_(workers) {
     world_ = workers_.run([&] { return trace::compile(request_, previous, stop); });
     for (auto& half : halves_)
@@ -53,11 +53,11 @@ Reference::Reference(trace::CompileRequest request, Workers& workers, const trac
                                               PixelBounds{0, request_.width, 0, request_.height});
 }
 
-int Reference::samples() const {
+int ReferenceImage::samples() const {
     return std::min(halves_[0]->completeSamples(), halves_[1]->completeSamples());
 }
 
-bool Reference::extend(int samples, const std::stop_token& stop) {
+bool ReferenceImage::extend(int samples, const std::stop_token& stop) {
     render::RenderCounters counters;
     for (std::size_t i = 0; i < halves_.size(); ++i) {
         const bool complete = workers_.run([&] {
@@ -68,12 +68,11 @@ bool Reference::extend(int samples, const std::stop_token& stop) {
     return true;
 }
 
-RgbImage Reference::half(int which) const {
-    return post::applyDisplayTransform(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings,
-                                       false);
+RgbImage ReferenceImage::half(int which) const {
+    return post::applyDisplayTransform(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings, false);
 }
 
-RgbImage Reference::mean() const {
+RgbImage ReferenceImage::mean() const {
     RgbImage image = half(0);
     const RgbImage other = half(1);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
@@ -81,7 +80,7 @@ RgbImage Reference::mean() const {
     return image;
 }
 
-double Reference::error() const {
+double ReferenceImage::error() const {
     const RgbImage a = half(0), b = half(1);
     return 0.5 * std::sqrt(meanOver(a.pixels.size(), [&](std::size_t i) {
                const glm::dvec3 d = difference(a, b, i);
@@ -89,19 +88,19 @@ double Reference::error() const {
            }));
 }
 
-long long Reference::nonFinitePixels() const {
+long long ReferenceImage::nonFinitePixels() const {
     const RgbImage image = mean();
     return std::count_if(image.pixels.begin(), image.pixels.end(),
                          [](const Rgb& c) { return !math::isFinite(c); });
 }
 
-std::string Reference::contentHash() const { return filmContentHash(request_, *world_); }
+std::string ReferenceImage::contentHash() const { return filmContentHash(request_, *world_); }
 
-bool Reference::load(const std::string& path) {
+bool ReferenceImage::load(const std::string& path) {
     return halves_[0]->completeSamples() == 0 && loadFilms(path, contentHash(), *halves_[0], *halves_[1]);
 }
 
-void Reference::save(const std::string& path) const {
+void ReferenceImage::save(const std::string& path) const {
     saveFilms(path, contentHash(), *halves_[0], *halves_[1]);
 }
 
@@ -117,11 +116,11 @@ Settings referenceSettings(const Settings& settings) {
 }
 
 double meanSquaredError(const RgbImage& image, const RgbImage& halfA, const RgbImage& halfB) {
-    return commonSquaredError(image, image, halfA, halfB);
+    return meanErrorProduct(image, image, halfA, halfB);
 }
 
-double commonSquaredError(const RgbImage& one, const RgbImage& other, const RgbImage& halfA,
-                          const RgbImage& halfB) {
+double meanErrorProduct(const RgbImage& one, const RgbImage& other, const RgbImage& halfA,
+                        const RgbImage& halfB) {
     return meanOver(one.pixels.size(), [&](std::size_t i) {
         return 0.5 * (difference(one, halfA, i) * difference(other, halfB, i) +
                       difference(one, halfB, i) * difference(other, halfA, i));

@@ -1,4 +1,4 @@
-#include "measure/trade/trial.h"
+#include "measure/trade/timed_render.h"
 
 #include <gtest/gtest.h>
 #include <rayscope/render_session.h>
@@ -16,7 +16,7 @@ trace::CompileRequest requestFor(const std::string& name, int size, int spp) {
     return {scene, settings, scene->cameras.front(), size, size};
 }
 
-TEST(Deadline, ComesByTimeOrWithAStop) {
+TEST(Deadline, RequestsAStopByTimeOrWithTheOuterToken) {
     const measure::Deadline soon(0.01, {});
     while (!soon.token().stop_requested()) std::this_thread::yield();
     std::stop_source stop;
@@ -26,11 +26,12 @@ TEST(Deadline, ComesByTimeOrWithAStop) {
     EXPECT_TRUE(never.token().stop_requested());
 }
 
-TEST(Trial, IsWhatARenderWouldGive) {
+TEST(TimedRender, EqualsARenderSession) {
     measure::Workers workers(2);
     const trace::CompileRequest request = requestFor("builtin:cornell-area", 20, 3);
-    const std::optional<measure::Trial> trial = measure::runTrial(workers, request, nullptr, 5, 1e9, {});
-    ASSERT_TRUE(trial);
+    const std::optional<measure::TimedRender> timed =
+        measure::renderTimed(workers, request, nullptr, 5, 1e9, {});
+    ASSERT_TRUE(timed);
     RenderSession session(2);
     RenderRequest render;
     render.scene = request.scene;
@@ -46,18 +47,18 @@ TEST(Trial, IsWhatARenderWouldGive) {
             for (int x = 0; x < tile.width; ++x)
                 image.at(tile.x0 + x, tile.y0 + y) = tile.mean[static_cast<std::size_t>(y * tile.width + x)];
     });
-    EXPECT_EQ(image.pixels, trial->image.pixels);
-    EXPECT_EQ(session.status().rays, trial->rays);
+    EXPECT_EQ(image.pixels, timed->image.pixels);
+    EXPECT_EQ(session.status().rays, timed->rays);
 }
 
-TEST(Trial, EndsAtItsLimit) {
+TEST(TimedRender, StopsAtItsTimeLimit) {
     measure::Workers workers(2);
     EXPECT_FALSE(
-        measure::runTrial(workers, requestFor("builtin:cornell-area", 100, 100000), nullptr, 0, 0.05, {}));
+        measure::renderTimed(workers, requestFor("builtin:cornell-area", 100, 100000), nullptr, 0, 0.05, {}));
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_FALSE(
-        measure::runTrial(workers, requestFor("builtin:teapot", 20, 1), nullptr, 0, 1e9, stop.get_token()));
+    EXPECT_FALSE(measure::renderTimed(workers, requestFor("builtin:teapot", 20, 1), nullptr, 0, 1e9,
+                                      stop.get_token()));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "measure/target/film_pair.h"
+#include "measure/target/half_films.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,20 +13,20 @@ int roundUpSampleCount(double x) {
     return static_cast<int>(std::ceil(x / quarter) * quarter);
 }
 
-FilmPair::FilmPair(int width, int height, const PixelBounds& region) {
+HalfFilms::HalfFilms(int width, int height, const PixelBounds& region) {
     for (auto& film : films_) film = std::make_unique<render::Film>(width, height, region);
-    shares_.assign(static_cast<std::size_t>(films_[0]->tileCount()), 1.0);
+    allocation_.assign(static_cast<std::size_t>(films_[0]->tileCount()), 1.0);
 }
 
-void FilmPair::share(std::vector<double> shares) { shares_ = std::move(shares); }
+void HalfFilms::setAllocation(std::vector<double> allocation) { allocation_ = std::move(allocation); }
 
-int FilmPair::samplesOfTile(std::size_t tile, int samples) const {
-    return shares_[tile] == 1.0 ? samples : roundUpSampleCount(shares_[tile] * samples);
+int HalfFilms::samplesOfTile(std::size_t tile, int samples) const {
+    return allocation_[tile] == 1.0 ? samples : roundUpSampleCount(allocation_[tile] * samples);
 }
 
-bool FilmPair::extend(const trace::World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
-                      render::RenderCounters& counters) {
-    std::vector<int> targets(shares_.size());
+bool HalfFilms::extend(const trace::World& world, std::uint64_t seed, int samples,
+                       const std::stop_token& stop, render::RenderCounters& counters) {
+    std::vector<int> targets(allocation_.size());
     for (std::size_t tile = 0; tile < targets.size(); ++tile) targets[tile] = samplesOfTile(tile, samples);
     for (std::size_t half = 0; half < films_.size(); ++half)
         if (!render::renderPass(world, half == 0 ? seed : sampling::hashPair(seed, half), *films_[half],
@@ -36,7 +36,7 @@ bool FilmPair::extend(const trace::World& world, std::uint64_t seed, int samples
 }
 
 template <class SamplesOfTile>
-double FilmPair::perPixel(const SamplesOfTile& samplesOfTile) const {
+double HalfFilms::perPixel(const SamplesOfTile& samplesOfTile) const {
     double sum = 0.0, pixels = 0.0;
     for (int tile = 0; tile < films_[0]->tileCount(); ++tile) {
         const PixelBounds b = films_[0]->tileBounds(tile);
@@ -47,22 +47,22 @@ double FilmPair::perPixel(const SamplesOfTile& samplesOfTile) const {
     return sum / pixels;
 }
 
-double FilmPair::samplesTaken() const {
+double HalfFilms::samplesTaken() const {
     return perPixel([&](int tile) { return 0.0 + films_[0]->samples(tile) + films_[1]->samples(tile); });
 }
 
-double FilmPair::samplesAt(int samples) const {
+double HalfFilms::samplesAt(int samples) const {
     return perPixel([&](int tile) { return 2.0 * samplesOfTile(static_cast<std::size_t>(tile), samples); });
 }
 
-ErrorEstimate FilmPair::estimate(const ErrorTarget& target) const {
-    const VarianceImage spread = varianceOfMean();
-    return estimateError(films_[0]->mean(), films_[1]->mean(), films_[0]->region(), target, &spread);
+ErrorEstimate HalfFilms::estimate(const ErrorTarget& target) const {
+    const VarianceImage variance = varianceOfMean();
+    return estimateError(films_[0]->mean(), films_[1]->mean(), films_[0]->region(), target, &variance);
 }
 
-/// Of all samples of both halves; that of luminance stands for the channels.
-VarianceImage FilmPair::varianceOfMean() const {
-    VarianceImage spread(films_[0]->width(), films_[0]->height());
+/// From all samples of both halves; the variance of luminance is used for all channels.
+VarianceImage HalfFilms::varianceOfMean() const {
+    VarianceImage variance(films_[0]->width(), films_[0]->height());
     render::Film::TileCopy copy;
     for (const auto& film : films_) {
         for (int tile = 0; tile < film->tileCount(); ++tile) {
@@ -72,14 +72,14 @@ VarianceImage FilmPair::varianceOfMean() const {
             auto pixel = copy.pixels.begin();
             for (int y = bounds.y0; n > 1.0 && y < bounds.y1; ++y)
                 for (int x = bounds.x0; x < bounds.x1; ++x, ++pixel)
-                    spread.at(x, y) += render::varianceOfLuminance(*pixel, n) / (4.0 * n);
+                    variance.at(x, y) += render::varianceOfLuminance(*pixel, n) / (4.0 * n);
         }
     }
-    return spread;
+    return variance;
 }
 
-/// The films have equal numbers of samples, but for tiles that a limit ended between the two.
-RgbImage FilmPair::mean() const {
+/// Sample counts of the films can differ only in tiles where a limit stopped the second film.
+RgbImage HalfFilms::mean() const {
     const render::Film &a = *films_[0], &b = *films_[1];
     RgbImage image = a.mean();
     const RgbImage other = b.mean();

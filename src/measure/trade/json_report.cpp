@@ -1,11 +1,12 @@
-// The result of a measurement for programs: JSON, CSV, and the command lines that reproduce it.
+// A study as JSON and CSV, and the command-line arguments that reproduce its points. Keys and column names
+// are an interface for scripts and older than the names of the members.
 #include <fmt/format.h>
 
 #include <rayscope/trade.h>
 #include <algorithm>
 #include <cmath>
 
-#include "base/json_number.h"
+#include <nlohmann/json.hpp>
 
 namespace rayscope {
 
@@ -14,9 +15,7 @@ namespace {
 constexpr const char* kRoles[] = {"base", "control", "yours", "knob", "joint", "feature", "preset", "extra"};
 
 nlohmann::json toJson(const Interval& i) {
-    return {{"value", base::numberOrNull(i.value)},
-            {"lower", base::numberOrNull(i.lower)},
-            {"upper", base::numberOrNull(i.upper)}};
+    return {{"value", i.value}, {"lower", i.lower}, {"upper", i.upper}};
 }
 
 nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
@@ -24,7 +23,7 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
     for (const std::string_view key : settingKeys()) settings[std::string(key)] = textOf(p.settings, key);
     return {{"name", p.name},
             {"role", kRoles[static_cast<int>(p.role)]},
-            {"knob", p.knob},
+            {"knob", p.parameter},
             {"level", p.level},
             {"runs", p.runs},
             {"samples", p.work.samples},
@@ -39,8 +38,8 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
             {"flip", toJson(p.flip)},
             {"time_ratio", toJson(p.timeRatio)},
             {"efficiency_ratio", toJson(p.efficiency)},
-            {"next_seconds", toJson(p.nextSeconds)},
-            {"next_rmse", toJson(p.nextError)},
+            {"next_seconds", toJson(p.predictedSeconds)},
+            {"next_rmse", toJson(p.predictedError)},
             {"judged", p.reliable},
             {"biased", p.biased},
             {"same_picture", p.samePicture},
@@ -52,10 +51,9 @@ nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
 
 nlohmann::json toJson(const TradeReference& r) {
     nlohmann::json history = nlohmann::json::array();
-    for (const auto& [samples, error] : r.history)
-        history.push_back({{"samples", samples}, {"rmse", base::numberOrNull(error)}});
+    for (const auto& [samples, error] : r.history) history.push_back({{"samples", samples}, {"rmse", error}});
     return {{"samples_per_half", r.samples},
-            {"rmse", base::numberOrNull(r.error)},
+            {"rmse", r.error},
             {"seconds", r.seconds},
             {"from_cache", r.fromCache},
             {"converges", r.converges},
@@ -72,7 +70,7 @@ std::string renderArguments(const TradeResult& result, const TradePoint& point) 
     const Settings defaults;
     for (const std::string_view key : settingKeys()) {
         const std::string value = textOf(point.settings, key);
-        const auto& idle = result.withoutEffect;
+        const auto& idle = result.inactiveSettings;
         if (std::find(idle.begin(), idle.end(), key) != idle.end()) continue;
         if (value == textOf(defaults, key) && value == textOf(result.userSettings, key)) continue;
         arguments += fmt::format(" --set {}={}", key, value);
@@ -86,17 +84,17 @@ std::string tradeJson(const TradeResult& result) {
     for (const TradePoint& p : result.points)
         if (p.runs > 0) points.push_back(toJson(result, p));
     const auto nameOf = [&](std::size_t i) { return result.points[i].name; };
-    for (const std::size_t i : result.front) front.push_back(nameOf(i));
+    for (const std::size_t i : result.paretoFront) front.push_back(nameOf(i));
     for (const TradeAdvice& a : result.advice)
         advice.push_back({{"seconds", a.budgetSeconds},
                           {"point", nameOf(a.point)},
                           {"arguments", renderArguments(result, result.points[a.point])}});
-    for (const TradeEffect& n : result.needs)
+    for (const TradeEffect& n : result.effects)
         needs.push_back({{"setting", n.key}, {"on", n.on}, {"proof", n.reason}, {"point", nameOf(n.point)}});
     for (const TradePreset& d : result.presetPoints)
         presetPoints.push_back({{"preset", d.preset}, {"point", nameOf(d.point)}, {"excess_time", d.excess}});
     for (const TradeBreakEven& b : result.breakEvens)
-        evens.push_back({{"point", nameOf(b.point)}, {"rays", toJson(b.rays)}, {"words", b.words}});
+        evens.push_back({{"point", nameOf(b.point)}, {"rays", toJson(b.rays)}, {"words", b.text}});
     const nlohmann::json all = {{"scene", result.scene},
                                 {"width", result.width},
                                 {"height", result.height},
@@ -107,8 +105,8 @@ std::string tradeJson(const TradeResult& result) {
                                 {"complete", result.complete},
                                 {"interrupted", result.interrupted},
                                 {"reference", toJson(result.reference)},
-                                {"smallest_time_difference", base::numberOrNull(result.smallestRatio)},
-                                {"convergence_slope", toJson(result.slope)},
+                                {"smallest_time_difference", result.smallestTimeDifference},
+                                {"convergence_slope", toJson(result.convergenceSlope)},
                                 {"points", points},
                                 {"front", front},
                                 {"advice", advice},
@@ -132,7 +130,7 @@ std::string tradeCsv(const TradeResult& result) {
     for (const TradePoint& p : result.points) {
         if (p.runs == 0) continue;
         table += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.6g}", quoted(p.name),
-                             kRoles[static_cast<int>(p.role)], p.knob, p.level, p.runs, p.work.samples,
+                             kRoles[static_cast<int>(p.role)], p.parameter, p.level, p.runs, p.work.samples,
                              p.work.rays, p.work.nodesPerRay, p.work.testsPerRay);
         for (const Interval* i :
              {&p.seconds, &p.error, &p.noise, &p.bias, &p.flip, &p.timeRatio, &p.efficiency, &p.buildSeconds})

@@ -5,19 +5,19 @@
 #include <map>
 
 #include "measure/statistics/statistics.h"
-#include "measure/trade/experiment.h"
 #include "measure/trade/parameters.h"
 #include "measure/trade/pareto.h"
+#include "measure/trade/study.h"
 
 namespace rayscope::measure {
 
 namespace {
 
-/// Where the next value will lie, for values that are positive and spread by factors.
-Interval nextPositiveInterval(const std::vector<double>& values) {
+/// The prediction interval of the next value, for positive values with a roughly log-normal distribution.
+Interval positivePredictionInterval(const std::vector<double>& values) {
     std::vector<double> logarithms;
     for (const double value : values) logarithms.push_back(std::log(std::max(value, 1e-300)));
-    const Interval next = nextValueInterval(logarithms);
+    const Interval next = predictionInterval(logarithms);
     return {std::exp(next.value), std::exp(next.lower), std::exp(next.upper)};
 }
 
@@ -41,24 +41,24 @@ void summarizePoint(TradePoint& point, const CandidateRuns& runs, const Candidat
     point.timeRatio = ratioInterval(runs.seconds, base.seconds);
     point.efficiency =
         ratioInterval(products(base.squaredErrors, base.seconds), products(runs.squaredErrors, runs.seconds));
-    point.nextSeconds = nextPositiveInterval(runs.seconds);
-    point.nextError = rootOf(nextValueInterval(runs.squaredErrors));
+    point.predictedSeconds = positivePredictionInterval(runs.seconds);
+    point.predictedError = rootOf(predictionInterval(runs.squaredErrors));
     point.reliable = point.error.value >= 10.0 * referenceError;
-    const std::size_t common = std::min(runs.pictures.size(), base.pictures.size());
+    const std::size_t common = std::min(runs.imageHashes.size(), base.imageHashes.size());
     point.samePicture =
-        std::equal(runs.pictures.begin(), runs.pictures.begin() + static_cast<std::ptrdiff_t>(common),
-                   base.pictures.begin());
-    if (runs.common.empty()) return;
-    point.bias = rootOf(meanInterval(runs.common));
-    point.noise = rootOf(meanInterval(runs.squaredNoise));
+        std::equal(runs.imageHashes.begin(), runs.imageHashes.begin() + static_cast<std::ptrdiff_t>(common),
+                   base.imageHashes.begin());
+    if (runs.squaredBiases.empty()) return;
+    point.bias = rootOf(meanInterval(runs.squaredBiases));
+    point.noise = rootOf(meanInterval(runs.squaredNoises));
     point.biased = point.bias.lower > referenceError;
 }
 
-/// log error over log samples per pixel, a slope from each block.
+/// d log error / d log samples per pixel, from the slopes of the blocks.
 Interval convergence(const TradeResult& result, const std::vector<CandidateRuns>& runs) {
     std::vector<std::size_t> chosen{0};
     for (std::size_t i = 1; i < runs.size(); ++i)
-        if (result.points[i].knob == "spp" && result.points[i].reliable) chosen.push_back(i);
+        if (result.points[i].parameter == "spp" && result.points[i].reliable) chosen.push_back(i);
     if (chosen.size() < 3 || !result.points[0].reliable) return {};
     std::vector<double> slopes;
     for (std::size_t block = 0; block < static_cast<std::size_t>(result.blocks); ++block) {
@@ -81,18 +81,18 @@ TradeBreakEven breakEvenOf(std::size_t index, const CandidateRuns& runs, const C
                           runs.seconds[b] / static_cast<double>(runs.work.rays));
         evens.push_back(builds.back() / savings.back());
     }
-    const Interval dearer = meanInterval(builds), saved = meanInterval(savings);
+    const Interval extraBuild = meanInterval(builds), saved = meanInterval(savings);
     TradeBreakEven even{index, {}, ""};
-    if (dearer.contains(0.0) || saved.contains(0.0))
-        even.words = fmt::format("no difference from the base in {} beyond the noise of the machine",
-                                 saved.contains(0.0) ? "rays" : "building");
-    else if ((dearer.value > 0.0) != (saved.value > 0.0))
-        even.words = saved.value > 0.0 ? "better from the first ray on" : "never pays";
+    if (extraBuild.contains(0.0) || saved.contains(0.0))
+        even.text = fmt::format("no significant difference in {} time from the base",
+                                saved.contains(0.0) ? "tracing" : "build");
+    else if ((extraBuild.value > 0.0) != (saved.value > 0.0))
+        even.text = saved.value > 0.0 ? "faster to build and to trace" : "slower to build and to trace";
     else {
         even.rays = medianInterval(evens);
-        even.words =
-            fmt::format("pays {} {:.2g} [{:.2g}, {:.2g}] rays{}", saved.value > 0.0 ? "from" : "up to",
-                        even.rays.value, even.rays.lower, even.rays.upper, saved.value > 0.0 ? " on" : "");
+        even.text = fmt::format("faster in total {} {:.2g} [{:.2g}, {:.2g}] rays",
+                                saved.value > 0.0 ? "above" : "below", even.rays.value, even.rays.lower,
+                                even.rays.upper);
     }
     return even;
 }
@@ -101,38 +101,39 @@ void findEffects(TradeResult& result, const SceneRequirements& scene) {
     for (const Effect& effect : effectsOf(scene, result.points.front().settings)) {
         const auto measured = std::find_if(
             result.points.begin(), result.points.end(),
-            [&](const TradePoint& p) { return p.role == TradeRole::Feature && p.knob == effect.key; });
+            [&](const TradePoint& p) { return p.role == TradeRole::Effect && p.parameter == effect.key; });
         if (measured == result.points.end()) continue;
-        result.needs.push_back({std::string(effect.key), std::string(effect.label), effect.on, effect.reason,
-                                static_cast<std::size_t>(measured - result.points.begin())});
+        result.effects.push_back({std::string(effect.key), std::string(effect.label), effect.on,
+                                  effect.reason, static_cast<std::size_t>(measured - result.points.begin())});
     }
 }
 
-void remark(TradeResult& result) {
+void addRemarks(TradeResult& result) {
     const double ten = 10.0 * result.reference.error;
-    const auto hidden = std::count_if(result.points.begin(), result.points.end(),
-                                      [](const TradePoint& p) { return p.runs > 0 && !p.reliable; });
-    if (hidden > 0)
+    const auto unreliable = std::count_if(result.points.begin(), result.points.end(),
+                                          [](const TradePoint& p) { return p.runs > 0 && !p.reliable; });
+    if (unreliable > 0)
         result.remarks.push_back(fmt::format(
-            "{} of the errors are below {:.3g}, ten times the reference's own; they are shown hollow", hidden,
-            ten));
+            "{} errors are not reliable: they are below {:.3g}, ten times the error of the reference",
+            unreliable, ten));
     if (!result.complete)
         result.remarks.push_back(
-            "nothing was measured twice, so no figure has an interval; give a larger budget");
+            "no candidate was measured twice, so there are no intervals; use a larger budget");
 }
 
 }  // namespace
 
-void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, const SceneRequirements& scene) {
+void summarizeTrade(TradeResult& result, const std::vector<CandidateRuns>& runs,
+                    const SceneRequirements& scene) {
     if (runs.empty() || runs.front().seconds.empty()) return;
     for (std::size_t i = 0; i < runs.size(); ++i)
         summarizePoint(result.points[i], runs[i], runs.front(), result.reference.error);
     result.complete = result.points.front().runs >= 2;
     const Interval& control = result.points[1].timeRatio;
-    result.smallestRatio = std::max(control.upper, 1.0 / control.lower) - 1.0;
-    result.slope = convergence(result, runs);
-    result.front = markParetoFront(result.points, result.smallestRatio);
-    result.advice = adviceFrom(result.points, result.front);
+    result.smallestTimeDifference = std::max(control.upper, 1.0 / control.lower) - 1.0;
+    result.convergenceSlope = convergence(result, runs);
+    result.paretoFront = markParetoFront(result.points, result.smallestTimeDifference);
+    result.advice = adviceFrom(result.points, result.paretoFront);
     for (std::size_t i = 1; i < runs.size(); ++i)
         if (result.points[i].role == TradeRole::Parameter && result.points[i].runs >= 2 &&
             changed(result.points[0].settings, result.points[i].settings) == Invalidates::Accel)
@@ -141,7 +142,7 @@ void summarize(TradeResult& result, const std::vector<CandidateRuns>& runs, cons
         if (result.points[i].role == TradeRole::Preset && result.points[i].runs >= 2)
             result.presetPoints.push_back({result.points[i].level, i, excessTime(result, i)});
     findEffects(result, scene);
-    remark(result);
+    addRemarks(result);
 }
 
 }  // namespace rayscope::measure

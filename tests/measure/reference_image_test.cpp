@@ -1,4 +1,4 @@
-#include "measure/trade/reference.h"
+#include "measure/trade/reference_image.h"
 
 #include <gtest/gtest.h>
 
@@ -16,30 +16,30 @@ trace::CompileRequest requestFor(const std::string& name, int size) {
     return {scene, measure::referenceSettings(Settings{}), scene->cameras.front(), size, size};
 }
 
-RgbImage noisy(const RgbImage& truth, double sigma, double bias, std::uint64_t seed) {
+RgbImage noisy(const RgbImage& exact, double sigma, double bias, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     std::normal_distribution<double> noise(bias, sigma);
-    RgbImage image = truth;
+    RgbImage image = exact;
     for (Rgb& pixel : image.pixels) pixel += Rgb(noise(random), noise(random), noise(random));
     return image;
 }
 
-TEST(Reference, ProductsWithBothHalvesAreFreeOfTheirNoise) {
-    const RgbImage truth(200, 200, Rgb(0.5f));
-    // Halves that are twice as noisy as what they judge: the plain squared difference would be off fivefold.
-    const RgbImage a = noisy(truth, 0.2, 0.0, 1), b = noisy(truth, 0.2, 0.0, 2);
-    const RgbImage one = noisy(truth, 0.1, 0.05, 3), other = noisy(truth, 0.1, 0.05, 4);
+TEST(ReferenceImage, ErrorEstimatesAreFreeOfItsNoise) {
+    const RgbImage exact(200, 200, Rgb(0.5f));
+    // The halves are twice as noisy as the images: plain squared differences would be five times too large.
+    const RgbImage a = noisy(exact, 0.2, 0.0, 1), b = noisy(exact, 0.2, 0.0, 2);
+    const RgbImage one = noisy(exact, 0.1, 0.05, 3), other = noisy(exact, 0.1, 0.05, 4);
     // Standard error over 120000 values: at most 4 products of 0.2 · 0.2 / √120000.
     EXPECT_NEAR(measure::meanSquaredError(one, a, b), 0.01 + 0.0025, 4e-4);
-    EXPECT_NEAR(measure::commonSquaredError(one, other, a, b), 0.0025, 4e-4);
+    EXPECT_NEAR(measure::meanErrorProduct(one, other, a, b), 0.0025, 4e-4);
 }
 
-TEST(Reference, WhatIsNotFiniteIsLeftOut) {
-    const RgbImage truth(10, 10, Rgb(0.5f)), image(10, 10, Rgb(0.75f));
+TEST(ReferenceImage, NonFinitePixelsAreLeftOut) {
+    const RgbImage exact(10, 10, Rgb(0.5f)), image(10, 10, Rgb(0.75f));
     RgbImage broken = image;
     broken.at(3, 3) = Rgb(NAN);
     broken.at(4, 3) = Rgb(INFINITY);
-    EXPECT_DOUBLE_EQ(measure::meanSquaredError(broken, truth, truth), 0.0625);
+    EXPECT_DOUBLE_EQ(measure::meanSquaredError(broken, exact, exact), 0.0625);
     EXPECT_TRUE(
         std::isnan(measure::meanSquaredError(RgbImage(2, 2, Rgb(NAN)), RgbImage(2, 2), RgbImage(2, 2))));
 }
@@ -53,54 +53,54 @@ double distance(const RgbImage& a, const RgbImage& b) {
     return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
-// The few hundred pixels on edges make most of the error, so its estimate has a standard error of about 5 %.
-TEST(Reference, KnowsItsOwnError) {
+// A few hundred pixels at edges have most of the error, so its estimate has a standard error of about 5 %.
+TEST(ReferenceImage, EstimatesItsOwnError) {
     measure::Workers workers(2);
-    measure::Reference reference(requestFor("builtin:cornell-area", 80), workers);
+    measure::ReferenceImage reference(requestFor("builtin:cornell-area", 80), workers);
     ASSERT_TRUE(reference.extend(8, {}));
     const RgbImage early = reference.mean();
-    const double claimed = reference.error();
+    const double estimated = reference.error();
     ASSERT_TRUE(reference.extend(256, {}));
-    EXPECT_LT(reference.error(), 0.2 * claimed);
-    EXPECT_NEAR(distance(early, reference.mean()) / claimed, 1.0, 0.15);
+    EXPECT_LT(reference.error(), 0.2 * estimated);
+    EXPECT_NEAR(distance(early, reference.mean()) / estimated, 1.0, 0.15);
 }
 
-TEST(Reference, ConvergesIfItsErrorFalls) {
+TEST(ReferenceImage, ConvergesIfItsErrorFalls) {
     EXPECT_TRUE(measure::converges({}));
-    EXPECT_TRUE(measure::converges({{4, 0.1}, {8, 0.2}})) << "too early to say";
+    EXPECT_TRUE(measure::converges({{4, 0.1}, {8, 0.2}})) << "too few steps";
     EXPECT_TRUE(measure::converges({{4, 0.1}, {8, 0.07}, {16, 0.05}}));
     EXPECT_FALSE(measure::converges({{4, 0.1}, {8, 0.11}, {16, 0.09}})) << "rare bright samples";
     EXPECT_FALSE(measure::converges({{4, 0.1}, {8, 0.07}, {16, NAN}}));
     EXPECT_TRUE(measure::converges({{2, 0.1}, {4, 0.1}, {8, 0.08}, {16, 0.06}}));
 }
 
-TEST(Reference, GoesOnFromAFileBitForBit) {
+TEST(ReferenceImage, ContinuesFromAFileBitForBit) {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("sub/r.films");
     measure::Workers workers(2);
-    measure::Reference whole(requestFor("builtin:cornell", 40), workers),
+    measure::ReferenceImage whole(requestFor("builtin:cornell", 40), workers),
         part(requestFor("builtin:cornell", 40), workers);
     whole.extend(8, {});
     part.extend(4, {});
     part.save(file);
-    measure::Reference resumed(requestFor("builtin:cornell", 40), workers);
+    measure::ReferenceImage resumed(requestFor("builtin:cornell", 40), workers);
     ASSERT_TRUE(resumed.load(file));
     EXPECT_EQ(resumed.samples(), 4);
     resumed.extend(8, {});
     EXPECT_EQ(resumed.mean().pixels, whole.mean().pixels);
 }
 
-TEST(Reference, TakesNoFileThatIsDamagedOrOfSomethingElse) {
+TEST(ReferenceImage, RejectsDamagedAndForeignFiles) {
     const test::TemporaryFolder folder;
     measure::Workers workers(2);
-    measure::Reference reference(requestFor("builtin:cornell", 40), workers);
+    measure::ReferenceImage reference(requestFor("builtin:cornell", 40), workers);
     reference.extend(2, {});
     reference.save(folder.file("r.films"));
     const std::string good = test::readText(folder / "r.films");
 
     const auto loads = [&](const std::string& scene, int size, const std::string& content) {
         folder.write("t.films", content);
-        measure::Reference fresh(requestFor(scene, size), workers);
+        measure::ReferenceImage fresh(requestFor(scene, size), workers);
         const bool loaded = fresh.load(folder.file("t.films"));
         EXPECT_EQ(fresh.samples(), loaded ? 2 : 0);
         return loaded;
@@ -113,13 +113,13 @@ TEST(Reference, TakesNoFileThatIsDamagedOrOfSomethingElse) {
     EXPECT_FALSE(loads("builtin:cornell", 40, ""));
     EXPECT_FALSE(loads("builtin:cornell", 41, good));
     EXPECT_FALSE(loads("builtin:cornell-area", 40, good));
-    measure::Reference fresh(requestFor("builtin:cornell", 40), workers);
+    measure::ReferenceImage fresh(requestFor("builtin:cornell", 40), workers);
     EXPECT_FALSE(fresh.load(folder.file("missing.films")));
 }
 
-TEST(Reference, AStopKeepsWhatWasTraced) {
+TEST(ReferenceImage, CanBeExtendedAfterAStop) {
     measure::Workers workers(2);
-    measure::Reference reference(requestFor("builtin:cornell", 40), workers);
+    measure::ReferenceImage reference(requestFor("builtin:cornell", 40), workers);
     std::stop_source stop;
     stop.request_stop();
     EXPECT_FALSE(reference.extend(64, stop.get_token()));

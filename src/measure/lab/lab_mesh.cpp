@@ -1,4 +1,4 @@
-#include "measure/lab/mesh.h"
+#include "measure/lab/lab_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Neither two equal corners nor three on a line, as far as double can tell.
+/// In double: neither two equal vertices nor three on a line.
 bool hasArea(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::dvec3 ab = glm::dvec3(b) - glm::dvec3(a), ac = glm::dvec3(c) - glm::dvec3(a);
     return glm::cross(ab, ac) != glm::dvec3(0.0);
 }
 
-/// No axis and no ratio of two is special.
+/// Parallel to no axis and no diagonal.
 glm::dvec3 offsetDirection() { return glm::normalize(glm::dvec3(1.0, -0.83, 0.57)); }
 
 }  // namespace
@@ -26,7 +26,7 @@ LabMesh::LabMesh(const SceneDescription& scene) {
     const auto motionGroups = trace::makeGeometry(scene, false);
     if (!motionGroups.empty()) weld(motionGroups[0]->input.vertices, motionGroups[0]->input.triangles);
     findEdges();
-    findFans();
+    findVertexTriangles();
     glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
     for (const glm::vec3& v : vertices_) {
         lower = glm::min(lower, glm::dvec3(v));
@@ -37,7 +37,7 @@ LabMesh::LabMesh(const SceneDescription& scene) {
     size_ = glm::length(upper - lower);
 }
 
-/// Keeps finite triangles of three different corners.
+/// Merges equal vertices and keeps finite triangles with three different ones.
 void LabMesh::weld(std::span<const glm::vec3> vertices, std::span<const glm::uvec3> triangles) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < vertices.size(); ++i)
@@ -45,13 +45,13 @@ void LabMesh::weld(std::span<const glm::vec3> vertices, std::span<const glm::uve
     const auto key = [&](std::uint32_t i) { return std::tuple(vertices[i].x, vertices[i].y, vertices[i].z); };
     std::sort(order.begin(), order.end(), [&](auto i, auto j) { return key(i) < key(j); });
     constexpr std::uint32_t kNone = ~0u;
-    std::vector<std::uint32_t> transform(vertices.size(), kNone);
+    std::vector<std::uint32_t> merged(vertices.size(), kNone);
     for (const std::uint32_t i : order) {
         if (vertices_.empty() || vertices_.back() != vertices[i]) vertices_.push_back(vertices[i]);
-        transform[i] = static_cast<std::uint32_t>(vertices_.size() - 1);
+        merged[i] = static_cast<std::uint32_t>(vertices_.size() - 1);
     }
     for (const glm::uvec3& t : triangles) {
-        const glm::uvec3 w(transform[t.x], transform[t.y], transform[t.z]);
+        const glm::uvec3 w(merged[t.x], merged[t.y], merged[t.z]);
         const bool kept = w.x != kNone && w.y != kNone && w.z != kNone;
         if (kept && w.x != w.y && w.y != w.z && w.z != w.x) triangles_.push_back(w);
     }
@@ -83,42 +83,43 @@ void LabMesh::findEdges() {
     }
 }
 
-void LabMesh::findFans() {
+void LabMesh::findVertexTriangles() {
     std::vector<std::uint32_t> next(vertices_.size() + 2, 0);
     for (const glm::uvec3& t : triangles_)
         for (int k = 0; k < 3; ++k) ++next[t[k] + 2];
     for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-    fans_.resize(3 * triangles_.size());
+    vertexTriangles_.resize(3 * triangles_.size());
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-        for (int k = 0; k < 3; ++k) fans_[next[triangles_[i][k] + 1]++] = i;
+        for (int k = 0; k < 3; ++k) vertexTriangles_[next[triangles_[i][k] + 1]++] = i;
     next.pop_back();
-    fanStart_ = std::move(next);
+    firstTriangle_ = std::move(next);
 
     std::vector<bool> open(vertices_.size(), false);
     for (const std::uint32_t vertex : openEdges_) open[vertex] = true;
     for (std::uint32_t v = 0; v < vertices_.size(); ++v)
-        if (!open[v] && fanStart_[v] != fanStart_[v + 1]) closed_.push_back(v);
+        if (!open[v] && firstTriangle_[v] != firstTriangle_[v + 1]) closed_.push_back(v);
 }
 
 std::span<const std::uint32_t> LabMesh::trianglesAround(std::uint32_t vertex) const {
-    return std::span(fans_).subspan(fanStart_[vertex], fanStart_[vertex + 1] - fanStart_[vertex]);
+    return std::span(vertexTriangles_)
+        .subspan(firstTriangle_[vertex], firstTriangle_[vertex + 1] - firstTriangle_[vertex]);
 }
 
 std::vector<glm::vec3> LabMesh::verticesAt(const LabTransform& transform) const {
-    std::vector<glm::vec3> moved;
-    moved.reserve(vertices_.size());
+    std::vector<glm::vec3> transformed;
+    transformed.reserve(vertices_.size());
     for (const glm::vec3& v : vertices_) {
         const glm::dvec3 unscaled = glm::dvec3(v) - center_ + transform.offset * size_ * offsetDirection();
-        moved.emplace_back(std::ldexp(1.0, transform.scale) * unscaled);
+        transformed.emplace_back(std::ldexp(1.0, transform.scale) * unscaled);
     }
-    return moved;
+    return transformed;
 }
 
-std::uint64_t LabMesh::degenerate(const std::vector<glm::vec3>& moved) const {
+std::uint64_t LabMesh::degenerate(const std::vector<glm::vec3>& transformed) const {
     std::uint64_t count = 0;
     for (const glm::uvec3& t : triangles_)
         count += hasArea(vertices_[t.x], vertices_[t.y], vertices_[t.z]) &&
-                 !hasArea(moved[t.x], moved[t.y], moved[t.z]);
+                 !hasArea(transformed[t.x], transformed[t.y], transformed[t.z]);
     return count;
 }
 

@@ -1,4 +1,4 @@
-#include "measure/lab/summary.h"
+#include "measure/lab/lab_summary.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Follows testPoints away from the middle: `last` becomes the last passed one, `next` the first that fails.
-void follow(const std::vector<const LabTestPoint*>& row, LabMethod method, const LabTestPoint*& last,
-            const LabTestPoint*& next) {
+/// Finds the last test point of a row before the first failing one, and that one; null where there is none.
+void findFirstFailure(const std::vector<const LabTestPoint*>& row, LabMethod method,
+                      const LabTestPoint*& last, const LabTestPoint*& next) {
     for (const LabTestPoint* testPoint : row) {
         if (!testPoint->of(method).passed()) {
             next = testPoint;
@@ -22,7 +22,7 @@ void follow(const std::vector<const LabTestPoint*>& row, LabMethod method, const
 
 LabRange rangeOf(const std::vector<LabTestPoint>& testPoints, LabMethod method) {
     LabRange range;
-    std::vector<const LabTestPoint*> smaller, larger, farther;  // nearest to the middle first
+    std::vector<const LabTestPoint*> smaller, larger, farther;  // by distance from the untransformed scene
     for (const LabTestPoint& testPoint : testPoints) {
         range.failingTestPoints += !testPoint.of(method).passed();
         if (testPoint.transform.offset == 0.0 && testPoint.transform.scale < 0)
@@ -34,15 +34,15 @@ LabRange rangeOf(const std::vector<LabTestPoint>& testPoints, LabMethod method) 
     }
     if (!range.soundUntransformed) return range;
     const LabTestPoint *last = nullptr, *next = nullptr;
-    follow(smaller, method, last, next);
+    findFirstFailure(smaller, method, last, next);
     if (last) range.lowestScale = last->transform.scale;
     if (next) range.failsBelow = next->transform.scale;
     last = next = nullptr;
-    follow(larger, method, last, next);
+    findFirstFailure(larger, method, last, next);
     if (last) range.highestScale = last->transform.scale;
     if (next) range.failsAbove = next->transform.scale;
     last = next = nullptr;
-    follow(farther, method, last, next);
+    findFirstFailure(farther, method, last, next);
     if (last) range.largestOffset = last->transform.offset;
     if (next) range.failsBeyond = next->transform.offset;
     return range;
@@ -50,7 +50,7 @@ LabRange rangeOf(const std::vector<LabTestPoint>& testPoints, LabMethod method) 
 
 }  // namespace
 
-void summarize(LabResult& result) {
+void summarizeLab(LabResult& result) {
     for (int i = 0; i < static_cast<int>(kLabMethods.size()); ++i)
         result.ranges[static_cast<std::size_t>(i)] = rangeOf(result.testPoints, static_cast<LabMethod>(i));
     for (const LabTestPoint& testPoint : result.testPoints) {
@@ -59,12 +59,13 @@ void summarize(LabResult& result) {
         result.meshOffset = testPoint.transform.offset;
     }
     if (result.sharedEdges == 0)
-        result.remarks.emplace_back("no edge is shared by two triangles, so no ray could be aimed at a seam");
+        result.remarks.emplace_back(
+            "no edge is shared by two triangles, so no rays were aimed at shared edges");
     if (result.spheres > 0)
         result.remarks.push_back(
-            fmt::format("{} spheres were left out: the laboratory shoots at triangles", result.spheres));
+            fmt::format("{} spheres were left out: only triangles are tested", result.spheres));
     if (result.interrupted)
-        result.remarks.push_back(fmt::format("stopped early, after {} cells", result.testPoints.size()));
+        result.remarks.push_back(fmt::format("interrupted after {} test points", result.testPoints.size()));
 }
 
 }  // namespace rayscope::measure

@@ -8,7 +8,7 @@
 
 namespace rayscope::measure {
 
-/// The random numbers of one ray: a function of its name.
+/// The random numbers of one ray, a function of seed and index (SplitMix64).
 class LabRandom {
   public:
     LabRandom(std::uint64_t seed, std::uint64_t index) : state_(sampling::hashPair(seed, index)) {}
