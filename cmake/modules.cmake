@@ -29,7 +29,7 @@ function(rayscope_module name)
   add_library(rayscope_${name} OBJECT ${MODULE_SOURCES})
   target_include_directories(rayscope_${name} PUBLIC
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated)
-  target_link_libraries(rayscope_${name} PUBLIC rayscope_options glm::glm fmt::fmt ${MODULE_LINK})
+  target_link_libraries(rayscope_${name} PUBLIC rayscope_options ${RAYSCOPE_COMMON_LIBRARIES} ${MODULE_LINK})
   rayscope_precompile(rayscope_${name} rayscope_common_headers ${MODULE_PRECOMPILE})
   foreach(source IN LISTS MODULE_SOURCES)
     get_filename_component(folder ${source} DIRECTORY)

@@ -3,6 +3,7 @@
 set(RAYSCOPE_COMMON_HEADERS
   <algorithm> <array> <cmath> <cstdint> <fmt/format.h> <functional> <glm/glm.hpp> <limits> <map> <memory> <numbers>
   <optional> <random> <span> <string> <string_view> <tbb/parallel_for.h> <tbb/task_arena.h> <vector>)
+# All modules and tests link these, because their definitions (TBB_USE_DEBUG) must agree with the precompiled header.
 set(RAYSCOPE_COMMON_LIBRARIES glm::glm fmt::fmt TBB::tbb)
 
 # All files that share a precompiled header need the same options, except for the level of optimization.
