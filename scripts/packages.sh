@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034
-# The packages of the distribution that Rayscope is built from, by their names in Debian and Ubuntu. Sourced.
+# The distribution packages that Rayscope is built from, by their names in Debian and Ubuntu. Sourced.
 
 build_packages=(
     build-essential cmake ninja-build pkg-config
@@ -11,8 +11,9 @@ build_packages=(
 
 test_packages=(
     libgtest-dev libgmock-dev clang-format valgrind
-    xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window without a screen
+    xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window on a virtual display
 )
 
-# Used if they are there; a distribution may not have them.
-optional_packages=(libembree-dev libbenchmark-dev libgmp-dev)
+# Used if installed; some distributions do not have all of them. Embree and GMP are test oracles, mold links faster, and
+# universal-ctags measures the length of functions.
+optional_packages=(libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags)

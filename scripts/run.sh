@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/run.sh [ARGS]: installs what is missing, builds, and runs `rayscope ARGS`. Without ARGS it opens the window on
-# the built-in scene, or renders that scene to rayscope.png where there is no display.
+# scripts/run.sh [ARGS]: installs missing packages, builds, and runs `rayscope ARGS`. Without ARGS it opens the window with
+# the built-in scene or, if there is no display, renders that scene to rayscope.png.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"

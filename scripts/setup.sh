@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What run.sh and test.sh share: install what is missing, configure, build. Sourced.
-# Everything said here goes to stderr; stdout belongs to the program.
+# Shared by run.sh and test.sh: installing packages, configuring, building. Sourced.
+# All messages go to stderr; stdout belongs to the program.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck source=scripts/packages.sh
@@ -17,7 +17,7 @@ missing_packages() {
     done
 }
 
-# Whether the package manager could install all of these with what it knows now.
+# Whether the package manager can install all of these without an update of its lists.
 has_candidates() {
     local name
     for name in "$@"; do
@@ -31,7 +31,7 @@ as_root() {
     elif command -v sudo >/dev/null; then
         sudo "$@"
     else
-        fail "this needs root and there is no sudo; run as root: $*"
+        fail "root is required and sudo is not installed; run as root: $*"
     fi
 }
 
@@ -40,11 +40,11 @@ apt() {
         </dev/null >/dev/null
 }
 
-# install_packages NAME…: installs what is missing, says what, and is silent if nothing is.
+# install_packages NAME…: installs the missing ones and prints their names; silent if none is missing.
 install_packages() {
     if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
         command -v cmake >/dev/null && [[ -f $root/build/release/build.ninja ]] && return
-        say "This system has no apt-get. Install what these packages of Debian hold, if the build misses them:"
+        say "This system has no apt-get. If the build does not find a library, install the equivalent of these Debian packages:"
         say "    $*"
         return
     fi
@@ -52,11 +52,11 @@ install_packages() {
     mapfile -t missing < <(missing_packages "$@")
     ((${#missing[@]})) || return 0
     say "Installing ${missing[*]}"
-    has_candidates "${missing[@]}" || apt update || fail "apt-get update failed; is there a network?"
+    has_candidates "${missing[@]}" || apt update || fail "apt-get update failed; check the network connection"
     apt install -y --no-install-recommends "${missing[@]}" || fail "could not install ${missing[*]}"
 }
 
-# Installs what is nice to have, if that takes neither a password nor a search.
+# Installs the optional packages if that needs neither a password nor an update of the package lists.
 install_optional_packages() {
     command -v apt-get >/dev/null || return 0
     ((EUID == 0)) || sudo -n true 2>/dev/null || return 0
@@ -64,17 +64,17 @@ install_optional_packages() {
     for name in $(missing_packages "${optional_packages[@]}"); do
         has_candidates "$name" || continue
         say "Installing $name"
-        apt install -y --no-install-recommends "$name" || say "note: going on without $name"
+        apt install -y --no-install-recommends "$name" || say "note: continuing without $name"
     done
 }
 
-# quietly WHAT COMMAND…: silent if the command is quick and succeeds; says WHAT and how far it is if it takes longer;
-# shows all it said if it fails.
+# quietly WHAT COMMAND…: silent if the command succeeds within two seconds; otherwise prints WHAT and, on a terminal, the
+# last line of the output; prints the whole output if the command fails.
 quietly() {
     local what=$1 log pid status=0 ticks=0
     shift
     log=$(mktemp)
-    set -m # a process group of its own, so that Ctrl+C can end the command with all its children
+    set -m # a process group of its own, so that Ctrl+C ends the command with all its children
     "$@" >"$log" 2>&1 </dev/null &
     pid=$!
     set +m
@@ -94,12 +94,14 @@ quietly() {
     return "$status"
 }
 
-# build PRESET TARGET [CMAKE-OPTION…]: configures if that was not done with these options before, then builds.
+# build PRESET TARGETS [CMAKE-OPTION…]: configures if there are options or no build folder, then builds the targets, which
+# are separated by spaces.
 build() {
-    local preset=$1 target=$2 folder=$root/build/$1
+    local preset=$1 targets folder=$root/build/$1
+    read -ra targets <<<"$2"
     shift 2
     if [[ ! -f $folder/build.ninja || $# -gt 0 ]]; then
         quietly "Configuring ($preset)" cmake -S "$root" --preset "$preset" "$@" || return
     fi
-    quietly "Building ($preset; the first time takes some minutes)" cmake --build "$folder" --target "$target"
+    quietly "Building ($preset; the first time takes some minutes)" cmake --build "$folder" --target "${targets[@]}"
 }

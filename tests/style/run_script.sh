@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# scripts/run.sh passes arguments and exit codes on, keeps stdout to the program, works from any folder, and makes a
-# picture where there is no display.
+# scripts/run.sh passes on arguments and exit codes, prints nothing of its own on stdout, works from any folder, and renders
+# a picture if there is no display.
 set -euo pipefail
-[[ $BUILD == "$SOURCE/build/release" ]] || { echo "run.sh would build another folder than this"; exit 77; }
+[[ $BUILD == "$SOURCE/build/release" ]] || { echo "run.sh builds another folder than this one"; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/a folder"
@@ -12,11 +12,11 @@ unset DISPLAY WAYLAND_DISPLAY
 fail() { echo "$*"; exit 1; }
 
 said=$("$SOURCE/scripts/run.sh" 2>&1) || fail "run.sh without a display failed: $said"
-[[ $said == *"no display"*rayscope.png* ]] || fail "it did not say why there is no window: $said"
+[[ $said == *"no display"*rayscope.png* ]] || fail "no message about the missing display: $said"
 [[ $(head -c 4 rayscope.png | tail -c 3) == PNG ]] || fail "rayscope.png is not a PNG"
 
 [[ $("$SOURCE/scripts/run.sh" --version 2>errors) == "rayscope "* ]] || fail "arguments do not reach the program"
-[[ ! -s errors ]] || fail "not quiet about what is there: $(cat errors)"
+[[ ! -s errors ]] || fail "messages although nothing was installed or built: $(cat errors)"
 
 status=0
 "$SOURCE/scripts/run.sh" info 'no such scene.toml' >output 2>errors || status=$?
