@@ -128,38 +128,7 @@ void Application::drawSidePanel(const Layout& parts) {
                 std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
         ImGui::SetCursorPos(start);
 
-        ViewState& view = workspace_.view;
-        const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-        if (toggleButton("Rasterised", !view.traced, half)) view.traced = false;
-        tooltip("Drawn by OpenGL: quick, without shadows and reflections (Tab).");
-        ImGui::SameLine();
-        if (toggleButton("Ray-traced", view.traced, half)) view.traced = true;
-        tooltip("Traced on the CPU, refining as long as nothing changes (Tab).");
-        ImGui::Spacing();
-        if (ImGui::BeginTabBar("##tabs")) {
-            const auto tab = [&](const char* name, auto draw) {
-                if (!ImGui::BeginTabItem(name)) return;
-                ImGui::BeginChild(name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
-                draw();
-                ImGui::EndChild();
-                ImGui::EndTabItem();
-            };
-            const auto group = [&](const char* name, void (*draw)(Workspace&)) {
-                if (ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) draw(workspace_);
-            };
-            tab("Scene", [&] {
-                group("Contents", drawScenePanel);
-                group("Camera", drawCameraPanel);
-                group("Lights", drawLightsPanel);
-                if (ImGui::CollapsingHeader("Numbers at the extremes")) drawLabPanel(workspace_);
-            });
-            tab("Settings", [&] { drawSettingsPanel(workspace_); });
-            tab("Rays", [&] { drawRaysPanel(workspace_); });
-            tab("BVH", [&] { drawBvhPanel(workspace_); });
-            tab("Map", [&] { drawHeatPanel(workspace_); });
-            tab("A/B", [&] { drawComparisonPanel(workspace_); });
-            ImGui::EndTabBar();
-        }
+        drawSidePanelContents(workspace_);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

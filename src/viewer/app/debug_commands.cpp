@@ -88,13 +88,13 @@ void Application::keepPicture() {
     const RgbImage& image = picture_.shownImage();
     const bool whole = glm::ivec2(image.width, image.height) == workspace_.imageSize();
     if (!workspace_.view.traced || !whole || !workspace_.render.currentWorld()) {
-        workspace_.notify("There is no traced picture to keep yet", Severity::Warning);
+        workspace_.notify("No traced picture at full resolution yet: show the ray-traced view and try again", Severity::Warning);
         return;
     }
     const int samples = workspace_.render.status().samples;
     workspace_.comparison.keep(workspace_.edit, image, samples);
     workspace_.comparison.view.shown = true;
-    workspace_.notify(fmt::format("Kept as A: {} samples per pixel", samples));
+    workspace_.notify(fmt::format("Kept as A with {} samples per pixel", samples));
 }
 
 void Application::copyRays() {

@@ -16,6 +16,9 @@ void drawKeysWindow(Workspace& workspace);
 void drawStatisticsWindow(Workspace& workspace);
 void drawErrorDialog(Workspace& workspace);
 
+/// The view buttons and the tabs, into the current window.
+void drawSidePanelContents(Workspace& workspace);
+
 // Groups of the side panel.
 void drawScenePanel(Workspace& workspace);
 void drawCameraPanel(Workspace& workspace);
