@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/film.h"
-#include "trace/compile.h"
-#include "viewer/jobs/debug_rays.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 
 namespace rayscope::viewer {
@@ -182,64 +180,6 @@ TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
     for (std::size_t i = 0; i < legend.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_TRUE(legend[i].color != legend[j].color || legend[i].style != legend[j].style);
-}
-
-TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
-    Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
-    RenderSession session(1);
-    RenderRequest request;
-    request.scene = state.scene;
-    request.camera = state.camera;
-    request.settings = state.settings;
-    request.settings.spp = 1;
-    request.width = request.height = 48;
-    session.submit(request);
-    ASSERT_EQ(session.wait(60.0), RenderState::Done);
-
-    DebugRays rays;
-    rays.recordPixel(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
-    ASSERT_TRUE(rays.recording());
-    EXPECT_TRUE(rays.recording()->verdict->matchesFilm);
-    EXPECT_EQ(rays.recording()->tree().nodes[0].ray.origin, state.camera.lookFrom);
-    EXPECT_FALSE(rays.isStaleFor(state, {48, 48}));
-    EXPECT_TRUE(rays.isStaleFor(state, {96, 48}));
-
-    rays.step(1);
-    ASSERT_EQ(rays.traversals().size(), 1u);
-    EXPECT_EQ(rays.traversals()[0].hit.primitive, rays.recording()->tree().nodes[0].primitiveHit.primitive);
-    rays.step(100000);
-    EXPECT_EQ(rays.traversal.step, static_cast<int>(rays.traversals()[0].steps.size()));
-
-    EditState other = state;
-    other.settings.exposure = 1.0f;
-    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
-    other.settings.maxDepth = 1;
-    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
-    other = state;
-    other.camera.fov += 1.0f;
-    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
-    rays.clear();
-    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
-}
-
-TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
-    Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
-    state.settings.spp = 64;
-    const auto world = trace::compile({state.scene, state.settings, state.camera, 48, 48});
-    DebugRays rays;
-    rays.recordPixel(world, state, {48, 48}, {24, 30, 0}, nullptr);
-    EXPECT_EQ(rays.recording()->trees.size(), 1u);
-    rays.showAllSamples(true);
-    EXPECT_EQ(rays.recording()->trees.size(), 64u);
-    rays.selectSample(40);
-    EXPECT_EQ(rays.recording()->tree().name.index, 40);
-    rays.budget = 4096;
-    rays.showAllSamples(true);
-    EXPECT_LT(rays.recording()->trees.size(), 20u);
-    EXPECT_EQ(rays.recording()->tree().name.index, 40) << "the chosen one is always there";
-    EXPECT_EQ(rays.recording()->samples, 64);
 }
 
 TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {

@@ -9,7 +9,7 @@
 #include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/model/camera_controller.h"
-#include "viewer/view/picture.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 
 namespace rayscope::viewer {
 

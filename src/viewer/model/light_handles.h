@@ -24,8 +24,13 @@ constexpr glm::dvec3 axisOf(HandlePart handlePart) {
 /// Lengths in pixels of the picture.
 struct HandleSize {
     double axis = 70.0;  ///< length of an axis
-    double reach = 8.0;  ///< how near counts as on it
+    double reach = 8.0;  ///< a cursor within this distance is on the handle
 };
+
+/// The size at this UI scale.
+inline HandleSize handleSize(float scale) {
+    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
+}
 
 /// The end of an axis that is `size.axis` pixels long where it is not foreshortened.
 glm::dvec3 axisEnd(const ViewFrame& frame, glm::dvec3 center, HandlePart handlePart, const HandleSize& size);

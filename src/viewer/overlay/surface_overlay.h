@@ -4,12 +4,6 @@
 
 namespace rayscope::viewer {
 
-/// What is drawn of how surfaces and the camera are sampled.
-struct SurfaceOverlayOptions {
-    bool glossySquare = true, environment = true, lens = true;
-    bool operator==(const SurfaceOverlayOptions&) const = default;
-};
-
 /// The edges of the triangle and the normals of its vertices, `length` long.
 OverlayLines vertexNormalLines(const probe::VertexNormals& normals, float length);
 

@@ -2,20 +2,10 @@
 #include <rayscope/accel.h>
 
 #include "probe/traversal_log.h"
+#include "viewer/model/overlay_options.h"
 #include "viewer/overlay/boxes.h"
 
 namespace rayscope::viewer {
-
-/// What is drawn of a traversal.
-struct TraversalOverlayOptions {
-    bool shown = false;
-    bool culled = true;     ///< boxes that were hit, but lie behind a hit
-    bool missed = false;    ///< boxes that the ray does not meet
-    bool stepping = false;  ///< as it stands after `step` steps, not at the end
-    int step = 0;
-    BvhLayout layout = BvhLayout::Binary;  ///< of the tree that is searched
-    bool operator==(const TraversalOverlayOptions&) const = default;
-};
 
 /// How many steps of the log the choice shows.
 std::size_t shownSteps(const probe::TraversalLog& log, const TraversalOverlayOptions& choice);

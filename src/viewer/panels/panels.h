@@ -41,10 +41,12 @@ void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 siz
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {
   public:
-    /// Opens when the workspace asks for it.
+    /// Opens the dialog at the next draw().
+    void request() { requested_ = true; }
     void draw(Workspace& workspace);
 
   private:
+    bool requested_ = false;
     struct Entry {
         std::string name;
         bool folder;
@@ -60,9 +62,12 @@ class OpenDialog {
 /// Size, samples and name of a render to a file, then its progress.
 class RenderDialog {
   public:
+    /// Opens the dialog at the next draw().
+    void request() { requested_ = true; }
     void draw(Workspace& workspace);
 
   private:
+    bool requested_ = false;
     void drawForm(Workspace& workspace);
     void drawProgress(Workspace& workspace);
 

@@ -16,10 +16,6 @@ std::string_view rendererName() {
 }
 }  // namespace
 
-HandleSize handleSize(float scale) {
-    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
-}
-
 Picture::Picture()
     : software_(isSoftwareRenderer(rendererName())), raster_(drawingBudget(software_, true).triangles) {}
 

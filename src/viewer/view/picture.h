@@ -72,7 +72,4 @@ class Picture {
     std::shared_ptr<const SceneDescription> loaded_;
 };
 
-/// Sizes of the handle in pixels at this scale.
-HandleSize handleSize(float scale);
-
 }  // namespace rayscope::viewer

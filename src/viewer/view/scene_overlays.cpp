@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include "viewer/overlay/bvh_overlay.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 #include "viewer/overlay/line_selection.h"
+#include "viewer/overlay/surface_overlay.h"
+#include "viewer/overlay/traversal_overlay.h"
 
 namespace rayscope::viewer {
 
