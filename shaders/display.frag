@@ -1,10 +1,10 @@
 #version 330 core
-// Linear radiance to what the screen shows: exposure, then the tone curve.
+// Display transform of linear radiance: exposure, then the encoding.
 in vec2 place;
 
 uniform sampler2D image;
 uniform sampler2D other;
-uniform bool difference;    // show what `image` and `other` differ by
+uniform bool difference;    // show the absolute difference of `image` and `other`
 uniform bool onePixelEach;  // image and screen have the same size
 uniform float exposureFactor;
 uniform bool courseCurve;
@@ -24,7 +24,7 @@ void main() {
                                  : texture(image, vec2(place.x, 1.0 - place.y)).rgb;
     if (difference) radiance = abs(radiance - texture(other, vec2(place.x, 1.0 - place.y)).rgb);
     radiance *= exposureFactor;
-    // What is not a number shows as magenta, never as black.
+    // Non-finite values are magenta.
     if (any(isnan(radiance)) || any(isinf(radiance))) radiance = vec3(1.0, 0.0, 1.0);
     radiance = clamp(radiance, 0.0, 1.0);
     fragment = vec4(courseCurve ? radiance : srgb(radiance), 1.0);

@@ -12,7 +12,7 @@ uniform float hiddenOpacity;
 
 out vec4 fragment;
 
-// A line that lies on a surface is not hidden: depths have 24 bits.
+// Depth bias, so that lines on a surface are visible: depths have 24 bits.
 const float kStepOfDepth = 1.0 / 8388608.0;
 
 void main() {

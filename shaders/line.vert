@@ -1,5 +1,5 @@
 #version 330 core
-// Spans a screen-aligned rectangle of the wanted width over the segment from..to.
+// Spans a screen-aligned rectangle of the line width over the segment from..to.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec4 color;
@@ -19,7 +19,7 @@ void main() {
     vec4 start = viewProjection * vec4(from, 1.0);
     vec4 end = viewProjection * vec4(to, 1.0);
 
-    // What lies before the near plane has no place on the screen: cut it off before the division by w.
+    // Clip at the near plane before the division by w.
     float startSide = start.z + start.w, endSide = end.z + end.w;
     lineColor = color;
     halfWidth = 0.5 * widthAndStyle.x * scale;

@@ -1,5 +1,5 @@
 #version 330 core
-// A light beside the viewer plus the lights of the scene, without shadows: a picture to find one's way in.
+// A headlight plus the lights of the scene, without shadows.
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec2 uv;
@@ -18,7 +18,7 @@ out vec4 fragment;
 
 const float kAmbient = 0.16, kHeadlight = 0.34, kSceneLights = 0.6;
 
-// The curve of sRGB, within 0.002 from 0.003 up to 1: this picture is no measurement, and roots are cheap.
+// Approximates the sRGB curve within 0.002 from 0.003 to 1 with square roots.
 vec3 srgb(vec3 linear) {
     vec3 root2 = sqrt(linear), root4 = sqrt(root2), root8 = sqrt(root4);
     return 0.585122381 * root2 + 0.783140355 * root4 - 0.368262736 * root8;
@@ -31,7 +31,7 @@ void main() {
     if (dot(normal, toEye) < 0.0) normal = -normal;
     // The texture's first row is the top of the picture.
     vec3 diffuse = useTexture ? texture(kdTexture, vec2(uv.x, 1.0 - uv.y)).rgb : kd;
-    // A mirror has no colour of its own; give it some body.
+    // A perfect mirror would be black here.
     diffuse = max(diffuse, 0.5 * ks + 0.02);
 
     vec3 light = vec3(kAmbient + kHeadlight * dot(normal, toEye));

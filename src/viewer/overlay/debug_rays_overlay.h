@@ -9,19 +9,19 @@ namespace rayscope::viewer {
 
 bool isShown(const RayTree& tree, RaySelection ray, const DebugRayFilter& filter);
 
-/// The rays that the filter lets through: nodes in order, each followed by its shadow rays.
+/// The rays that the filter shows: nodes in order, each followed by its shadow rays.
 std::vector<RaySelection> shownRays(const RayTree& tree, const DebugRayFilter& filter);
 
-/// Rays by kind (colour and line style) or in what they see, shadow rays in the light's colour or red where
-/// blocked, and shading normals. `sceneSize` is the length of the scene's diagonal: rays that miss are drawn
-/// that long, normals a twentieth of it.
+/// Rays coloured as RayColors says, shadow rays in the colour of the light or red if occluded, and shading
+/// normals. `sceneSize` is the length of the scene's diagonal: rays that miss are drawn with that length,
+/// normals with a twentieth of it.
 OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize);
 
-/// The shown ray that appears within `reach` pixels of the cursor; of several the nearest.
+/// The shown ray nearest to the cursor, at most `reach` pixels away.
 RaySelection pickRay(const RayTree& tree, const DebugRayFilter& filter, const ViewFrame& frame,
                      glm::dvec2 cursor, double reach, float sceneSize);
 
-/// What a line means, and the switch for it.
+/// The meaning of a line style and colour, and the filter member that shows it.
 struct RayLegendEntry {
     const char* label;
     glm::vec4 color;
