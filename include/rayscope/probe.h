@@ -4,6 +4,7 @@
 #include <rayscope/render_session.h>
 #include <rayscope/vector.h>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,9 @@ struct ReplayResult {
     std::vector<RgbSum> values;  ///< of the samples
     bool good() const { return matchesFilm && sumMatches; }
 };
+/// `beforeSample`, if given, is called before each sample and may throw to stop.
 ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
-                          int y);
+                          int y, const std::function<void()>& beforeSample = {});
 
 /// The tree as an indented text for people, and as JSON for programs.
 std::string toText(const RayTree& tree, const trace::World& world);

@@ -46,9 +46,9 @@ std::string toText(const Diagnosis& why) {
 
 int samplesToDiagnose(const Settings& settings) { return std::min(settings.spp, 64); }
 
-std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y,
-                                     int samples) {
-    const PixelEvidence pixel = gatherEvidence(world, seed, x, y, samples);
+std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
+                                     const std::function<void()>& beforeSample) {
+    const PixelEvidence pixel = gatherEvidence(world, seed, x, y, samples, beforeSample);
     std::vector<Diagnosis> all;
     const auto add = [&](std::optional<Diagnosis> found) {
         if (found) all.push_back(std::move(*found));

@@ -1,6 +1,7 @@
 #pragma once
 // Why a pixel is black, bright, noisy, slow or not a number, as far as its rays tell.
 #include <rayscope/probe.h>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,9 @@ std::string toText(const Diagnosis& explanation);
 int samplesToDiagnose(const Settings& settings);
 
 /// What stands out about the pixel in its first `samples` samples, the worst first; nothing if it is
-/// ordinary. Says "unknown" rather than guess.
-std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y,
-                                     int samples);
+/// ordinary. Says "unknown" rather than guess. `beforeSample`, if given, is called before each of the samples
+/// and may throw to stop.
+std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
+                                     const std::function<void()>& beforeSample = {});
 
 }  // namespace rayscope::probe

@@ -15,7 +15,8 @@ struct PixelEvidence {
     std::vector<RayTree> trees;
     SampleStatistics statistics;
 };
-PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples);
+PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
+                             const std::function<void()>& beforeSample);
 
 std::optional<Diagnosis> diagnoseNonFinite(const PixelEvidence& pixel);
 std::optional<Diagnosis> diagnoseBlack(const PixelEvidence& pixel);

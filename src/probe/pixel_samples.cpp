@@ -19,10 +19,12 @@ double medianOf(std::vector<double> values) {
 
 }  // namespace
 
-PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count) {
+PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count,
+                         const std::function<void()>& beforeSample) {
     PixelSamples samples;
     trace::NullObserver silent;
     for (int index = 0; index < count; ++index) {
+        if (beforeSample) beforeSample();
         const SampleId name{x, y, index};
         const trace::SampleResult result = trace::radiance(world, seed, name, silent);
         samples.values.push_back(result.radiance);

@@ -1,5 +1,6 @@
 #pragma once
 #include <rayscope/probe.h>
+#include <functional>
 #include <vector>
 
 namespace rayscope::probe {
@@ -10,7 +11,9 @@ struct PixelSamples {
     std::vector<glm::dvec2> positions;  ///< within the pixel, 0 … 1, y downwards
     std::vector<std::uint32_t> rays;    ///< traced for each
 };
-PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count);
+/// `beforeSample`, if given, is called before each sample and may throw to stop.
+PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count,
+                         const std::function<void()>& beforeSample = {});
 
 /// Luminances of samples and what they say about each other.
 struct SampleStatistics {

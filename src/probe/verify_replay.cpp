@@ -12,11 +12,12 @@ bool sameBits(const RgbSum& a, const RgbSum& b) { return std::memcmp(&a, &b, siz
 }  // namespace
 
 ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
-                          int y) {
+                          int y, const std::function<void()>& beforeSample) {
     ReplayResult verdict;
     verdict.film = film.sums(x, y, verdict.samples).radiance;
     verdict.sumMatches = true;
     for (int index = 0; index < verdict.samples; ++index) {
+        if (beforeSample) beforeSample();
         const RayTree tree = probeSample(world, seed, {x, y, index});
         RgbSum sum(0.0);
         for (const RgbSum& addend : tree.addends) sum += addend;

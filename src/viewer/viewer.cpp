@@ -15,8 +15,8 @@ int runViewer(const ViewerOptions& options) {
     }
     try {
         viewer::Application(options, std::move(first)).run();
-    } catch (const viewer::NoDisplay& errorMessage) {
-        fmt::print(stderr, "error: {}\n", errorMessage.what());
+    } catch (const viewer::NoDisplay& error) {
+        fmt::print(stderr, "error: {}\n", error.what());
         return kInputError;
     } catch (const InputError& error) {
         fmt::print(stderr, "{}\n", error.what());

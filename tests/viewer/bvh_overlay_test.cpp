@@ -18,7 +18,7 @@ ViewFrame frameAt(glm::vec3 eye) {
     return viewFrame(camera, 800, 600);
 }
 
-TEST(BoxSelection, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSmall) {
+TEST(BoxSelection, LargeBoxesHaveAllEdgesAndSmallOnesOneStrokePerSquare) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
     EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 5})).whole.size(), 1u);
     EXPECT_TRUE(selectBoxes(one, frameAt({0, 0, 5})).strokes.empty());
@@ -39,7 +39,7 @@ TEST(BoxSelection, WholeBoxesWhereTheyAreLargeAndOneStrokePerSpotWhereTheyAreSma
     EXPECT_GT(ten.large, 80u);
 }
 
-TEST(BoxSelection, LeavesOutWhatIsNotInThePicture) {
+TEST(BoxSelection, DropsBoxesOutsideThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
     const auto seen = [&](glm::vec3 eye) {
         const BoxSelection choice = selectBoxes(one, frameAt(eye));
@@ -79,20 +79,20 @@ void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::
     }
 }
 
-TEST(BvhInspector, ShowsTheTreeThatRaysSearchAndItsRival) {
+TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
     const auto world = worldOf("monkey");
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);
     ASSERT_NE(inspector.inspected(), nullptr);
     EXPECT_EQ(&inspector.inspected()->tree(), world->motionGroups[0].accel->binaryTree());
-    EXPECT_EQ(inspector.referenceTree(), nullptr) << "nobody asked for one";
+    EXPECT_EQ(inspector.referenceTree(), nullptr) << "not requested";
     inspector.shown.showReference = true;
     waitUntilQuiet(inspector, world);
     ASSERT_NE(inspector.referenceTree(), nullptr);
     EXPECT_EQ(inspector.referenceTree()->builder, BvhBuilder::Median);
     EXPECT_GT(inspector.referenceTree()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
 
-    // The boxes of both at a level: the referenceTree's come first, in red.
+    // Boxes of both trees at a level: those of the reference tree come first, in red.
     inspector.shown.level = 3;
     const IndexedTree referenceTree = inspector.referenceTree()->indexed();
     const OverlayBoxes boxes = levelBoxes(inspector.inspected()->indexed(), &referenceTree, inspector.shown);
@@ -100,7 +100,7 @@ TEST(BvhInspector, ShowsTheTreeThatRaysSearchAndItsRival) {
     EXPECT_EQ(boxes.back().color, palette::kLevelBox);
     EXPECT_GT(boxes.size(), 8u);
 
-    // Another world has another tree, and its old referenceTree is no longer shown.
+    // Another world has another tree, and the old reference tree is not shown.
     const auto other = worldOf("monkey", BvhBuilder::Median);
     inspector.shown.showReference = false;
     waitUntilQuiet(inspector, other);
@@ -108,14 +108,14 @@ TEST(BvhInspector, ShowsTheTreeThatRaysSearchAndItsRival) {
     EXPECT_EQ(inspector.inspected()->accel, other->motionGroups[0].accel);
 }
 
-TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
+TEST(BvhInspector, SteppingThroughLeavesWrapsAround) {
     const auto world = worldOf("cornell");
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);
     const auto& leaves = inspector.inspected()->index.leaves;
     inspector.stepLeaf(1);
     EXPECT_TRUE(inspector.shown.leaf);
-    EXPECT_EQ(inspector.shown.leafNumber, 0) << "the first step shows where one is";
+    EXPECT_EQ(inspector.shown.leafNumber, 0) << "the first step shows the current leaf";
     inspector.stepLeaf(-1);
     EXPECT_EQ(inspector.shown.leafNumber, static_cast<int>(leaves.size()) - 1);
     inspector.stepLeaf(1);
@@ -128,7 +128,7 @@ TEST(BvhInspector, StepsThroughLeavesAroundTheEnd) {
     }
 }
 
-TEST(BvhInspector, AnEmptySceneHasNothingToInspect) {
+TEST(BvhInspector, HasNoTreeForAnEmptyScene) {
     const auto scene = std::make_shared<const SceneDescription>();
     BvhInspector inspector;
     waitUntilQuiet(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
@@ -138,7 +138,7 @@ TEST(BvhInspector, AnEmptySceneHasNothingToInspect) {
     inspector.selectLeafOf(0);
 }
 
-TEST(BvhOverlay, ALeafIsItsBoxAndItsPrimitives) {
+TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
     const auto world = worldOf("spheres");
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);

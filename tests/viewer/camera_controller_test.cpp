@@ -23,10 +23,10 @@ TEST(CameraController, orbitKeepsTargetAndDistance) {
     EXPECT_GT(glm::distance(camera.lookFrom, someCamera().lookFrom), 0.1f);
 }
 
-TEST(CameraController, orbitDragsTheSceneWithTheHand) {
+TEST(CameraController, orbitMovesTheSceneWithTheCursor) {
     CameraDescription camera = someCamera();
     const ViewFrame before = viewFrame(camera, 400, 400);
-    // A point before the target, on the viewer's side, must move with the cursor.
+    // A point between camera and target moves with the cursor.
     const glm::dvec3 point = glm::mix(before.eye, glm::dvec3(camera.lookAt), 0.8);
     orbit(camera, {20.0, 10.0});
     const glm::dvec2 seen = *viewFrame(camera, 400, 400).project(point);
@@ -34,13 +34,13 @@ TEST(CameraController, orbitDragsTheSceneWithTheHand) {
     EXPECT_GT(seen.y, 200.0);
 }
 
-TEST(CameraController, orbitStopsBeforeThePolesHoweverLongTheDrag) {
+TEST(CameraController, orbitStopsBeforeThePoles) {
     for (const double direction : {1.0, -1.0}) {
         CameraDescription camera = someCamera();
         for (int i = 0; i < 100; ++i) orbit(camera, {3.0, 50.0 * direction});
         const glm::vec3 arm = glm::normalize(camera.lookFrom - camera.lookAt);
         EXPECT_LT(std::abs(glm::dot(arm, camera.up)), 1.0f);
-        // From there it comes back.
+        // Dragging back leaves the pole.
         for (int i = 0; i < 4; ++i) orbit(camera, {0.0, -50.0 * direction});
         EXPECT_LT(std::abs(glm::dot(glm::normalize(camera.lookFrom - camera.lookAt), camera.up)), 0.9f);
     }
@@ -67,7 +67,7 @@ TEST(CameraController, zoomKeepsTheAnchorUnderTheCursor) {
     EXPECT_LT(glm::distance(after.forward, before.forward), 1e-5);
 }
 
-TEST(CameraController, zoomEndsWhereFloatDoes) {
+TEST(CameraController, zoomStopsAtTheResolutionOfFloat) {
     CameraDescription camera = someCamera();
     const glm::dvec3 anchor(camera.lookAt);
     for (int i = 0; i < 2000; ++i) zoomToward(camera, anchor, 0.5);
@@ -85,19 +85,19 @@ TEST(CameraController, pointAtFocusDepthLiesUnderTheCursorInTheTargetPlane) {
     EXPECT_NEAR(glm::dot(point - glm::dvec3(camera.lookAt), frame.forward), 0.0, 1e-12);
 }
 
-TEST(CameraController, lookTurnsOnTheSpot) {
+TEST(CameraController, lookTurnsInPlace) {
     CameraDescription camera = someCamera();
     look(camera, {25.0, 0.0});
     EXPECT_EQ(camera.lookFrom, someCamera().lookFrom);
     EXPECT_NEAR(distanceOf(camera), distanceOf(someCamera()), 1e-5f);
-    // The view turns with the mouse, as in games: what was in the middle is on the left now.
+    // The view turns with the mouse, as in games: the former centre is on the left now.
     EXPECT_LT(viewFrame(camera, 400, 400).project(glm::dvec3(someCamera().lookAt))->x, 200.0);
     camera = someCamera();
     look(camera, {0.0, 25.0});
     EXPECT_LT(viewFrame(camera, 400, 400).project(glm::dvec3(someCamera().lookAt))->y, 200.0);
 }
 
-TEST(CameraController, walkGoesAlongTheView) {
+TEST(CameraController, walkMovesAlongTheView) {
     CameraDescription camera = someCamera();
     const ViewFrame frame = viewFrame(camera, 4, 4);
     walk(camera, {0.0, 0.0, 0.5});
@@ -105,7 +105,7 @@ TEST(CameraController, walkGoesAlongTheView) {
     EXPECT_NEAR(distanceOf(camera), distanceOf(someCamera()), 1e-5f);
 }
 
-TEST(CameraController, frameAllBringsEveryCornerIntoThePicture) {
+TEST(CameraController, frameAllFitsEveryCornerIntoThePicture) {
     const SceneBounds bounds{{-3.0f, 0.0f, 10.0f}, {5.0f, 1.0f, 40.0f}};
     for (const double aspect : {0.4, 1.0, 2.5}) {
         CameraDescription camera = someCamera();
@@ -129,7 +129,7 @@ TEST(CameraController, viewAlongLooksFromTheAxis) {
     EXPECT_LT(glm::distance(glm::normalize(camera.lookFrom - camera.lookAt), glm::vec3(1.0f, 0.0f, 0.0f)),
               1e-6f);
     EXPECT_NEAR(distanceOf(camera), distanceOf(someCamera()), 1e-5f);
-    // From above the direction stays just off the up vector, so that the picture has a top.
+    // From above the direction stays slightly off the up vector, so that the roll is defined.
     viewAlong(camera, {0.0, 1.0, 0.0});
     const glm::vec3 from = glm::normalize(camera.lookFrom - camera.lookAt);
     EXPECT_GT(from.y, 0.999f);

@@ -21,13 +21,13 @@ void settle(Comparison& comparison, const RgbImage& b, int revision) {
     }
 }
 
-TEST(Comparison, MeasuresThePresentPictureAgainstTheKeptOne) {
+TEST(Comparison, MeasuresTheCurrentPictureAgainstTheKeptOne) {
     Comparison comparison;
     EXPECT_FALSE(comparison.visible());
     settle(comparison, flat(16, 16, 0.5f), 1);
     EXPECT_EQ(comparison.metrics(), nullptr) << "there is no A";
     comparison.keep({}, flat(16, 16, 0.25f), 4);
-    EXPECT_FALSE(comparison.visible()) << "only if asked for";
+    EXPECT_FALSE(comparison.visible()) << "not requested";
     comparison.view.shown = true;
     settle(comparison, flat(16, 16, 0.75f), 1);
     ASSERT_NE(comparison.metrics(), nullptr);
@@ -39,7 +39,7 @@ TEST(Comparison, MeasuresThePresentPictureAgainstTheKeptOne) {
     EXPECT_EQ(comparison.metrics()->flip, 0.0);
 }
 
-TEST(Comparison, SaysWhetherTheFiguresAreThoseOfTheCompletePicture) {
+TEST(Comparison, ReportsWhetherMetricsAreOfTheCompletePicture) {
     Comparison comparison;
     comparison.keep({}, flat(16, 16, 0.25f), 1);
     comparison.view.shown = true;
@@ -49,25 +49,25 @@ TEST(Comparison, SaysWhetherTheFiguresAreThoseOfTheCompletePicture) {
         while (comparison.busy());
     };
     wait(false, 1, b);
-    ASSERT_NE(comparison.metrics(), nullptr) << "figures so far";
+    ASSERT_NE(comparison.metrics(), nullptr) << "preliminary metrics";
     EXPECT_FALSE(comparison.metricsAreFinal());
-    // The last tile came with the metrics: nothing is measured again, they are final now.
+    // The picture did not change since: the metrics become final without another measurement.
     comparison.update(b, 1, true, 0.0f);
     EXPECT_FALSE(comparison.busy());
     EXPECT_TRUE(comparison.metricsAreFinal());
-    // Tiles that come after the end of the rendering was seen.
+    // Tiles that are collected after the render ended.
     comparison.update(flat(16, 16, 0.75f), 2, true, 0.0f);
     EXPECT_FALSE(comparison.metricsAreFinal());
     wait(true, 2, flat(16, 16, 0.75f));
     EXPECT_TRUE(comparison.metricsAreFinal());
     EXPECT_DOUBLE_EQ(comparison.metrics()->rmse, 0.5);
-    // Exposure is part of what a person sees.
+    // Exposure affects perceptual metrics.
     comparison.update(flat(16, 16, 0.75f), 2, true, 1.0f);
     EXPECT_TRUE(comparison.busy());
     EXPECT_FALSE(comparison.metricsAreFinal());
 }
 
-TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
+TEST(Comparison, HasNoMetricsForOtherSizesOrDiscardedPictures) {
     Comparison comparison;
     comparison.keep({}, flat(16, 16, 0.25f), 1);
     comparison.view.shown = true;
@@ -82,7 +82,7 @@ TEST(Comparison, HasNoFiguresForPicturesOfOtherSizesOrThatWereForgotten) {
     EXPECT_GT(comparison.view.version, version);
 }
 
-TEST(Comparison, NamesTheSettingsThatDiffer) {
+TEST(Comparison, ListsDifferentSettings) {
     EditState a, b;
     EXPECT_TRUE(differencesOf(a, b).empty());
     b.settings.spp = 64;

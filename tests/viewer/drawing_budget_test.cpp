@@ -5,11 +5,11 @@
 namespace rayscope::viewer {
 namespace {
 
-TEST(DrawingBudget, OnlySoftwareThatHasToKeepUpWithTheHandIsHeldBack) {
+TEST(DrawingBudget, LimitsOnlySoftwareRenderersDuringMotion) {
     EXPECT_TRUE(isSoftwareRenderer("llvmpipe (LLVM 15.0.6, 256 bits)"));
     EXPECT_FALSE(isSoftwareRenderer("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"));
     EXPECT_FALSE(isSoftwareRenderer(""));
-    EXPECT_EQ(drawingBudget(true, false), drawingBudget(false, false)) << "what stands still is drawn whole";
+    EXPECT_EQ(drawingBudget(true, false), drawingBudget(false, false)) << "still pictures are drawn in full";
     EXPECT_EQ(drawingBudget(false, true), drawingBudget(false, false));
     const DrawingBudget least = drawingBudget(true, true), most = drawingBudget(false, true);
     EXPECT_LT(least.triangles, most.triangles);
@@ -19,7 +19,7 @@ TEST(DrawingBudget, OnlySoftwareThatHasToKeepUpWithTheHandIsHeldBack) {
     EXPECT_GT(least.divisor, most.divisor);
 }
 
-TEST(DrawingBudget, SaysWhatIsNotDrawn) {
+TEST(DrawingBudget, ReportsWhatIsNotDrawn) {
     DrawnCounts counts;
     counts.lines = counts.linesDrawn = 7;
     counts.boxes = counts.boxesDrawn = 7;

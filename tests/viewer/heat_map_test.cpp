@@ -27,7 +27,7 @@ TEST(HeatStatistics, OfARamp) {
     for (const std::size_t count : s.counts) EXPECT_NEAR(static_cast<double>(count), 1000.0 / 64.0, 2.0);
 }
 
-TEST(HeatStatistics, LeaveOutWhatIsNotANumber) {
+TEST(HeatStatistics, IgnoreNonFiniteValues) {
     RgbImage image = ramp(10);
     image.at(3, 0) = Rgb(std::numeric_limits<float>::quiet_NaN());
     image.at(4, 0) = Rgb(std::numeric_limits<float>::infinity());
@@ -52,7 +52,7 @@ TEST(HeatColors, SpanTheRange) {
               post::mapColor(post::ColorMap::Grey, 1.0));
 }
 
-TEST(HeatMap, ComputesBesideAndFollowsTheChoice) {
+TEST(HeatMap, ComputesTheSelectedQuantityInTheBackground) {
     Diagnostics notes;
     const auto scene = std::make_shared<const SceneDescription>(loadScene("builtin:cornell", notes));
     const auto world = trace::compile({scene, Settings{}, scene->cameras.front(), 24, 16});
@@ -65,7 +65,7 @@ TEST(HeatMap, ComputesBesideAndFollowsTheChoice) {
         }
     };
     finish();
-    EXPECT_EQ(heat.image(), nullptr) << "nobody asked for it";
+    EXPECT_EQ(heat.image(), nullptr) << "not shown";
     heat.shown = true;
     finish();
     ASSERT_NE(heat.image(), nullptr);

@@ -11,7 +11,7 @@ EditState stateWithDepth(int depth) {
     return state;
 }
 
-TEST(History, goesBackAndForth) {
+TEST(History, undoesAndRedoes) {
     History history(stateWithDepth(0));
     history.record(stateWithDepth(1));
     history.record(stateWithDepth(2));
@@ -29,7 +29,7 @@ TEST(History, recordsOnlyChanges) {
     EXPECT_FALSE(history.canUndo());
 }
 
-TEST(History, aChangeAfterUndoForgetsWhatWasUndone) {
+TEST(History, aChangeAfterUndoDiscardsUndoneSteps) {
     History history(stateWithDepth(0));
     history.record(stateWithDepth(1));
     history.undo();
@@ -39,7 +39,7 @@ TEST(History, aChangeAfterUndoForgetsWhatWasUndone) {
     EXPECT_EQ(history.undo(), stateWithDepth(0));
 }
 
-TEST(History, coversCameraSettingsAndScene) {
+TEST(History, includesCameraSettingsAndScene) {
     EditState first;
     first.scene = std::make_shared<const SceneDescription>();
     EditState camera = first, scene = first;
@@ -54,7 +54,7 @@ TEST(History, coversCameraSettingsAndScene) {
     EXPECT_EQ(history.redo().scene->lights.size(), 1u);
 }
 
-TEST(History, forgetsTheOldestBeyondItsLimit) {
+TEST(History, discardsTheOldestStepsBeyondItsLimit) {
     History history(stateWithDepth(0));
     for (int i = 1; i < static_cast<int>(History::kMaxStates) + 50; ++i) {
         EditState state;
@@ -67,7 +67,7 @@ TEST(History, forgetsTheOldestBeyondItsLimit) {
     EXPECT_EQ(history.current().settings.spp, 50 + 16);
 }
 
-TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
+TEST(EditState, givenSettingsOverrideThoseOfTheScene) {
     SceneDescription scene;
     scene.cameras.resize(2);
     scene.cameras[1].name = "b";
@@ -83,7 +83,7 @@ TEST(EditState, opensWithTheSettingsOfTheSceneThenThoseAskedFor) {
     EXPECT_EQ(state.camera.lookAt, glm::vec3(1.0f));
 }
 
-TEST(EditState, namesTheNearestCameraAndSetting) {
+TEST(EditState, errorsSuggestTheNearestName) {
     SceneDescription scene;
     scene.cameras.resize(1);
     scene.cameras[0].name = "front";

@@ -28,7 +28,7 @@ void waitFor(LabJob& lab) {
     }
 }
 
-TEST(LabJob, BringsItsResultAndDrawsFailuresWhereTheSceneIs) {
+TEST(LabJob, DeliversItsResultAndDrawsFailuresInTheScene) {
     LabJob lab;
     const glm::vec3 place(5, -3, 2);
     lab.start(boxAt(place), {}, 2);
@@ -38,7 +38,7 @@ TEST(LabJob, BringsItsResultAndDrawsFailuresWhereTheSceneIs) {
     EXPECT_GT(lab.version(), before);
     const OverlayLines lines = labFailureLines(*lab.result(), LabMethod::Float);
     EXPECT_GT(lines.size(), 100u);
-    // Rays of every cell start around the box: at most a thousand sizes from it, and most within three.
+    // Rays of all test points start at most a thousand box sizes away, most of them within three.
     std::size_t near = 0;
     for (const OverlayLine& line : lines) {
         ASSERT_TRUE(std::isfinite(line.from.x) && std::isfinite(line.to.z));
@@ -50,7 +50,7 @@ TEST(LabJob, BringsItsResultAndDrawsFailuresWhereTheSceneIs) {
     EXPECT_TRUE(labFailureLines(*lab.result(), LabMethod::Rayscope).empty());
 }
 
-TEST(LabJob, StopsAndSaysWhatIsWrong) {
+TEST(LabJob, StopsAndReportsErrors) {
     LabJob lab;
     lab.quick = false;
     lab.start(boxAt({}), {}, 1);

@@ -23,7 +23,7 @@ TEST(LightHandles, theFirstHandleMovesTheWholeLight) {
     }
 }
 
-TEST(LightHandles, theOthersMoveOnePointAndLeaveTheRest) {
+TEST(LightHandles, theOtherHandlesMoveOnePoint) {
     for (const Light& light : {kSegment, kParallelogram}) {
         const auto before = handlePositions(light);
         for (std::size_t moved = 1; moved < before.size(); ++moved) {
@@ -81,7 +81,7 @@ TEST(LightHandles, draggingFreelyKeepsTheDepthAndFollowsTheCursor) {
     EXPECT_NEAR(glm::dot(moved - center, frame.forward), 0.0, 1e-12);
 }
 
-TEST(LightHandles, anAxisSeenEndOnStaysWhereItIs) {
+TEST(LightHandles, anAxisSeenEndOnDoesNotMove) {
     CameraDescription camera;
     camera.lookFrom = {0.0f, 0.0f, 5.0f};
     const ViewFrame frame = viewFrame(camera, 640, 480);

@@ -18,7 +18,7 @@ PaintCanvas blackCanvas(int width, int height) {
     return {width, height, std::vector<std::uint32_t>(count, kBlack), {}};
 }
 
-/// A place of the scene at the centre of a pixel of that canvas.
+/// The point of the scene at the centre of a pixel of that canvas.
 glm::vec3 centerOf(const PaintCanvas& canvas, int x, int y, float z = 0.0f) {
     return {2.0f * (static_cast<float>(x) + 0.5f) / static_cast<float>(canvas.width) - 1.0f,
             2.0f * (static_cast<float>(y) + 0.5f) / static_cast<float>(canvas.height) - 1.0f, z};
@@ -65,7 +65,7 @@ TEST(LinePainter, ColoursAreMixedByOpacity) {
     EXPECT_EQ(at(canvas, 2, 2), 0xff804020u);
 }
 
-TEST(LinePainter, WhatLiesBehindSurfacesIsFainter) {
+TEST(LinePainter, HiddenPartsAreFainter) {
     PaintCanvas canvas = blackCanvas(16, 4);
     canvas.depth.assign(64, 1.0f);
     for (std::size_t y = 0; y < 4; ++y)
@@ -78,7 +78,7 @@ TEST(LinePainter, WhatLiesBehindSurfacesIsFainter) {
     EXPECT_EQ(at(canvas, 12, 2), kWhite);
 }
 
-TEST(LinePainter, PatternsBeginWhereTheLineBegins) {
+TEST(LinePainter, PatternsStartAtTheStartOfTheLine) {
     PaintCanvas canvas = blackCanvas(100, 4);
     const PaintOptions coarse{glm::mat4(1.0f), 0.5f, 1.0f};
     paintLines(canvas,
@@ -102,7 +102,7 @@ TEST(LinePainter, PatternsBeginWhereTheLineBegins) {
     EXPECT_EQ(at(canvas, 6, 2), kWhite);
 }
 
-TEST(LinePainter, WhatIsOutsideTheViewLeavesNoTrace) {
+TEST(LinePainter, PartsOutsideTheViewAreNotDrawn) {
     PaintCanvas canvas = blackCanvas(32, 32);
     const float huge = 1e30f, infinite = std::numeric_limits<float>::infinity(), nan = std::nanf("");
     paintLines(canvas,
@@ -133,7 +133,7 @@ glm::mat4 perspective() {
     return viewProjection(viewFrame(camera, 64, 48), bounds);
 }
 
-TEST(LinePainter, ABoxIsItsTwelveEdges) {
+TEST(LinePainter, ABoxHasTwelveEdges) {
     for (const float half : {0.3f, 0.9f, 8.0f}) {  // inside, large, around the camera
         const OverlayBox box{glm::vec3(-half), {half, 0.5f * half, half}, {1, 0.5f, 0, 1}, LineStyle::Dashed};
         PaintCanvas boxes = blackCanvas(64, 48), lines = boxes;

@@ -16,7 +16,7 @@ ViewFrame frameOf600Pixels() {
     return viewFrame(camera, 800, 600);
 }
 
-/// Lines from the middle of the picture to places on a circle of radius 2.
+/// Lines from the middle of the picture to points on a circle of radius 2.
 OverlayLines fan(int count) {
     OverlayLines lines;
     for (int i = 0; i < count; ++i) {
@@ -29,7 +29,7 @@ OverlayLines fan(int count) {
 TEST(LineSelection, CostsAreLengthsWithinThePicture) {
     const ViewFrame frame = frameOf600Pixels();
     const double start = drawingCost({{{0, 0, 10}, {1, 0, 10}}}, frame);
-    EXPECT_GT(start, 0.0) << "behind the camera: only what it takes to begin a line";
+    EXPECT_GT(start, 0.0) << "behind the camera: only the constant cost of a line";
     EXPECT_NEAR(drawingCost({{{0, 0, 0}, {1, 0, 0}}}, frame), start + 60.0, 1e-3);
     EXPECT_NEAR(drawingCost({{{-1000, 0, 0}, {1000, 0, 0}}}, frame), start + 800.0, 1e-3);
     EXPECT_NEAR(drawingCost({{{0, -1000, 0}, {0, 1000, 0}}}, frame), start + 600.0, 1e-3);
@@ -46,13 +46,13 @@ TEST(LineSelection, KeepsAllThatTheBudgetAllows) {
     EXPECT_TRUE(selectLines({}, frameOf600Pixels(), 0.0).empty());
 }
 
-TEST(LineSelection, TakesAnEvenChoiceWithinTheBudget) {
+TEST(LineSelection, SelectsAnEvenSubsetWithinTheBudget) {
     const ViewFrame frame = frameOf600Pixels();
     const OverlayLines lines = fan(10000);
     const double budget = 50000.0;
     const OverlayLines chosen = selectLines(lines, frame, budget);
     EXPECT_NEAR(drawingCost(chosen, frame), budget, 0.05 * budget);
-    // As many in each quarter of the circle, to a few.
+    // About as many in each quarter of the circle.
     for (const float x : {-1.0f, 1.0f})
         for (const float y : {-1.0f, 1.0f}) {
             const auto inQuarter = std::count_if(chosen.begin(), chosen.end(), [&](const OverlayLine& line) {
@@ -60,22 +60,22 @@ TEST(LineSelection, TakesAnEvenChoiceWithinTheBudget) {
             });
             EXPECT_NEAR(static_cast<double>(inQuarter), 0.25 * static_cast<double>(chosen.size()), 5.0);
         }
-    // A smaller budget takes some of the same: nothing flickers while the camera moves.
+    // A smaller budget selects a subset of the same lines, so that nothing flickers while the camera moves.
     for (const OverlayLine& line : selectLines(lines, frame, 0.5 * budget))
         EXPECT_TRUE(std::any_of(chosen.begin(), chosen.end(),
                                 [&](const OverlayLine& other) { return other.to == line.to; }));
 }
 
-TEST(LineSelection, OfLinesAtTheSamePlaceOneIsEnough) {
+TEST(LineSelection, KeepsOneOfLinesWithTheSameAppearance) {
     const ViewFrame frame = frameOf600Pixels();
     OverlayLines lines(5000, {{0, 0, 0}, {2, 0, 0}});
     EXPECT_EQ(selectLines(lines, frame, 1000.0).size(), 1u);
     lines[4000].style = LineStyle::Dashed;
     lines[4500].color = {1.0f, 0.0f, 0.0f, 1.0f};
-    EXPECT_EQ(selectLines(lines, frame, 1000.0).size(), 3u) << "what looks different is another line";
+    EXPECT_EQ(selectLines(lines, frame, 1000.0).size(), 3u) << "another colour is another appearance";
 }
 
-TEST(LineSelection, BoldLinesStay) {
+TEST(LineSelection, KeepsBoldLines) {
     OverlayLines lines = fan(2000);
     for (std::size_t i = 0; i < lines.size(); i += 100) lines[i].width = kBoldWidth;
     const OverlayLines chosen = selectLines(lines, frameOf600Pixels(), 5000.0);

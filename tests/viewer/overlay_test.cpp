@@ -3,15 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "render/film.h"
-#include "trace/compile.h"
-#include "viewer/jobs/debug_rays.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 
 namespace rayscope::viewer {
 namespace {
 
-/// A camera ray that hits, its reflection that misses, and one shadow ray of each verdict.
+/// A camera ray that hits, its reflection that misses, and one shadow ray of each visibility.
 RayTree handMadeTree() {
     RayTree tree;
     RayNode camera;
@@ -51,12 +49,12 @@ TEST(DebugRaysOverlay, drawsEachRayFromItsOriginToItsEnd) {
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].from, glm::vec3(0.0f, 0.0f, 5.0f));
     EXPECT_EQ(lines[0].to, glm::vec3(0.0f, 0.0f, 1.0f));
-    // What misses is drawn as long as the scene, whatever the length of its direction.
+    // Rays that miss are as long as the scene, whatever the length of their direction.
     EXPECT_EQ(lines[1].to, glm::vec3(0.0f, 10.0f, 1.0f));
     EXPECT_NE(lines[0].style, lines[1].style);
 }
 
-TEST(DebugRaysOverlay, showsTheVerdictOnShadowRays) {
+TEST(DebugRaysOverlay, showsTheVisibilityOfShadowRays) {
     DebugRayFilter filter = nothing();
     filter.camera = filter.shadowVisible = filter.shadowOccluded = filter.shadowBehindSurface = true;
     OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
@@ -65,12 +63,12 @@ TEST(DebugRaysOverlay, showsTheVerdictOnShadowRays) {
     EXPECT_LT(glm::distance(glm::vec3(lines[0].color), glm::vec3(0.0f, 0.0f, 1.0f)), 1e-6f)
         << "the light's colour";
     EXPECT_EQ(lines[0].style, LineStyle::Solid);
-    EXPECT_GT(lines[1].color.r, 3.0f * lines[1].color.g) << "blocked is red";
+    EXPECT_GT(lines[1].color.r, 3.0f * lines[1].color.g) << "occluded is red";
     EXPECT_EQ(lines[1].style, LineStyle::Dotted);
     EXPECT_EQ(lines[2].style, LineStyle::Dashed);
 }
 
-TEST(DebugRaysOverlay, drawsNormalsWhereSomethingWasHit) {
+TEST(DebugRaysOverlay, drawsNormalsAtHits) {
     DebugRayFilter filter = nothing();
     filter.normals = true;
     const OverlayLines lines = debugRayLines(handMadeTree(), filter, 10.0f);
@@ -79,14 +77,14 @@ TEST(DebugRaysOverlay, drawsNormalsWhereSomethingWasHit) {
     EXPECT_EQ(lines[0].to, glm::vec3(0.0f, 0.0f, 1.5f));
 }
 
-TEST(DebugRaysOverlay, depthHidesWhatComesLater) {
+TEST(DebugRaysOverlay, maxDepthHidesLaterRays) {
     DebugRayFilter filter;
     const std::size_t all = debugRayLines(handMadeTree(), filter, 10.0f).size();
     filter.maxDepth = 0;
     EXPECT_EQ(debugRayLines(handMadeTree(), filter, 10.0f).size(), all - 1);
 }
 
-TEST(DebugRaysOverlay, everyRowOfTheLegendSwitchesSomething) {
+TEST(DebugRaysOverlay, everyRowOfTheLegendFiltersRays) {
     RayTree tree = handMadeTree();
     RayNode more = tree.nodes[0];
     more.parent = 0;
@@ -119,7 +117,7 @@ TEST(DebugRaysOverlay, hidesIsolatesAndSelects) {
     filter.isolated = true;
     EXPECT_EQ(shownRays(tree, filter).size(), 6u) << "nothing is selected";
     filter.selected = {1, -1};
-    EXPECT_EQ(shownRays(tree, filter), (std::vector<RaySelection>{{0, -1}, {1, -1}})) << "and what led to it";
+    EXPECT_EQ(shownRays(tree, filter), (std::vector<RaySelection>{{0, -1}, {1, -1}})) << "and its ancestors";
     filter.selected = {-1, 3};
     EXPECT_EQ(shownRays(tree, filter), (std::vector<RaySelection>{{0, -1}, {-1, 3}}));
     EXPECT_EQ(debugRayLines(tree, filter, 10.0f).size(), 3u) << "the selected ray has a halo";
@@ -131,7 +129,7 @@ TEST(DebugRaysOverlay, hidesIsolatesAndSelects) {
     EXPECT_TRUE(shownRays(tree, filter).empty());
 }
 
-TEST(DebugRaysOverlay, colorsShowWhatARaySees) {
+TEST(DebugRaysOverlay, colorsShowSurfaceOrRadiance) {
     // A pane of half opacity shows red, and lets green through from behind.
     RayTree tree;
     RayNode pane, behind;
@@ -157,7 +155,7 @@ TEST(DebugRaysOverlay, colorsShowWhatARaySees) {
     EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
 }
 
-TEST(DebugRaysOverlay, aClickPicksTheNearestRayBeforeTheCamera) {
+TEST(DebugRaysOverlay, aClickPicksTheNearestRayInFrontOfTheCamera) {
     const RayTree tree = handMadeTree();
     CameraDescription camera;
     camera.lookFrom = {10.0f, 1.0f, 2.0f};
@@ -171,7 +169,7 @@ TEST(DebugRaysOverlay, aClickPicksTheNearestRayBeforeTheCamera) {
     EXPECT_EQ(pickAt({0, 4.5, 1}), (RaySelection{1, -1}));
     EXPECT_TRUE(pickAt({0, 2, 4}).empty());
     filter.camera = false;
-    EXPECT_TRUE(pickAt({0, 0, 3}).empty()) << "what is not drawn cannot be picked";
+    EXPECT_TRUE(pickAt({0, 0, 3}).empty()) << "hidden rays cannot be picked";
     // The camera looks away: everything lies behind it.
     camera.lookAt = {20.0f, 1.0f, 2.0f};
     EXPECT_TRUE(pickRay(tree, {}, viewFrame(camera, 800, 600), {400, 300}, 5000.0, 10.0f).empty());
@@ -182,64 +180,6 @@ TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
     for (std::size_t i = 0; i < legend.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_TRUE(legend[i].color != legend[j].color || legend[i].style != legend[j].style);
-}
-
-TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
-    Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
-    RenderSession session(1);
-    RenderRequest request;
-    request.scene = state.scene;
-    request.camera = state.camera;
-    request.settings = state.settings;
-    request.settings.spp = 1;
-    request.width = request.height = 48;
-    session.submit(request);
-    ASSERT_EQ(session.wait(60.0), RenderState::Done);
-
-    DebugRays rays;
-    rays.recordPixel(session.world(), state, {48, 48}, {24, 30, 0}, session.film().get());
-    ASSERT_TRUE(rays.recording());
-    EXPECT_TRUE(rays.recording()->verdict->matchesFilm);
-    EXPECT_EQ(rays.recording()->tree().nodes[0].ray.origin, state.camera.lookFrom);
-    EXPECT_FALSE(rays.isStaleFor(state, {48, 48}));
-    EXPECT_TRUE(rays.isStaleFor(state, {96, 48}));
-
-    rays.step(1);
-    ASSERT_EQ(rays.traversals().size(), 1u);
-    EXPECT_EQ(rays.traversals()[0].hit.primitive, rays.recording()->tree().nodes[0].primitiveHit.primitive);
-    rays.step(100000);
-    EXPECT_EQ(rays.traversal.step, static_cast<int>(rays.traversals()[0].steps.size()));
-
-    EditState other = state;
-    other.settings.exposure = 1.0f;
-    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
-    other.settings.maxDepth = 1;
-    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
-    other = state;
-    other.camera.fov += 1.0f;
-    EXPECT_TRUE(rays.isStaleFor(other, {48, 48}));
-    rays.clear();
-    EXPECT_FALSE(rays.isStaleFor(other, {48, 48}));
-}
-
-TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
-    Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
-    state.settings.spp = 64;
-    const auto world = trace::compile({state.scene, state.settings, state.camera, 48, 48});
-    DebugRays rays;
-    rays.recordPixel(world, state, {48, 48}, {24, 30, 0}, nullptr);
-    EXPECT_EQ(rays.recording()->trees.size(), 1u);
-    rays.showAllSamples(true);
-    EXPECT_EQ(rays.recording()->trees.size(), 64u);
-    rays.selectSample(40);
-    EXPECT_EQ(rays.recording()->tree().name.index, 40);
-    rays.budget = 4096;
-    rays.showAllSamples(true);
-    EXPECT_LT(rays.recording()->trees.size(), 20u);
-    EXPECT_EQ(rays.recording()->tree().name.index, 40) << "the chosen one is always there";
-    EXPECT_EQ(rays.recording()->samples, 64);
 }
 
 TEST(Overlay, aBoxHasTwelveEdgesAlongTheAxes) {
@@ -259,7 +199,7 @@ TEST(Overlay, displayColorKeepsTheHueOfBrightLights) {
     EXPECT_EQ(orange.b, 0.0f);
 }
 
-TEST(LightOverlay, signsOfPointLightsHaveTheSameSizeOnTheScreenAtAnyDistance) {
+TEST(LightOverlay, symbolsOfPointLightsHaveAConstantSizeOnTheScreen) {
     CameraDescription camera;
     camera.lookFrom = {0.0f, 0.0f, 10.0f};
     const ViewFrame frame = viewFrame(camera, 800, 600);
@@ -273,7 +213,7 @@ TEST(LightOverlay, signsOfPointLightsHaveTheSameSizeOnTheScreenAtAnyDistance) {
     EXPECT_NEAR(reachOf({0, 0, 5}), reachOf({0, 0, -50}), 0.05);
 }
 
-TEST(LightOverlay, segmentsShadeFromOneColorToTheOther) {
+TEST(LightOverlay, segmentsHaveAColorGradient) {
     const Light light{SegmentLight{{glm::vec3(0), glm::vec3(1, 0, 0)}, {Rgb(1, 0, 0), Rgb(0, 0, 1)}}};
     const OverlayLines lines = lightLines({light}, -1, viewFrame(CameraDescription{}, 100, 100), 1.0);
     EXPECT_LT(glm::distance(glm::vec3(lines.front().color), glm::vec3(1, 0, 0)), 1e-6f);

@@ -27,7 +27,7 @@ std::vector<CameraDescription> someCameras() {
     return cameras;
 }
 
-TEST(Projection, sendsTheSameRaysAsTheTracersCamera) {
+TEST(Projection, generatesTheRaysOfTheTracersCamera) {
     for (const CameraDescription& description : someCameras()) {
         const trace::Camera camera(description, 640, 360);
         const ViewFrame frame = viewFrame(description, 640, 360);
@@ -40,7 +40,7 @@ TEST(Projection, sendsTheSameRaysAsTheTracersCamera) {
     }
 }
 
-TEST(Projection, findsThePixelAgainThatARayWentThrough) {
+TEST(Projection, projectInvertsDirectionThrough) {
     for (const CameraDescription& description : someCameras()) {
         const trace::Camera camera(description, 300, 500);
         const ViewFrame frame = viewFrame(description, 300, 500);
@@ -53,13 +53,13 @@ TEST(Projection, findsThePixelAgainThatARayWentThrough) {
     }
 }
 
-TEST(Projection, hasNoPlaceForWhatIsBehindTheCamera) {
+TEST(Projection, doesNotProjectPointsBehindTheCamera) {
     const ViewFrame frame = viewFrame(CameraDescription{}, 100, 100);
     EXPECT_FALSE(frame.project(frame.eye - frame.forward));
     EXPECT_FALSE(frame.project(frame.eye));
 }
 
-TEST(Projection, matrixPutsPointsWhereProjectDoes) {
+TEST(Projection, matrixAgreesWithProject) {
     const SceneBounds bounds{glm::vec3(-2.0f), glm::vec3(2.0f)};
     for (const CameraDescription& description : someCameras()) {
         const ViewFrame frame = viewFrame(description, 640, 360);
@@ -71,7 +71,7 @@ TEST(Projection, matrixPutsPointsWhereProjectDoes) {
     }
 }
 
-TEST(Projection, depthRangeHoldsTheWholeScene) {
+TEST(Projection, depthRangeContainsTheScene) {
     const SceneBounds bounds{glm::vec3(-1.0f), glm::vec3(1.0f)};
     CameraDescription camera;
     camera.lookFrom = {4.0f, 3.0f, 5.0f};

@@ -20,7 +20,7 @@ class RecentFilesTest : public testing::Test {
     std::filesystem::path file_ = folder_ / "rayscope" / "recent";
 };
 
-TEST_F(RecentFilesTest, putsTheNewestFirstAndKeepsEachOnce) {
+TEST_F(RecentFilesTest, listsTheNewestFirstWithoutDuplicates) {
     RecentFiles recent(file_);
     recent.add("/a.toml");
     recent.add("builtin:cornell");
@@ -28,7 +28,7 @@ TEST_F(RecentFilesTest, putsTheNewestFirstAndKeepsEachOnce) {
     EXPECT_THAT(recent.paths(), testing::ElementsAre("/a.toml", "builtin:cornell"));
 }
 
-TEST_F(RecentFilesTest, outlivesTheProgram) {
+TEST_F(RecentFilesTest, isPersistent) {
     RecentFiles(file_).add("/some where/ä.obj");
     EXPECT_THAT(RecentFiles(file_).paths(), testing::ElementsAre("/some where/ä.obj"));
 }
@@ -39,14 +39,14 @@ TEST_F(RecentFilesTest, makesPathsAbsolute) {
     EXPECT_EQ(recent.paths()[0], (std::filesystem::current_path() / "b.toml").string());
 }
 
-TEST_F(RecentFilesTest, forgetsTheOldest) {
+TEST_F(RecentFilesTest, dropsTheOldest) {
     RecentFiles recent(file_);
     for (int i = 0; i < 30; ++i) recent.add("/" + std::to_string(i));
     EXPECT_EQ(recent.paths().size(), RecentFiles::kMaxCount);
     EXPECT_EQ(recent.paths().front(), "/29");
 }
 
-TEST_F(RecentFilesTest, worksWithoutAPlaceToWrite) {
+TEST_F(RecentFilesTest, toleratesUnwritableFolders) {
     RecentFiles nowhere{std::filesystem::path()};
     nowhere.add("/a.toml");
     std::filesystem::create_directories(folder_);

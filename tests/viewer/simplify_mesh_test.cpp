@@ -18,7 +18,7 @@ double areaOf(const MeshData& mesh) {
     return area;
 }
 
-TEST(CoarseMesh, LooksMuchLikeTheMesh) {
+TEST(SimplifyMesh, ResemblesTheMesh) {
     const MeshData sphere = unitSphereMesh();  // 4096 triangles
     const MeshData coarse = simplifyMesh(sphere, 1000);
     EXPECT_LE(coarse.triangles.size(), 1000u);
@@ -33,7 +33,7 @@ TEST(CoarseMesh, LooksMuchLikeTheMesh) {
         EXPECT_LT(std::max({triangle.x, triangle.y, triangle.z}), coarse.positions.size());
 }
 
-TEST(CoarseMesh, LeavesSmallMeshesAsTheyAre) {
+TEST(SimplifyMesh, KeepsSmallMeshes) {
     const MeshData sphere = unitSphereMesh();
     EXPECT_EQ(simplifyMesh(sphere, sphere.triangles.size()).triangles, sphere.triangles);
     EXPECT_TRUE(simplifyMesh({}, 10).triangles.empty());
@@ -52,7 +52,7 @@ MeshData separateTriangles(std::uint32_t count) {
     return mesh;
 }
 
-TEST(CoarseMesh, OfTrianglesThatWouldVanishSomeStay) {
+TEST(SimplifyMesh, KeepsASubsetOfUnconnectedTriangles) {
     const MeshData coarse = simplifyMesh(separateTriangles(100000), 1001);
     ASSERT_EQ(coarse.triangles.size(), 1001u);
     ASSERT_EQ(coarse.materialSlots.size(), 1001u);
@@ -60,7 +60,7 @@ TEST(CoarseMesh, OfTrianglesThatWouldVanishSomeStay) {
     EXPECT_GT(coarse.triangles.back().x, 299000u);
 }
 
-TEST(CoarseMesh, StandsNonFiniteVerticesAndOnePlace) {
+TEST(SimplifyMesh, ToleratesNonFiniteAndCoincidentVertices) {
     MeshData mesh = unitSphereMesh();
     mesh.positions[5] = glm::vec3(std::nanf(""));
     mesh.positions[50].x = std::numeric_limits<float>::infinity();
@@ -72,7 +72,7 @@ TEST(CoarseMesh, StandsNonFiniteVerticesAndOnePlace) {
     EXPECT_LE(simplifyMesh(mesh, 500).triangles.size(), 500u);
 }
 
-TEST(CoarseMesh, StopsWhenAsked) {
+TEST(SimplifyMesh, StopsOnRequest) {
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(simplifyMesh(unitSphereMesh(), 100, stop.get_token()), Stopped);

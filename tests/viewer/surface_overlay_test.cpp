@@ -5,7 +5,7 @@
 namespace rayscope::viewer {
 namespace {
 
-TEST(SurfaceOverlay, NormalsStandOnTheirVertices) {
+TEST(SurfaceOverlay, NormalsStartAtTheirVertices) {
     probe::VertexNormals normals{
         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {1, 0, 0}}, {0.2, 0.3, 0.5}};
     const OverlayLines lines = vertexNormalLines(normals, 2.0f);
@@ -27,7 +27,7 @@ TEST(SurfaceOverlay, TheGlossySquareHasItsTrueSize) {
     EXPECT_EQ(lines[5].from, glm::vec3(0.0f));
 }
 
-TEST(SurfaceOverlay, TheEnvironmentRayHasTheColorThatItFetches) {
+TEST(SurfaceOverlay, TheEnvironmentRayHasTheLookedUpColor) {
     probe::EnvironmentPoint point;
     point.direction = {0, 5, 0};
     point.color = {0.0f, 1.0f, 0.0f};

@@ -22,7 +22,7 @@ void waitFor(TradeJob& trade) {
     }
 }
 
-TEST(TradeJob, MeasuresWhatTheWindowShowsAndKnowsWhereItsSettingsStand) {
+TEST(TradeJob, MeasuresTheShownViewIncludingItsSettings) {
     const test::TemporaryFolder folder;
     setenv("XDG_CACHE_HOME", folder.file("cache").c_str(), 1);
     EditState state = builtin("cornell");
@@ -40,11 +40,11 @@ TEST(TradeJob, MeasuresWhatTheWindowShowsAndKnowsWhereItsSettingsStand) {
     EXPECT_GT(trade.fraction(), 0.0);
 }
 
-TEST(TradeJob, KeepsWhatWasMeasuredUntilAStop) {
+TEST(TradeJob, KeepsMeasurementsAfterAStop) {
     TradeJob trade;
     trade.budget = 20.0f;
     trade.start(builtin("triangle"), {20, 20}, 1);
-    // Until there is a reference there is nothing to keep; it takes a part of the budget only.
+    // There is nothing to keep until the reference is rendered, which takes part of the budget.
     while (trade.fraction() < 0.6) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     trade.stop();
     waitFor(trade);

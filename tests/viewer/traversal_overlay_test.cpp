@@ -7,8 +7,8 @@
 namespace rayscope::viewer {
 namespace {
 
-/// The root is entered; its left child waits, the right one is a leaf whose triangle is hit; a second
-/// triangle is not; then the left child turns out to lie behind the hit, and a third box was missed.
+/// The root is visited; its left child is pushed, the right one is a leaf whose first triangle is hit and
+/// whose second is not; then the left child is culled, because it is behind the hit; a third box is missed.
 struct HandMade {
     std::vector<glm::vec3> vertices{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}};
     std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 2, 1}};
@@ -34,7 +34,7 @@ std::size_t countOf(const OverlayBoxes& boxes, glm::vec4 color) {
         std::count_if(boxes.begin(), boxes.end(), [&](const OverlayBox& box) { return box.color == color; }));
 }
 
-TEST(TraversalOverlay, AtTheEndVisitedIsGreenAndSkippedIsPurple) {
+TEST(TraversalOverlay, FinallyVisitedBoxesAreGreenAndCulledOnesPurple) {
     const HandMade made;
     TraversalOverlayOptions choice;
     EXPECT_TRUE(traversalBoxes(made.log, choice).empty());
@@ -53,16 +53,16 @@ TEST(TraversalOverlay, AtTheEndVisitedIsGreenAndSkippedIsPurple) {
     EXPECT_EQ(lines[0].color, palette::kHitPrimitive);
 }
 
-TEST(TraversalOverlay, EachStepIsDrawnAsTheSearchStandsThen) {
+TEST(TraversalOverlay, EachStepShowsTheStateOfTheTraversal) {
     const HandMade made;
     TraversalOverlayOptions choice;
     choice.shown = choice.stepping = true;
-    EXPECT_TRUE(traversalBoxes(made.log, choice).empty()) << "before the first step nothing is known";
+    EXPECT_TRUE(traversalBoxes(made.log, choice).empty()) << "no box is tested before the first step";
     choice.step = 3;
     OverlayBoxes boxes = traversalBoxes(made.log, choice);
     EXPECT_EQ(countOf(boxes, palette::kPushedBox), 1u);
     EXPECT_EQ(countOf(boxes, palette::kCulledBox), 0u);
-    EXPECT_EQ(boxes.back().lower, made.log.boxes[0].lower) << "the root is searched now";
+    EXPECT_EQ(boxes.back().lower, made.log.boxes[0].lower) << "the root is the current node";
     choice.step = 6;
     boxes = traversalBoxes(made.log, choice);
     EXPECT_EQ(boxes.back().lower, made.log.boxes[2].lower);
@@ -74,7 +74,7 @@ TEST(TraversalOverlay, EachStepIsDrawnAsTheSearchStandsThen) {
     EXPECT_EQ(shownSteps(made.log, choice), made.log.steps.size());
 }
 
-TEST(TraversalOverlay, FollowsABodyThatMoves) {
+TEST(TraversalOverlay, FollowsMovingGeometry) {
     HandMade made;
     made.log.shift = {0, 100, 0};
     TraversalOverlayOptions choice;

@@ -15,9 +15,9 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// Seconds between frames: while something is in motion, while a picture refines, and when all is quiet.
+/// Seconds between frames: during motion, while background work runs, and when idle.
 constexpr double kMotionSeconds = 1.0 / 120.0, kRefineSeconds = 1.0 / 40.0, kQuietSeconds = 0.5;
-/// Dear ImGui needs some frames after an event until everything it causes is on the screen.
+/// Dear ImGui needs several frames after an event to show all of its effects.
 constexpr int kFramesAfterEvent = 4;
 
 }  // namespace
@@ -49,11 +49,8 @@ void Application::run() {
 
 double Application::frameInterval() const {
     if (framesToDraw_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
-    const bool job = workspace_.job && workspace_.job->running();
-    const bool working = workspace_.render.busy() || workspace_.loader.busy() || picture_.computing() ||
-                         job || workspace_.bvh.busy() || workspace_.heat.busy() || workspace_.lab.busy() ||
-                         workspace_.trade.busy() || workspace_.comparison.busy();
-    return working || recordRequested_ ? kRefineSeconds : kQuietSeconds;
+    const bool working = workspace_.busy() || picture_.computing() || !workspace_.commands.empty();
+    return working ? kRefineSeconds : kQuietSeconds;
 }
 
 void Application::frame(double seconds) {
@@ -76,18 +73,16 @@ void Application::frame(double seconds) {
     renderDialog_.draw(workspace_);
     drawErrorDialog(workspace_);
     workspace_.closeDialogs = false;
-    for (const Command command : std::exchange(workspace_.commands, {})) execute(command);
     drawPicture(parts, seconds);
-    executeAtCursor();
     commitUndoStep();
-    // The picture lies over the status bar and reaches the left edge.
+    // The picture is above the status bar, at the left edge.
     const int lowest =
         static_cast<int>(std::lround(static_cast<double>(parts.statusHeight) *
                                      static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.y)));
-    const auto saveIfWanted = [&] {
+    const auto saveIfRequested = [&] {
         if (std::exchange(screenshotRequested_, false)) saveScreenshotNow();
     };
-    window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfWanted);
+    window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfRequested);
 
     const std::string title = fmt::format("{} - Rayscope", workspace_.edit.scene->path);
     if (title != title_) window_.setTitle(title);
@@ -128,38 +123,7 @@ void Application::drawSidePanel(const Layout& parts) {
                 std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
         ImGui::SetCursorPos(start);
 
-        ViewState& view = workspace_.view;
-        const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-        if (toggleButton("Rasterised", !view.traced, half)) view.traced = false;
-        tooltip("Drawn by OpenGL: quick, without shadows and reflections (Tab).");
-        ImGui::SameLine();
-        if (toggleButton("Ray-traced", view.traced, half)) view.traced = true;
-        tooltip("Traced on the CPU, refining as long as nothing changes (Tab).");
-        ImGui::Spacing();
-        if (ImGui::BeginTabBar("##tabs")) {
-            const auto tab = [&](const char* name, auto draw) {
-                if (!ImGui::BeginTabItem(name)) return;
-                ImGui::BeginChild(name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
-                draw();
-                ImGui::EndChild();
-                ImGui::EndTabItem();
-            };
-            const auto group = [&](const char* name, void (*draw)(Workspace&)) {
-                if (ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen)) draw(workspace_);
-            };
-            tab("Scene", [&] {
-                group("Contents", drawScenePanel);
-                group("Camera", drawCameraPanel);
-                group("Lights", drawLightsPanel);
-                if (ImGui::CollapsingHeader("Numbers at the extremes")) drawLabPanel(workspace_);
-            });
-            tab("Settings", [&] { drawSettingsPanel(workspace_); });
-            tab("Rays", [&] { drawRaysPanel(workspace_); });
-            tab("BVH", [&] { drawBvhPanel(workspace_); });
-            tab("Map", [&] { drawHeatPanel(workspace_); });
-            tab("A/B", [&] { drawComparisonPanel(workspace_); });
-            ImGui::EndTabBar();
-        }
+        drawSidePanelContents(workspace_);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -170,11 +134,13 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     const glm::dvec2 pixels = glm::round(glm::dvec2(parts.pictureSize) * unit);
     workspace_.viewSize = glm::max(glm::ivec2(pixels), glm::ivec2(1));
     input_.update(workspace_, window_, glm::dvec2(parts.pictureOrigin), unit, seconds);
+    requestLiveRay();
+    executeCommands();
 
     const glm::ivec2 image = workspace_.imageSize();
     workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced,
                               workspace_.stopCriteria});
-    updateInspectors();
+    updateJobs();
     picture_.update(workspace_, input_.hoveredHandlePart(), input_.moving());
     updateComparison();
     drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
@@ -189,29 +155,31 @@ void Application::updateComparison() {
                                  workspace_.edit.settings.exposure);
 }
 
-/// What is looked at in detail is prepared beside the window, and only if something of it is seen.
-void Application::updateInspectors() {
-    const bool bvhPanelOpen = std::exchange(workspace_.bvhPanelOpen, false) || workspace_.bvh.shown.any();
+/// Starts and polls the jobs whose results are visible.
+void Application::updateJobs() {
+    const bool bvhVisible = std::exchange(workspace_.bvhPanelOpen, false) || workspace_.bvh.shown.any();
     const std::shared_ptr<const trace::World> world = workspace_.render.session().world();
-    const bool isPresent = world && world->description == workspace_.edit.scene;
-    if (bvhPanelOpen && isPresent) workspace_.bvh.update(world);
+    const bool isCurrent = world && world->description == workspace_.edit.scene;
+    if ((bvhVisible && isCurrent) || workspace_.bvh.busy())
+        workspace_.bvh.update(isCurrent ? world : nullptr);
 
-    // While the picture still refines, the map would only take its time.
-    const bool quiet = !workspace_.render.busy() && !input_.moving();
+    // While the picture is still being refined, a heat map would compete for the cores.
+    const bool idle = !workspace_.render.busy() && !input_.moving();
     const auto film = workspace_.render.session().film();
-    if (workspace_.view.traced && (quiet || workspace_.heat.busy()))
+    if (workspace_.view.traced && (idle || workspace_.heat.busy()))
         workspace_.heat.update(workspace_.render.currentWorld(), film, workspace_.render.threads());
 
     workspace_.lab.update();
     workspace_.trade.update();
 
     DebugRays& rays = workspace_.rays;
+    rays.update();
     rays.updateTraversal();
     const bool settled =
         workspace_.render.currentWorld() && workspace_.render.status().state == RenderState::Done;
     if (film && settled && workspace_.view.traced &&
         !rays.isStaleFor(workspace_.edit, workspace_.imageSize()))
-        rays.updateReplay(*film);
+        rays.verifyAgain(film);
 }
 
 void Application::updateCursorRadiance() {
@@ -233,13 +201,13 @@ void Application::takeKeys() {
         const std::optional<Command> command = commandFor(press.key, press.modifiers);
         if (!command) continue;
         if (*command == Command::Cancel && popup) workspace_.closeDialogs = true;
-        // Keys belong to the field or dialog that is open.
+        // An open text field or dialog receives the keys.
         if (ImGui::GetIO().WantTextInput || popup) continue;
-        execute(*command);
+        workspace_.commands.push_back(*command);
     }
 }
 
-/// A gesture that has ended becomes one step of the history.
+/// A finished gesture becomes one undo step.
 void Application::commitUndoStep() {
     if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving())
         workspace_.history.record(workspace_.edit);

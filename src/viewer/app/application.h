@@ -10,16 +10,17 @@
 
 namespace rayscope::viewer {
 
-/// Ties window, picture and panels together and runs the loop of frames.
+/// Connects window, picture and panels and runs the main loop.
 class Application {
   public:
     Application(const ViewerOptions& options, LoadedScene first);
     void run();
 
   private:
+    friend struct CommandTable;
     using Clock = std::chrono::steady_clock;
 
-    /// Where the parts of the window are, in its units.
+    /// Positions and sizes of the parts of the window, in its units.
     struct Layout {
         float menuHeight = 0.0f, statusHeight = 0.0f, panelWidth = 0.0f;
         glm::vec2 pictureOrigin{0.0f}, pictureSize{1.0f};
@@ -33,19 +34,21 @@ class Application {
     void openDroppedFiles();
     void takeKeys();
     void commitUndoStep();
-    void updateInspectors();
+    void updateJobs();
     void updateCursorRadiance();
     void updateComparison();
 
-    void execute(Command command);
-    void executeDebugCommand(Command command);
-    void executeAtCursor();
+    void requestLiveRay();
+    void executeCommands();
+    // Functions of commands.
     void recordRays();
     void copyRays();
     void exportRays();
     void saveImage();
     void keepPicture();
     void copyPixel();
+    void copyCamera();
+    void frameScene();
     void setScale(float scale);
     void saveScreenshotNow();
 
@@ -57,9 +60,8 @@ class Application {
     RenderDialog renderDialog_;
     float panelWidth_ = 336.0f;  ///< in units at scale 1
     float appliedScale_ = 0.0f;
-    bool screenshotRequested_ = false, recordRequested_ = false;
-    std::vector<Command> cursorCommands_;  ///< that wait for the cursor's place
-    int framesToDraw_ = 3;                 ///< frames to draw before the loop may wait for events
+    bool screenshotRequested_ = false;  ///< of this frame, once it is drawn
+    int framesToDraw_ = 3;              ///< without waiting for events
     std::string title_;
 };
 

@@ -1,9 +1,10 @@
-// What each command of the table does.
+// Functions of commands that need the window or the picture.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "base/atomic_file.h"
 #include "post/display_transform.h"
 #include "render/film.h"
 #include "viewer/app/application.h"
@@ -12,132 +13,51 @@
 
 namespace rayscope::viewer {
 
-void Application::execute(Command command) {
-    ViewState& view = workspace_.view;
-    CameraDescription& camera = workspace_.edit.camera;
-    const glm::ivec2 size = workspace_.viewSize;
-    switch (command) {
-        case Command::OpenScene:
-            workspace_.openDialogRequested = true;
-            break;
-        case Command::ReloadScene:
-            workspace_.loader.start(workspace_.edit.scene->path, true);
-            break;
-        case Command::SaveImage:
-            saveImage();
-            break;
-        case Command::SaveScreenshot:
-            screenshotRequested_ = true;
-            break;
-        case Command::RenderToFile:
-            workspace_.renderDialogRequested = true;
-            break;
-        case Command::Quit:
-            window_.close();
-            break;
-        case Command::Undo:
-            workspace_.undo();
-            break;
-        case Command::Redo:
-            workspace_.redo();
-            break;
-        case Command::CopyPixel:
-            copyPixel();
-            break;
-        case Command::CopyCamera:
-            window_.copyText(toOptions(camera));
-            workspace_.notify("Copied: " + toOptions(camera));
-            break;
-        case Command::SwitchView:
-            view.traced = !view.traced;
-            break;
-        case Command::RecordRays:
-            recordRequested_ = true;
-            break;
-        case Command::ClearRays:
-            workspace_.rays.clear();
-            break;
-        case Command::ToggleOverlay:
-            view.overlay = !view.overlay;
-            break;
-        case Command::ToggleWireframe:
-            view.raster.wireframe = !view.raster.wireframe;
-            break;
-        case Command::ToggleSidePanel:
-            view.sidePanel = !view.sidePanel;
-            break;
-        case Command::ToggleFullScreen:
-            window_.toggleFullScreen();
-            break;
-        case Command::IncreaseUiScale:
-            setScale(view.scale + 0.25f);
-            break;
-        case Command::DecreaseUiScale:
-            setScale(view.scale - 0.25f);
-            break;
-        case Command::ResetUiScale:
-            setScale(window_.contentScale());
-            break;
-        case Command::PauseOrResume:
-            workspace_.render.togglePause();
-            break;
-        case Command::ResetCamera:
-            camera = initialState(*workspace_.edit.scene, {}, {}).camera;
-            break;
-        case Command::FrameAll:
-            frameAll(camera, picture_.sceneBounds(), static_cast<double>(size.x) / size.y);
-            break;
-        case Command::FlyMode:
-            view.flying = !view.flying;
-            break;
-        case Command::FrontView:
-            viewAlong(camera, {0.0, 0.0, 1.0});
-            break;
-        case Command::SideView:
-            viewAlong(camera, {1.0, 0.0, 0.0});
-            break;
-        case Command::TopView:
-            viewAlong(camera, {0.0, 1.0, 0.0});
-            break;
-        case Command::ShowKeys:
-            view.showKeys = !view.showKeys;
-            break;
-        case Command::ShowStatistics:
-            view.showStatistics = !view.showStatistics;
-            break;
-        case Command::Cancel:
-            if (view.showKeys)
-                view.showKeys = false;
-            else if (view.flying)
-                view.flying = false;
-            else if (view.liveRay)
-                view.liveRay = false;
-            else
-                workspace_.rays.clear();
-            break;
-        default:
-            executeDebugCommand(command);
-            break;
-    }
+void Application::executeCommands() {
+    for (const Command command : std::exchange(workspace_.commands, {})) infoOf(command).execute(*this);
 }
 
-/// As soon as the world of what is shown is compiled; until then the viewRequest stays.
+/// While the live ray is on, every change of the pixel under the cursor or of the picture records again.
+void Application::requestLiveRay() {
+    const std::optional<CursorInfo>& cursor = workspace_.cursor;
+    std::vector<Command>& commands = workspace_.commands;
+    if (!workspace_.view.liveRay || !cursor || input_.moving() ||
+        std::find(commands.begin(), commands.end(), Command::RecordRays) != commands.end())
+        return;
+    const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+    const bool isRecorded = recording &&
+                            glm::ivec2(recording->tree().name.x, recording->tree().name.y) == cursor->pixel &&
+                            !workspace_.rays.isStaleFor(workspace_.edit, workspace_.imageSize());
+    if (!isRecorded) commands.push_back(Command::RecordRays);
+}
+
 void Application::recordRays() {
-    if (!workspace_.cursor || workspace_.render.status().state == RenderState::Failed) {
-        recordRequested_ = false;
+    if (!workspace_.cursor || workspace_.render.status().state == RenderState::Failed) return;
+    const auto world = workspace_.render.currentWorld();
+    if (!world || input_.moving()) {
+        // Retry in the next frame, until the world is compiled.
+        workspace_.commands.push_back(Command::RecordRays);
         return;
     }
-    const auto world = workspace_.render.currentWorld();
-    if (!world || input_.moving()) return;
-    recordRequested_ = false;
     const glm::ivec2 pixel = workspace_.cursor->pixel;
-    // A live ray has to keep up with the hand: it is neither verified nor replayed in full.
+    // A live ray follows the cursor, so it is not verified, and few samples are replayed.
     const bool live = workspace_.view.liveRay;
-    const auto film = workspace_.view.traced && !live ? workspace_.render.session().film() : nullptr;
+    auto film = workspace_.view.traced && !live ? workspace_.render.session().film() : nullptr;
     workspace_.rays.maxSamples = live ? DebugRays::kMaxLiveSamples : DebugRays::kMaxSamples;
     workspace_.rays.recordPixel(world, workspace_.edit, workspace_.imageSize(), {pixel.x, pixel.y, 0},
-                                film.get());
+                                std::move(film));
     workspace_.view.overlay = true;
+}
+
+void Application::copyCamera() {
+    const std::string options = toOptions(workspace_.edit.camera);
+    window_.copyText(options);
+    workspace_.notify("Copied: " + options);
+}
+
+void Application::frameScene() {
+    const glm::dvec2 size(workspace_.viewSize);
+    frameAll(workspace_.edit.camera, picture_.sceneBounds(), size.x / size.y);
 }
 
 void Application::saveImage() {
@@ -145,7 +65,7 @@ void Application::saveImage() {
     const Settings& settings = workspace_.edit.settings;
     try {
         const ImageMetadata metadata =
-            metadataOf(workspace_.edit, 0, workspace_.view.traced ? workspace_.render.status().samples : 0);
+            metadataOf(workspace_.edit, workspace_.view.traced ? workspace_.render.status().samples : 0);
         const auto film = workspace_.render.session().film();
         if (workspace_.view.traced && film)
             writeImage(path, post::applyDisplayTransform(film->mean(), settings, post::isDisplayFormat(path)),
@@ -161,7 +81,7 @@ void Application::saveImage() {
 void Application::saveScreenshotNow() {
     const std::string path = nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
-    ImageMetadata metadata = metadataOf(workspace_.edit, 0, 0);
+    ImageMetadata metadata = metadataOf(workspace_.edit, 0);
     if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
         metadata["drawn"] = lacking;
     try {
@@ -175,13 +95,50 @@ void Application::saveScreenshotNow() {
 void Application::copyPixel() {
     if (!workspace_.cursor) return;
     const CursorInfo& cursor = *workspace_.cursor;
-    std::string words = fmt::format("--pixel {},{}", cursor.pixel.x, cursor.pixel.y);
+    std::string text = fmt::format("--pixel {},{}", cursor.pixel.x, cursor.pixel.y);
     if (cursor.radiance)
-        words += fmt::format("  rgb {} {} {}", cursor.radiance->r, cursor.radiance->g, cursor.radiance->b);
-    if (!cursor.object.empty()) words += "  " + cursor.object;
-    if (cursor.triangle >= 0) words += fmt::format(", triangle {}", cursor.triangle);
-    window_.copyText(words);
-    workspace_.notify("Copied: " + words);
+        text += fmt::format("  rgb {} {} {}", cursor.radiance->r, cursor.radiance->g, cursor.radiance->b);
+    if (!cursor.object.empty()) text += "  " + cursor.object;
+    if (cursor.triangle >= 0) text += fmt::format(", triangle {}", cursor.triangle);
+    window_.copyText(text);
+    workspace_.notify("Copied: " + text);
+}
+
+/// Previews are not kept.
+void Application::keepPicture() {
+    const RgbImage& image = picture_.shownImage();
+    const bool whole = glm::ivec2(image.width, image.height) == workspace_.imageSize();
+    if (!workspace_.view.traced || !whole || !workspace_.render.currentWorld()) {
+        workspace_.notify("No traced picture at full resolution yet: show the ray-traced view and try again",
+                          Severity::Warning);
+        return;
+    }
+    const int samples = workspace_.render.status().samples;
+    workspace_.comparison.keep(workspace_.edit, image, samples);
+    workspace_.comparison.view.shown = true;
+    workspace_.notify(fmt::format("Kept as A with {} samples per pixel", samples));
+}
+
+void Application::copyRays() {
+    const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+    if (recording == nullptr) return;
+    window_.copyText(toJson(recording->tree(), *recording->world));
+    workspace_.notify(fmt::format("Copied {} rays as JSON",
+                                  recording->tree().nodes.size() + recording->tree().shadowRays.size()));
+}
+
+void Application::exportRays() {
+    const DebugRays::PixelRecording* recording = workspace_.rays.recording();
+    if (recording == nullptr) return;
+    const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
+    const SceneBounds& bounds = picture_.sceneBounds();
+    try {
+        base::writeFileAtomically(lines, toObj(recording->tree(), glm::distance(bounds.lower, bounds.upper)));
+        base::writeFileAtomically(tree, toJson(recording->tree(), *recording->world));
+        workspace_.notify("Saved " + lines + " and " + tree);
+    } catch (const InputError& error) {
+        workspace_.errorMessage = error.what();
+    }
 }
 
 void Application::setScale(float scale) { workspace_.view.scale = std::clamp(scale, 1.0f, 4.0f); }

@@ -3,7 +3,7 @@
 namespace rayscope::viewer {
 
 namespace {
-/// One line as the vertex shader reads it, once per rectangle.
+/// The per-instance attributes of a line.
 struct Instance {
     glm::vec3 from, to;
     glm::vec4 color;

@@ -7,17 +7,17 @@
 
 namespace rayscope::viewer {
 
-/// How lines are drawn.
+/// Parameters of drawing lines.
 struct LineDrawOptions {
     glm::mat4 viewProjection{1.0f};
     glm::vec2 viewport{1.0f};    ///< in pixels
     float scale = 1.0f;          ///< multiplies widths
-    GLuint sceneDepth = 0;       ///< a texture with the depths of the picture; 0: nothing hides lines
-    float hiddenOpacity = 1.0f;  ///< of what lies behind surfaces
+    GLuint sceneDepth = 0;       ///< depth texture of the picture; 0: no line is hidden
+    float hiddenOpacity = 1.0f;  ///< of lines behind surfaces
 };
 
-/// Draws overlay lines as rectangles that face the screen: core profiles promise no line wider than one
-/// pixel. What is hidden is found in the shader, so that each line is drawn once.
+/// Draws overlay lines as screen-aligned rectangles, because core profiles only guarantee lines of one pixel.
+/// The shader tests the depth, so that hidden and visible parts are drawn in one pass.
 class LineBatch {
   public:
     LineBatch();

@@ -7,7 +7,7 @@
 
 namespace rayscope::viewer {
 
-/// A mesh in the memory of the graphics card, its triangles sorted by material slot.
+/// A mesh in OpenGL buffers, with its triangles sorted by material slot.
 class MeshBuffer {
   public:
     explicit MeshBuffer(const MeshData& mesh);
@@ -38,7 +38,7 @@ class MeshBuffer {
     bool hasNormals_ = false, hasTexCoords_ = false;
 };
 
-/// A sphere of radius 1 around the origin, smooth to the eye.
+/// A finely tessellated sphere of radius 1 around the origin.
 MeshData unitSphereMesh();
 
 }  // namespace rayscope::viewer

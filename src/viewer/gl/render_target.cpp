@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "image/srgb.h"
+
 namespace rayscope::viewer {
 
 namespace {
@@ -53,7 +55,7 @@ bool RenderTarget::resize(int width, int height) {
     colorOnly_ = framebuffer(color_, 0);
     const bool complete = isComplete(framebuffer_) && isComplete(colorOnly_);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (!complete) throw std::runtime_error("the graphics driver refuses an off-screen picture");
+    if (!complete) throw std::runtime_error("the OpenGL driver does not support the off-screen framebuffer");
     return true;
 }
 
@@ -102,6 +104,20 @@ void RenderTarget::copyToWindow(int x, int y, int width, int height) const {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, width_, height_, x, y, x + width, y + height, GL_COLOR_BUFFER_BIT, filter);
     unbind();
+}
+
+RgbImage readFramebuffer(int x, int y, int width, int height) {
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
+    RgbImage image(width, height);
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < width; ++column) {
+            const std::uint8_t* pixel = &bytes[3 * image.index(column, height - 1 - row)];
+            image.at(column, row) = {image::decodeByte(pixel[0]), image::decodeByte(pixel[1]),
+                                     image::decodeByte(pixel[2])};
+        }
+    return image;
 }
 
 }  // namespace rayscope::viewer

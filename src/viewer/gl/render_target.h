@@ -1,12 +1,13 @@
 #pragma once
 #include <epoxy/gl.h>
+#include <rayscope/image.h>
 #include <cstdint>
 #include <vector>
 
 namespace rayscope::viewer {
 
-/// An off-screen picture with a depth buffer. The view is drawn into it when something changed, and copied to
-/// the window in every frame, so that an idle window costs next to nothing.
+/// An off-screen framebuffer with colour and depth. The view is drawn into it when something changed and
+/// copied to the window in every frame, so that an idle window needs hardly any time.
 class RenderTarget {
   public:
     RenderTarget() = default;
@@ -14,23 +15,23 @@ class RenderTarget {
     RenderTarget(const RenderTarget&) = delete;
     RenderTarget& operator=(const RenderTarget&) = delete;
 
-    /// Gives it this size; the content is undefined if the size changed. Returns whether it did.
+    /// Returns whether the size changed; the content is undefined then.
     bool resize(int width, int height);
-    /// All drawing goes here, over the whole target.
+    /// Makes this the framebuffer that is drawn into, with the viewport over all of it.
     void bind() const;
-    /// The same without the depth buffer, which can be read as depthTexture() meanwhile.
+    /// The same without the depth buffer, so that shaders can read it as depthTexture().
     void bindColorOnly() const;
     GLuint depthTexture() const { return depth_; }
-    /// Drawing goes to the window again.
+    /// Makes the window the framebuffer that is drawn into.
     static void unbind() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
     int width() const { return width_; }
     int height() const { return height_; }
-    /// To a rectangle of the window with the lower left corner at (x, y): pixel by pixel, or enlarged.
+    /// To a rectangle of the window with the lower left corner at (x, y), scaled if the sizes differ.
     void copyToWindow(int x, int y, int width, int height) const;
-    /// The colours of all pixels, to another target of the same size, which becomes the bound one.
+    /// The colours of all pixels to another target of the same size, which becomes the bound one.
     void copyTo(const RenderTarget& other) const;
 
-    /// The colours of all pixels, as PaintCanvas has them, and their depths; to and from memory.
+    /// Copies the colours (in the format of PaintCanvas) and the depths of all pixels to and from memory.
     void readColors(std::vector<std::uint32_t>& pixels) const;
     void readDepths(std::vector<float>& depths) const;
     void writeColors(const std::vector<std::uint32_t>& pixels) const;
@@ -41,5 +42,8 @@ class RenderTarget {
     GLuint framebuffer_ = 0, colorOnly_ = 0, color_ = 0, depth_ = 0;
     int width_ = 0, height_ = 0;
 };
+
+/// A rectangle of the bound framebuffer, whose rows start at the bottom, as a linear image.
+RgbImage readFramebuffer(int x, int y, int width, int height);
 
 }  // namespace rayscope::viewer

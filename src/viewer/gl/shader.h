@@ -7,7 +7,7 @@
 namespace rayscope::viewer {
 
 /// A vertex and a fragment shader, linked. `name` picks shaders/NAME.vert and shaders/NAME.frag, which are
-/// compiled into the program. Throws std::runtime_error with the driver's words if they do not compile.
+/// compiled into the program. Throws std::runtime_error with the driver's message if they do not compile.
 class Shader {
   public:
     explicit Shader(const std::string& name);

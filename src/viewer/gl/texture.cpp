@@ -33,7 +33,7 @@ GlTexture GlTexture::floatImage(int width, int height) {
     texture.height_ = height;
     glGenTextures(1, &texture.id_);
     glBindTexture(GL_TEXTURE_2D, texture.id_);
-    // Four channels, because three are slow to fetch where the driver is software.
+    // Four channels, because software drivers are slow with three.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGB, GL_FLOAT, nullptr);
     setParameters(GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     return texture;

@@ -15,7 +15,7 @@ class GlTexture {
 
     /// 32-bit float pixels, interpolated, clamped at the border.
     static GlTexture floatImage(int width, int height);
-    /// Half-float pixels with mipmaps; wraps as `texture` asks.
+    /// Half-float pixels with mipmaps; with the wrap mode of `texture`.
     static GlTexture forMaterial(const Texture& texture);
 
     void upload(int x, int y, int width, int height, const Rgb* pixels);

@@ -9,17 +9,17 @@
 #include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/model/camera_controller.h"
-#include "viewer/view/picture.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 
 namespace rayscope::viewer {
 
 namespace {
 
-constexpr double kClickPixels = 4.0;     // a hand trembles that much between press and release
+constexpr double kClickPixels = 4.0;     // largest movement between press and release of a click
 constexpr double kWheelFactor = 0.88;    // of the distance, per notch
-constexpr double kSettleSeconds = 0.18;  // after the last notch or key the motion is over
+constexpr double kSettleSeconds = 0.18;  // a motion ends this long after its last event
 
-/// The world that holds the geometry of the current scene, whatever camera it was compiled for.
+/// The world of the current scene, possibly compiled for another camera.
 std::shared_ptr<const trace::World> worldOf(Workspace& workspace) {
     std::shared_ptr<const trace::World> world = workspace.render.session().world();
     return world && world->description == workspace.edit.scene ? world : nullptr;
@@ -48,7 +48,7 @@ bool ViewInput::moving() const {
     return (dragging() && drag_ != Drag::Divider && !clicked_) || recent(lastWheel_) || recent(lastFlight_);
 }
 
-/// Whether the cursor is on the line between two pictures that are compared.
+/// Whether the cursor is on the divider between two compared pictures.
 bool ViewInput::onDivider(const Workspace& workspace, const ViewFrame& frame) const {
     constexpr double kReach = 6.0;
     const Comparison& comparison = workspace.comparison;
@@ -121,7 +121,7 @@ void ViewInput::release(Workspace& workspace, const ViewFrame& frame) {
     if (!picked) pickDebugRay(workspace, frame);
 }
 
-/// A click on a recorded ray selects it, a click beside all rays lets go of it.
+/// A click on a recorded ray selects it, a click elsewhere clears the selection.
 void ViewInput::pickDebugRay(Workspace& workspace, const ViewFrame& frame) {
     constexpr double kReach = 6.0;
     const DebugRays::PixelRecording* recording = workspace.rays.recording();
@@ -154,7 +154,7 @@ bool ViewInput::fly(Workspace& workspace, const Window& window, double seconds) 
     const glm::dvec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                                axis(GLFW_KEY_W, GLFW_KEY_S));
     if (direction == glm::dvec3(0.0)) return false;
-    // With the right button held, the first of these keys turns panning into looking around.
+    // While the right button is held, these keys switch from panning to looking around.
     if (drag_ == Drag::Pan) drag_ = Drag::Look;
     clicked_ = false;
     const double faster = ImGui::GetIO().KeyShift ? 4.0 : 1.0;

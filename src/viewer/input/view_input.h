@@ -8,14 +8,14 @@
 
 namespace rayscope::viewer {
 
-/// Turns what mouse and keys do in the picture area into movements of the camera and of lights, and finds out
-/// what the cursor is on.
+/// Translates mouse and keyboard input in the picture area into camera and light movements, and determines
+/// the pixel and the surface under the cursor.
 class ViewInput {
   public:
     /// `origin` is the upper left corner of the picture in the window's units, `unit` the pixels per unit.
     void update(Workspace& workspace, const Window& window, glm::dvec2 origin, double unit, double seconds);
 
-    /// Camera or light are in motion; a coarse picture that follows is better than a fine one that lags.
+    /// Whether camera or light are in motion: previews are preferred then.
     bool moving() const;
     bool dragging() const { return drag_ != Drag::None; }
     std::optional<HandlePart> hoveredHandlePart() const { return handlePart_; }

@@ -24,7 +24,7 @@ std::string lastGlfwError() {
     return text ? text : "unknown reason";
 }
 
-/// Shortcuts go by the letter on the key, not by its place: Ctrl+Z is Ctrl+Z on every layout.
+/// Shortcuts use the letter of the keyboard layout, not the key position: Ctrl+Z is Ctrl+Z on every layout.
 int letterOf(int key, int scancode) {
     if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
     const char* name = glfwGetKeyName(key, scancode);
@@ -33,17 +33,17 @@ int letterOf(int key, int scancode) {
     return letter >= 'A' && letter <= 'Z' ? letter : key;
 }
 
-/// A monitor of so many pixels per inch is not read at scale 1, even if nobody has told the desktop so. What
-/// is not plausible (projectors, televisions and virtual displays make up their size) does not count.
+/// Scale 2 for monitors of high pixel density, even if the desktop is configured for scale 1. Implausible
+/// sizes, as reported by projectors, televisions and virtual displays, are ignored.
 float scaleOfPixels(GLFWmonitor* monitor) {
-    constexpr float kFewest = 144.0f, kMaxCount = 400.0f, kSmallest = 150.0f;
+    constexpr float kMinDensity = 144.0f, kMaxDensity = 400.0f, kMinWidth = 150.0f;
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     int width = 0, height = 0;
     if (mode == nullptr) return 1.0f;
     glfwGetMonitorPhysicalSize(monitor, &width, &height);
-    if (static_cast<float>(width) < kSmallest) return 1.0f;
+    if (static_cast<float>(width) < kMinWidth) return 1.0f;
     const float perInch = 25.4f * static_cast<float>(mode->width) / static_cast<float>(width);
-    return perInch >= kFewest && perInch <= kMaxCount ? 2.0f : 1.0f;
+    return perInch >= kMinDensity && perInch <= kMaxDensity ? 2.0f : 1.0f;
 }
 
 Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
@@ -90,7 +90,7 @@ Window::~Window() {
     glfwTerminate();
 }
 
-/// Every event keeps the loop awake and goes on to Dear ImGui.
+/// Every event is recorded and passed on to Dear ImGui.
 void Window::installCallbacks() {
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
         ownerOf(w).onKey(key, scancode, action, modifiers);
@@ -124,8 +124,8 @@ void Window::installCallbacks() {
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { ownerOf(w).anyEvent_ = true; });
 }
 
-/// Dear ImGui looks at the state of keys once per frame; a key that goes up again before that must still be
-/// seen, so its release waits for the next frame.
+/// Dear ImGui reads the state of keys once per frame. The release of a key that was pressed in the same frame
+/// is delayed to the next frame, so that the press is not lost.
 void Window::onKey(int key, int scancode, int action, int modifiers) {
     anyEvent_ = true;
     const KeyPress press{letterOf(key, scancode), modifiers};

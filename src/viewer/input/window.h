@@ -10,17 +10,17 @@ struct GLFWwindow;
 
 namespace rayscope::viewer {
 
-/// There is no display, or it has no OpenGL 3.3. what() is one sentence for the user.
+/// There is no display, or it has no OpenGL 3.3. what() is a message for the user.
 struct NoDisplay : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
 struct KeyPress {
-    int key = 0;  ///< GLFW_KEY_…, letters as the keyboard layout names them
+    int key = 0;  ///< GLFW_KEY_…; letters by keyboard layout
     int modifiers = 0;
 };
 
-/// The window of the desktop with its OpenGL context and the state of Dear ImGui.
+/// The desktop window with its OpenGL context and Dear ImGui.
 class Window {
   public:
     Window(int width, int height);
@@ -35,15 +35,14 @@ class Window {
     bool isKeyDown(int key) const;
     void copyText(const std::string& text);
 
-    /// Handles events; returns at once if `seconds` is 0, else waits that long for one to come. Returns
-    /// whether any came.
+    /// Handles events, after waiting up to `seconds` for one. Returns whether there were any.
     bool handleEvents(double seconds);
     /// The keys pressed and the files dropped since the last call.
     std::vector<KeyPress> takeKeys() { return std::exchange(keys_, {}); }
     std::vector<std::string> takeDroppedFiles() { return std::exchange(dropped_, {}); }
 
     glm::ivec2 framebufferSize() const;
-    /// Pixels per unit that the monitor asks for: 1 on common ones, 2 on many laptops.
+    /// UI scale for the monitor: 1 on most, 2 on many laptops.
     float contentScale() const;
 
     void beginFrame();
@@ -63,7 +62,7 @@ class Window {
     std::vector<std::string> dropped_;
     bool anyEvent_ = false;
     bool fullScreen_ = false;
-    int windowed_[4] = {0, 0, 1280, 720};  ///< place and size to return to
+    int windowed_[4] = {0, 0, 1280, 720};  ///< position and size outside full screen
 };
 
 }  // namespace rayscope::viewer

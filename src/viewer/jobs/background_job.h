@@ -1,67 +1,97 @@
 #pragma once
-#include <rayscope/scene.h>
+#include <rayscope/diagnostics.h>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <future>
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
+#include <utility>
 
 namespace rayscope::viewer {
 
-/// Something that takes long on the open scene, beside the window, and brings a Result. One at a time.
+/// 0 … 1; written by the thread of a job and read by the window's.
+using JobProgress = std::atomic<double>;
+
+/// A computation on a thread of its own, so that the window stays responsive. All members are called from the
+/// window's thread and none of them blocks; only the destructor waits for the computation to stop.
 template <class Result>
 class BackgroundJob {
   public:
-    ~BackgroundJob() { stop_.request_stop(); }
+    /// Runs on the other thread and must own all that it uses. When a stop is requested it should return
+    /// early or throw Stopped.
+    using Work = std::function<Result(const std::stop_token&, JobProgress&)>;
 
-    void stop() { stop_.request_stop(); }
-    /// Takes over what is ready. What was thrown leaves words in errorMessage().
-    void update() {
-        if (!pending_.valid() || pending_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-            return;
-        ++version_;
-        try {
-            result_ = pending_.get();
-        } catch (const std::exception& error) {
-            errorMessage_ = error.what();
+    BackgroundJob() = default;
+    ~BackgroundJob() { stop_.request_stop(); }
+    BackgroundJob(const BackgroundJob&) = delete;
+    BackgroundJob& operator=(const BackgroundJob&) = delete;
+
+    /// Starts the work, or stops what runs, drops its result and starts the work after it.
+    void start(Work work) {
+        if (running_.valid()) {
+            discard();
+            next_ = std::move(work);
+        } else {
+            launch(std::move(work));
         }
     }
 
-    bool busy() const { return pending_.valid(); }
-    double fraction() const { return fraction_ ? fraction_->load() : 0.0; }
-    const Result* result() const { return result_ ? &*result_ : nullptr; }
-    /// The scene that the result is about.
-    const SceneDescription* scene() const { return scene_.get(); }
-    const std::string& errorMessage() const { return errorMessage_; }
-    /// Grows when there is, or is no more, a result.
-    int version() const { return version_; }
-
-  protected:
-    using Work = std::function<Result(const std::stop_token&, std::atomic<double>& fraction)>;
-    /// Starts anew; what runs already is stopReason first.
-    void start(std::shared_ptr<const SceneDescription> scene, Work work) {
-        stop_.request_stop();
-        if (pending_.valid()) pending_.wait();
-        stop_ = std::stop_source{};
-        scene_ = std::move(scene);
-        result_.reset();
-        errorMessage_.clear();
-        ++version_;
-        fraction_ = std::make_shared<std::atomic<double>>(0.0);
-        pending_ = std::async(std::launch::async, [work = std::move(work), stop = stop_.get_token(),
-                                                   fraction = fraction_] { return work(stop, *fraction); });
+    /// The result, once, as soon as there is one. If the work threw there is none: after Stopped nothing is
+    /// reported, other exceptions leave their text in error().
+    std::optional<Result> poll() {
+        if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+            return std::nullopt;
+        std::optional<Result> result;
+        try {
+            result = running_.get();
+        } catch (const Stopped&) {
+        } catch (const std::exception& error) {
+            if (!discarded_) error_ = error.what();
+        }
+        if (std::exchange(discarded_, false)) result.reset();
+        if (next_) launch(*std::exchange(next_, std::nullopt));
+        return result;
     }
 
+    /// Requests a stop; what the work returns then still arrives.
+    void cancel() {
+        stop_.request_stop();
+        next_.reset();
+    }
+    /// Requests a stop; nothing arrives.
+    void discard() {
+        cancel();
+        discarded_ = running_.valid();
+    }
+
+    bool busy() const { return running_.valid(); }
+    double progress() const { return running_.valid() ? progress_->load() : 0.0; }
+    /// Why the latest work failed; empty if it did not.
+    const std::string& error() const { return error_; }
+
   private:
-    std::shared_ptr<const SceneDescription> scene_;
-    std::shared_ptr<std::atomic<double>> fraction_;
-    std::future<Result> pending_;
+    void launch(Work work) {
+        stop_ = std::stop_source{};
+        progress_ = std::make_shared<JobProgress>(0.0);
+        error_.clear();
+        running_ = std::async(std::launch::async, [work = std::move(work), stop = stop_.get_token(),
+                                                   progress = progress_]() mutable {
+            // What the work owns is destroyed here, not on the window's thread.
+            const Work once = std::move(work);
+            return once(stop, *progress);
+        });
+    }
+
+    std::future<Result> running_;
+    std::optional<Work> next_;
     std::stop_source stop_;
-    std::optional<Result> result_;
-    std::string errorMessage_;
-    int version_ = 0;
+    std::shared_ptr<JobProgress> progress_;
+    std::string error_;
+    bool discarded_ = false;  ///< the result of what runs is not wanted
 };
 
 }  // namespace rayscope::viewer

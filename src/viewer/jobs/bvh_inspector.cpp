@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bvh/build/build.h"
+#include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
 
@@ -23,43 +24,45 @@ InspectedTree buildReferenceTree(InspectedTree referenceTree, BuildSettings sett
     return inspect(std::move(referenceTree));
 }
 
-/// A tree without what is known about it, kept alive.
+/// Keeps a tree and its geometry alive, without index and statistics.
 struct TreeHandle {
     std::shared_ptr<const trace::Geometry> geometry;
     std::shared_ptr<const Accel> accel;
     std::shared_ptr<const bvh::BinaryTree> ownedTree;
 
-    explicit TreeHandle(const InspectedTree& whole)
-        : geometry(whole.geometry), accel(whole.accel), ownedTree(whole.ownedTree) {}
+    explicit TreeHandle(const InspectedTree& inspected)
+        : geometry(inspected.geometry), accel(inspected.accel), ownedTree(inspected.ownedTree) {}
     const bvh::BinaryTree& tree() const { return ownedTree ? *ownedTree : *accel->binaryTree(); }
     const AccelInput& input() const { return geometry->input; }
 };
 
-/// Over the rays of some hundred pixels of the view.
-BvhInspector::Costs countCosts(std::shared_ptr<const trace::World> world, std::size_t motionGroup,
-                               TreeHandle own, TreeHandle referenceTree) {
+/// Over the rays of a grid of pixels of the view.
+BvhInspector::Costs countCosts(const trace::World& world, std::size_t motionGroup, const TreeHandle& own,
+                               const TreeHandle& referenceTree) {
     constexpr int kColumns = 32, kRows = 24;
-    constexpr std::uint64_t kSeed = 0;  // the window renders with this one
-    const probe::ViewRays rays = probe::raysOfView(*world, kSeed, motionGroup, kColumns, kRows);
+    const probe::ViewRays rays = probe::raysOfView(world, kViewerSeed, motionGroup, kColumns, kRows);
     return {rays.count(), probe::traversalCosts(own.tree(), own.input(), rays),
             probe::traversalCosts(referenceTree.tree(), referenceTree.input(), rays)};
 }
 
-template <class T>
-bool isReady(const std::future<T>& future) {
-    return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
 }  // namespace
 
-BvhInspector::~BvhInspector() { stopReference_.request_stop(); }
-
-void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
-    if (isReady(pending_)) {
-        inspected_ = pending_.get();
+void BvhInspector::takeResults() {
+    if (auto indexed = indexing_.poll()) {
+        inspected_ = std::move(indexed);
         ++version_;
         clampSelection();
     }
+    if (auto built = referenceBuild_.poll()) {
+        referenceTree_ = std::move(built);
+        ++version_;
+    }
+    if (auto counted = counting_.poll()) costs_ = std::move(counted);
+    if (auto computed = splitting_.poll()) curve_ = std::move(computed);
+}
+
+void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
+    takeResults();
     if (!world) return;
     motionGroup = std::min(motionGroup, world->motionGroups.empty() ? 0 : world->motionGroups.size() - 1);
     const bool hasTree = !world->motionGroups.empty() && world->settings.bvh &&
@@ -67,30 +70,31 @@ void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
                          world->motionGroups[motionGroup].accel->binaryTree() != nullptr;
     if (!hasTree) {
         if (inspected_) ++version_;
+        indexing_.discard();
+        indexingAccel_.reset();
         inspected_.reset();
         referenceTree_.reset();
         return;
     }
     const trace::MotionGroup& wanted = world->motionGroups[motionGroup];
-    const bool isKnown = inspected_ && inspected_->accel == wanted.accel;
-    if (!isKnown && !pending_.valid()) {
+    if (indexingAccel_ != wanted.accel) {
         InspectedTree fresh;
         fresh.geometry = wanted.geometry;
-        fresh.accel = wanted.accel;
+        fresh.accel = indexingAccel_ = wanted.accel;
         fresh.builder = world->settings.bvhBuilder;
         referenceTree_.reset();
-        stopReference_.request_stop();
-        pending_ = std::async(std::launch::async, inspect, std::move(fresh));
+        referenceBuild_.discard();
+        indexing_.start([fresh](const std::stop_token&, JobProgress&) { return inspect(fresh); });
     }
-    if (isKnown) updateReferenceTree(world);
-    if (isKnown) updateCosts(world);
+    if (!inspected_ || inspected_->accel != wanted.accel) return;
+    updateReferenceTree(world);
+    updateCosts(world);
 }
 
 BvhInspector::BuilderSettings BvhInspector::builderSettingsOf(const Settings& settings) {
     return {settings.bvhBuilder, settings.bvhBins, settings.bvhLeafSize, settings.bvhMaxLevel};
 }
 
-/// The heuristic's referenceTree is the median split, and the other way round.
 BvhInspector::BuilderSettings BvhInspector::referenceBuild(const Settings& settings) const {
     if (compareWith) return *compareWith;
     BuilderSettings builderSettings = builderSettingsOf(settings);
@@ -100,63 +104,46 @@ BvhInspector::BuilderSettings BvhInspector::referenceBuild(const Settings& setti
 }
 
 void BvhInspector::updateReferenceTree(const std::shared_ptr<const trace::World>& world) {
-    const BuilderSettings builderSettings = referenceBuild(world->settings);
-    const bool isWanted = builderSettings == referenceBuild_;
-    if (isReady(pendingReference_)) {
-        try {
-            referenceTree_ = pendingReference_.get();
-            ++version_;
-        } catch (const Stopped&) {
-            // Another one is wanted by now.
-        }
-    }
-    if (!shown.showReference || (referenceTree() != nullptr && isWanted)) return;
-    if (pendingReference_.valid()) {
-        if (!isWanted) stopReference_.request_stop();
-        return;
-    }
+    const BuilderSettings wanted = referenceBuild(world->settings);
+    const bool isRequested =
+        wanted == referenceSettings_ && (referenceTree() != nullptr || referenceBuild_.busy());
+    if (!shown.showReference || isRequested) return;
     referenceTree_.reset();
-    referenceBuild_ = builderSettings;
+    referenceSettings_ = wanted;
     InspectedTree fresh;
     fresh.geometry = inspected_->geometry;
     fresh.accel = inspected_->accel;
-    stopReference_ = std::stop_source{};
-    pendingReference_ = std::async(std::launch::async, buildReferenceTree, std::move(fresh),
-                                   BuildSettings{.builder = builderSettings.builder,
-                                                 .bins = builderSettings.bins,
-                                                 .maxLevel = builderSettings.maxLevel,
-                                                 .leafSize = builderSettings.leafSize,
-                                                 .stop = stopReference_.get_token()});
+    referenceBuild_.start([fresh, wanted](const std::stop_token& stop, JobProgress&) {
+        return buildReferenceTree(fresh, {.builder = wanted.builder,
+                                          .bins = wanted.bins,
+                                          .maxLevel = wanted.maxLevel,
+                                          .leafSize = wanted.leafSize,
+                                          .stop = stop});
+    });
 }
 
 void BvhInspector::updateCosts(const std::shared_ptr<const trace::World>& world) {
-    const bool isKnown = costsWorld_.lock() == world && costsVersion_ == version_;
-    if (isReady(pendingCosts_)) {
-        const Costs counted = pendingCosts_.get();
-        if (costsVersion_ == version_) costs_ = counted;
-    }
-    if (!shown.showReference || referenceTree() == nullptr || isKnown || pendingCosts_.valid()) return;
+    const bool isRequested = costsWorld_.lock() == world && costsVersion_ == version_;
+    if (!shown.showReference || referenceTree() == nullptr || isRequested) return;
     if (costsVersion_ != version_) costs_.reset();
     costsWorld_ = world;
     costsVersion_ = version_;
-    pendingCosts_ = std::async(std::launch::async, countCosts, world, motionGroup, TreeHandle(*inspected_),
-                               TreeHandle(*referenceTree_));
+    counting_.start(
+        [world, group = motionGroup, own = TreeHandle(*inspected_), reference = TreeHandle(*referenceTree_)](
+            const std::stop_token&, JobProgress&) { return countCosts(*world, group, own, reference); });
 }
 
 const probe::SplitCurve* BvhInspector::curve(int bins) {
-    if (isReady(pendingCurve_)) {
-        curve_ = pendingCurve_.get();
-        curveKey_ = pendingCurveKey_;
-    }
     const std::uint32_t node = shown.node == bvh::kNoNode ? 0 : shown.node;
-    const std::tuple wanted{inspected_->accel.get(), node, bins};
-    if (wanted != curveKey_ && !pendingCurve_.valid()) {
-        pendingCurveKey_ = wanted;
-        pendingCurve_ = std::async(std::launch::async, [tree = TreeHandle(*inspected_), node, bins] {
+    const SplitKey wanted{inspected_->accel.get(), node, bins};
+    if (wanted != curveKey_) {
+        curveKey_ = wanted;
+        curve_.reset();
+        splitting_.start([tree = TreeHandle(*inspected_), node, bins](const std::stop_token&, JobProgress&) {
             return probe::splitCurve(tree.tree(), tree.input(), node, bins);
         });
     }
-    return wanted == curveKey_ ? &curve_ : nullptr;
+    return curve_ ? &*curve_ : nullptr;
 }
 
 const BvhInspector::InspectedTree* BvhInspector::referenceTree() const {
@@ -199,8 +186,8 @@ void BvhInspector::selectLeafOf(std::uint32_t primitive) {
     if (!inspected_) return;
     const bvh::BinaryTree& tree = inspected_->tree();
     for (const std::uint32_t leaf : inspected_->index.leaves) {
-        const auto held = probe::primitivesOfLeaf(tree, leaf);
-        if (std::find(held.begin(), held.end(), primitive) == held.end()) continue;
+        const auto primitives = probe::primitivesOfLeaf(tree, leaf);
+        if (std::find(primitives.begin(), primitives.end(), primitive) == primitives.end()) continue;
         select(leaf);
         shown.leaf = true;
     }

@@ -6,7 +6,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// Figures of a picture that still refines are not worth more than one look in this time.
+/// Seconds between measurements of a picture that is still being refined.
 constexpr double kMetricsInterval = 2.0;
 
 }  // namespace
@@ -25,28 +25,26 @@ void Comparison::discard() {
 }
 
 void Comparison::update(const RgbImage& b, int revision, bool complete, float exposure) {
-    if (pending_.valid() && pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        const ErrorMeasures metrics = pending_.get();
+    if (const auto measured = job_.poll()) {
         measuredAt_ = Clock::now();
-        if (kept_ && measuring_.version == view.version) {
-            metrics_ = metrics;
-            measured_ = measuring_;
+        if (kept_ && measured->pair.version == view.version) {
+            metrics_ = measured->metrics;
+            measured_ = measured->pair;
         }
     }
     const Pair wanted{view.version, revision, exposure};
     final_ = complete && measured_ == wanted;
-    if (!visible() || pending_.valid() || (metrics_ && measured_ == wanted)) return;
+    if (!visible() || job_.busy() || (metrics_ && measured_ == wanted)) return;
     if (b.width != kept_->image.width || b.height != kept_->image.height) {
         metrics_.reset();
         return;
     }
-    const double waited = std::chrono::duration<double>(Clock::now() - measuredAt_).count();
-    if (!complete && waited < kMetricsInterval) return;
-    measuring_ = wanted;
-    pending_ = std::async(std::launch::async, [a = kept_->image, b, exposure] {
+    const double age = std::chrono::duration<double>(Clock::now() - measuredAt_).count();
+    if (!complete && age < kMetricsInterval) return;
+    job_.start([wanted, a = kept_->image, b](const std::stop_token&, JobProgress&) {
         CompareOptions options;
-        options.exposure = exposure;
-        return measureErrors(b, a, options);
+        options.exposure = wanted.exposure;
+        return Measured{wanted, measureErrors(b, a, options)};
     });
 }
 

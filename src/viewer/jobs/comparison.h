@@ -1,16 +1,17 @@
 #pragma once
 #include <rayscope/compare.h>
-#include <future>
+#include <chrono>
 #include <optional>
 
+#include "viewer/jobs/background_job.h"
 #include "viewer/model/edit_state.h"
 
 namespace rayscope::viewer {
 
 enum class CompareMode { Wipe, Flip, Difference };
 
-/// A picture that was kept, A, beside the current one, B. Both have the same random numbers, so where they
-/// differ is due to the settings.
+/// A kept picture, A, and the current one, B. Both have the same random numbers, so all differences are due
+/// to the settings.
 class Comparison {
   public:
     /// How the two are shown.
@@ -20,7 +21,7 @@ class Comparison {
         float divider = 0.5f;     ///< of the width; A is on its left
         bool flipped = false;     ///< mode Flip shows A
         float brightness = 8.0f;  ///< what differences are multiplied with
-        int version = 0;          ///< grows when A becomes another picture
+        int version = 0;          ///< increases whenever A changes
         bool operator==(const View&) const = default;
     };
     View view;
@@ -33,13 +34,13 @@ class Comparison {
     void keep(EditState state, RgbImage image, int samples);
     void discard();
     const Kept* a() const { return kept_ ? &*kept_ : nullptr; }
-    /// Whether something of A is to be drawn over the traced picture.
+    /// Whether A is to be drawn.
     bool visible() const { return kept_ && view.shown; }
 
-    /// Measures beside the window how far B is from A, if either has changed. `revision` tells pictures B
-    /// apart. While B is not `complete`, now and then.
+    /// Measures the error of B against A in the background if either has changed; `revision` identifies the
+    /// picture B. While B is not `complete` it is measured every few seconds only.
     void update(const RgbImage& b, int revision, bool complete, float exposure);
-    bool busy() const { return pending_.valid(); }
+    bool busy() const { return job_.busy(); }
     /// Of B against A; null until measured, or if the pictures differ in size.
     const ErrorMeasures* metrics() const { return metrics_ ? &*metrics_ : nullptr; }
     /// Whether metrics() is of a picture B that was complete and is still shown.
@@ -49,14 +50,18 @@ class Comparison {
     using Clock = std::chrono::steady_clock;
 
     std::optional<Kept> kept_;
-    std::future<ErrorMeasures> pending_;
     std::optional<ErrorMeasures> metrics_;
     struct Pair {
         int version = -1, revision = -1;  ///< of A, and of B
         float exposure = 0.0f;
         bool operator==(const Pair&) const = default;
     };
-    Pair measuring_, measured_;  ///< what the metrics to come, and those that are there, belong to
+    struct Measured {
+        Pair pair;
+        ErrorMeasures metrics;
+    };
+    BackgroundJob<Measured> job_;
+    Pair measured_;  ///< the pictures that metrics_ are of
     bool final_ = false;
     Clock::time_point measuredAt_{};
 };

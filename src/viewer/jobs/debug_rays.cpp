@@ -1,63 +1,143 @@
 #include "viewer/jobs/debug_rays.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "probe/names.h"
 #include "render/film.h"
 #include "trace/world.h"
+#include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
 
 namespace {
-
-constexpr std::uint64_t kSeed = 0;  // the window renders with this one
 
 std::size_t bytesOf(const RayTree& tree) {
     return sizeof tree + tree.nodes.size() * sizeof(RayNode) + tree.shadowRays.size() * sizeof(ShadowRay) +
            tree.addends.size() * sizeof(RgbSum);
 }
 
+/// Called before each of `samples` samples: reports the progress and throws Stopped on request.
+class SampleCounter {
+  public:
+    SampleCounter(std::stop_token stop, JobProgress& progress, int samples)
+        : stop_(std::move(stop)), progress_(&progress), samples_(std::max(samples, 1)) {}
+    void operator()() {
+        if (stop_.stop_requested()) throw Stopped();
+        progress_->store(static_cast<double>(done_++) / samples_);
+    }
+
+  private:
+    std::stop_token stop_;
+    JobProgress* progress_;
+    int samples_, done_ = 0;
+};
+
+int samplesOf(const render::Film& film, SampleId id) {
+    int samples = 0;
+    film.sums(id.x, id.y, samples);
+    return samples;
+}
+
+/// Samples 0 … `samples` - 1 of the pixel of `id`, until they take `budget` bytes.
+std::vector<RayTree> recordTrees(const trace::World& world, SampleId id, int samples, std::size_t budget,
+                                 SampleCounter beforeSample) {
+    std::vector<RayTree> trees;
+    std::size_t bytes = 0;
+    for (id.index = 0; id.index < samples && bytes < budget; ++id.index) {
+        beforeSample();
+        trees.push_back(probeSample(world, kViewerSeed, id));
+        bytes += bytesOf(trees.back());
+    }
+    return trees;
+}
+
 }  // namespace
 
 void DebugRays::recordPixel(std::shared_ptr<const trace::World> world, const EditState& state,
-                            glm::ivec2 imageSize, SampleId name, const render::Film* film) {
+                            glm::ivec2 imageSize, SampleId id, std::shared_ptr<const render::Film> film) {
     PixelRecording recording;
-    // Beside the rasterised view the world is compiled for one sample, which only a jittered grid depends on.
+    // While the rasterised view is shown, the world is compiled for one sample, which matters to a jittered
+    // pattern only.
     const bool dependsOnCount = world->settings.sampler == SamplePattern::Jittered;
     recording.samples = dependsOnCount ? world->settings.spp : state.settings.spp;
     recording.state = state;
     recording.imageSize = imageSize;
     recording.trees = {RayTree{}};
-    recording.trees[0].name = name;
-    if (film != nullptr) recording.verdict = verifyReplay(*world, *film, kSeed, name.x, name.y);
-    recording.pixel =
-        probe::replayPixel(*world, kSeed, name.x, name.y, std::min(recording.samples, maxSamples));
+    recording.trees[0].name = id;
+    recording.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, 1);
     recording.statistics = probe::statisticsOf(recording.pixel.values);
     recording.world = std::move(world);
     recording_ = std::move(recording);
-    sample_ = name.index;
-    record();
+    sample_ = id.index;
+    verification_.discard();
+    diagnosis_.discard();
+    diagnosisRequested_ = pinRequested_ = false;
+    recordSample();
+    startReplay(id, std::move(film));
 }
 
-/// Fills `trees`; the chosen sample is always among them.
-void DebugRays::record() {
-    PixelRecording& recording = *recording_;
-    SampleId name = recording.tree().name;
-    recording.trees.clear();
-    std::size_t bytes = 0;
-    name.index = sample_;
-    if (filter.allSamples)
-        for (name.index = 0; name.index < recording.samples && bytes < budget; ++name.index) {
-            recording.trees.push_back(probeSample(*recording.world, kSeed, name));
-            bytes += bytesOf(recording.trees.back());
-        }
-    if (static_cast<std::size_t>(sample_) < recording.trees.size()) {
-        recording.chosen = static_cast<std::size_t>(sample_);
-    } else {
-        name.index = sample_;
-        recording.chosen = recording.trees.size();
-        recording.trees.push_back(probeSample(*recording.world, kSeed, name));
+void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> film) {
+    const int samples = std::min(recording_->samples, maxSamples);
+    replay_.start([world = recording_->world, film = std::move(film), id, samples](
+                      const std::stop_token& stop, JobProgress& progress) {
+        const int verified = film ? samplesOf(*film, id) : 0;
+        SampleCounter counter(stop, progress, verified + samples);
+        const auto beforeSample = [&counter] { counter(); };
+        Replay replay;
+        if (film) replay.verdict = verifyReplay(*world, *film, kViewerSeed, id.x, id.y, beforeSample);
+        replay.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, samples, beforeSample);
+        replay.statistics = probe::statisticsOf(replay.pixel.values);
+        return replay;
+    });
+}
+
+void DebugRays::update() {
+    if (auto replay = replay_.poll(); replay && recording_) {
+        recording_->verdict = std::move(replay->verdict);
+        recording_->pixel = std::move(replay->pixel);
+        recording_->statistics = std::move(replay->statistics);
     }
+    if (pinRequested_ && !replay_.busy()) pin();
+    if (auto verdict = verification_.poll(); verdict && recording_) recording_->verdict = std::move(*verdict);
+    if (auto diagnosis = diagnosis_.poll(); diagnosis && recording_)
+        recording_->diagnosis = std::move(*diagnosis);
+    auto trees = sampleTrees_.poll();
+    if (!trees || !recording_ || !filter.allSamples) return;
+    RayTree selected = recording_->tree();
+    recording_->trees = std::move(*trees);
+    recording_->chosen = static_cast<std::size_t>(sample_);
+    if (recording_->chosen >= recording_->trees.size()) {
+        recording_->chosen = recording_->trees.size();
+        recording_->trees.push_back(std::move(selected));
+    }
+    ++version_;
+}
+
+/// Records the selected sample at once and, if they are shown, all others in the background.
+void DebugRays::recordSample() {
+    PixelRecording& recording = *recording_;
+    SampleId id = recording.tree().name;
+    id.index = sample_;
+    recording.trees = {probeSample(*recording.world, kViewerSeed, id)};
+    recording.chosen = 0;
+    resetSelection();
+    if (filter.allSamples)
+        recordAllSamples();
+    else
+        sampleTrees_.discard();
+}
+
+void DebugRays::recordAllSamples() {
+    sampleTrees_.start([world = recording_->world, id = recording_->tree().name,
+                        samples = recording_->samples,
+                        budget = budget](const std::stop_token& stop, JobProgress& progress) {
+        return recordTrees(*world, id, samples, budget, SampleCounter(stop, progress, samples));
+    });
+}
+
+/// Ray indices belong to the selected sample.
+void DebugRays::resetSelection() {
     filter.selected = {};
     filter.hidden.clear();
     traversedRay_.reset();
@@ -66,32 +146,40 @@ void DebugRays::record() {
 }
 
 void DebugRays::clear() {
+    replay_.discard();
+    verification_.discard();
+    sampleTrees_.discard();
+    diagnosis_.discard();
+    pinRequested_ = false;
     recording_.reset();
-    filter.selected = {};
-    filter.hidden.clear();
-    traversedRay_.reset();
-    traversals_.clear();
-    ++version_;
+    resetSelection();
 }
 
 void DebugRays::selectSample(int index) {
     if (!recording_) return;
     sample_ = std::clamp(index, 0, std::max(0, recording_->samples - 1));
-    record();
+    const auto number = static_cast<std::size_t>(sample_);
+    const bool isRecorded = filter.allSamples && number < recording_->trees.size() &&
+                            recording_->trees[number].name.index == sample_;
+    if (!isRecorded) return recordSample();
+    recording_->chosen = number;
+    resetSelection();
 }
 
 void DebugRays::showAllSamples(bool all) {
     filter.allSamples = all;
-    if (recording_) record();
+    if (recording_) recordSample();
 }
 
-void DebugRays::updateReplay(const render::Film& film) {
-    if (!recording_ || !recording_->verdict) return;
-    const SampleId name = recording_->tree().name;
-    int samples = 0;
-    film.sums(name.x, name.y, samples);
-    if (samples != recording_->verdict->samples)
-        recording_->verdict = verifyReplay(*recording_->world, film, kSeed, name.x, name.y);
+void DebugRays::verifyAgain(std::shared_ptr<const render::Film> film) {
+    if (!recording_ || !recording_->verdict || replay_.busy() || verification_.busy()) return;
+    const SampleId id = recording_->tree().name;
+    const int samples = samplesOf(*film, id);
+    if (samples == recording_->verdict->samples) return;
+    verification_.start([world = recording_->world, film = std::move(film), id, samples](
+                            const std::stop_token& stop, JobProgress& progress) {
+        return verifyReplay(*world, *film, kViewerSeed, id.x, id.y, SampleCounter(stop, progress, samples));
+    });
 }
 
 void DebugRays::select(RaySelection selection) {
@@ -99,14 +187,18 @@ void DebugRays::select(RaySelection selection) {
     ++version_;
 }
 
-const std::vector<probe::Diagnosis>& DebugRays::explain() {
+const std::vector<probe::Diagnosis>* DebugRays::diagnose() {
     PixelRecording& recording = *recording_;
-    const SampleId name = recording.tree().name;
-    if (!recording.diagnosis)
-        recording.diagnosis = probe::diagnosePixel(
-            *recording.world, kSeed, name.x, name.y,
-            std::min(probe::samplesToDiagnose(recording.state.settings), recording.samples));
-    return *recording.diagnosis;
+    if (!recording.diagnosis && !std::exchange(diagnosisRequested_, true)) {
+        const SampleId id = recording.tree().name;
+        const int samples = std::min(probe::samplesToDiagnose(recording.state.settings), recording.samples);
+        diagnosis_.start(
+            [world = recording.world, id, samples](const std::stop_token& stop, JobProgress& progress) {
+                return probe::diagnosePixel(*world, kViewerSeed, id.x, id.y, samples,
+                                            SampleCounter(stop, progress, samples));
+            });
+    }
+    return recording.diagnosis ? &*recording.diagnosis : nullptr;
 }
 
 void DebugRays::show(const probe::Evidence& evidence) {
@@ -115,7 +207,8 @@ void DebugRays::show(const probe::Evidence& evidence) {
 }
 
 void DebugRays::pin() {
-    if (!recording_) return;
+    pinRequested_ = recording_ && replay_.busy();
+    if (!recording_ || pinRequested_) return;
     const RayTree& tree = recording_->tree();
     const RayNode& first = tree.nodes.front();
     double rays = 0.0;

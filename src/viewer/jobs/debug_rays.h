@@ -6,86 +6,117 @@
 #include "probe/diagnosis.h"
 #include "probe/pixel_samples.h"
 #include "probe/traversal_log.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/model/edit_state.h"
-#include "viewer/overlay/debug_rays_overlay.h"
-#include "viewer/overlay/surface_overlay.h"
-#include "viewer/overlay/traversal_overlay.h"
+#include "viewer/model/overlay_options.h"
 
 namespace rayscope::viewer {
 
-/// The rays of one pixel as they were recorded. They stay until they are cleared; when scene, settings or
-/// camera have changed since, they are stale.
+/// The recorded rays of one pixel. They are kept until they are cleared; after a change of scene, settings or
+/// camera they are stale. One sample is recorded at once; replay, further samples and diagnosis are
+/// background jobs.
 class DebugRays {
   public:
     struct PixelRecording {
-        std::vector<RayTree> trees;  ///< of the chosen sample, or of all samples that the budget holds
-        std::size_t chosen = 0;      ///< index into `trees`
-        int samples = 1;             ///< that the pixel has with these settings
+        std::vector<RayTree> trees;  ///< of the selected sample, or of all samples within the budget
+        std::size_t chosen = 0;      ///< the selected sample, an index into `trees`
+        int samples = 1;             ///< of the pixel with these settings
         EditState state;
         glm::ivec2 imageSize{1};
         std::shared_ptr<const trace::World> world;
         std::optional<ReplayResult> verdict;
-        probe::PixelSamples pixel;  ///< of all samples, at most maxSamples
+        probe::PixelSamples pixel;  ///< the first sample until replayed, then at most maxSamples
         probe::SampleStatistics statistics;
         std::optional<std::vector<probe::Diagnosis>> diagnosis;
 
         const RayTree& tree() const { return trees[chosen]; }
     };
 
-    /// Records the pixel of `world`, which was compiled from `state`. With a film, whether the replay gives
-    /// what the film holds is found out too.
+    /// Records sample `id` of the pixel of `world`, which was compiled from `state`, and starts the replay of
+    /// its samples. With a film the replay is compared with it.
     void recordPixel(std::shared_ptr<const trace::World> world, const EditState& state, glm::ivec2 imageSize,
-                     SampleId name, const render::Film* film);
+                     SampleId id, std::shared_ptr<const render::Film> film);
     void clear();
     static constexpr int kMaxSamples = 4096, kMaxLiveSamples = 64;
-    int maxSamples = kMaxSamples;  ///< that are replayed for the strip
+    int maxSamples = kMaxSamples;  ///< to replay for the chart of samples
     const PixelRecording* recording() const { return recording_ ? &*recording_ : nullptr; }
     bool isStaleFor(const EditState& state, glm::ivec2 imageSize) const;
+
+    /// Takes over the results of the jobs. To be called in each frame.
+    void update();
+    bool busy() const {
+        return replay_.busy() || verification_.busy() || sampleTrees_.busy() || diagnosis_.busy();
+    }
+
+    bool replaying() const { return replay_.busy(); }
+    double replayProgress() const { return replay_.progress(); }
+    void cancelReplay() { replay_.cancel(); }
+    /// Compares with the film again if that has other samples than the verdict.
+    void verifyAgain(std::shared_ptr<const render::Film> film);
 
     /// Records another sample of the pixel, or all of them.
     void selectSample(int index);
     void showAllSamples(bool all);
-    /// Compares with the film again if that has other samples than at the time of the last verdict.
-    void updateReplay(const render::Film& film);
 
-    /// Finds out what stands out about the pixel, if that was not done yet.
-    const std::vector<probe::Diagnosis>& explain();
-    /// Goes to the ray that a sentence rests on.
+    /// The diagnosis of the pixel. The first call starts it; null until it is done.
+    const std::vector<probe::Diagnosis>* diagnose();
+    bool diagnosing() const { return diagnosis_.busy(); }
+    double diagnosisProgress() const { return diagnosis_.progress(); }
+    void cancelDiagnosis() { diagnosis_.cancel(); }
+    /// Starts a cancelled diagnosis again.
+    void restartDiagnosis() { diagnosisRequested_ = false; }
+    const std::string& diagnosisError() const { return diagnosis_.error(); }
+    /// Selects the ray that a diagnosis names.
     void show(const probe::Evidence& evidence);
 
-    /// The chosen ray; its traversal is recorded as soon as it is to be shown.
+    /// The selected ray; its traversal is recorded when it is shown.
     void select(RaySelection selection);
     RaySelection selection() const { return filter.selected; }
     void hideSelected();
     void updateTraversal();
-    /// The traversal of the chosen ray, or of the camera ray, through each motionGroup.
+    /// The traversals of the selected ray, or of the camera ray: one per motion group.
     const std::vector<probe::TraversalLog>& traversals() const { return traversals_; }
     void step(int by);
 
-    /// What is kept of a pixel, to compare it with others.
+    /// Statistics of a pixel, kept for comparison with others.
     struct Pin {
         glm::ivec2 pixel{0};
-        std::string surface;  ///< what its first sample shows
+        std::string surface;  ///< that the first sample hits
         double mean = 0.0, error = 0.0, raysPerSample = 0.0;
     };
     std::vector<Pin> pins;
+    /// Pins the recorded pixel, as soon as its samples are replayed.
     void pin();
 
-    /// Grows when the recorded rays or the traversal change.
+    /// Increases whenever the recorded rays or the traversal change.
     int version() const { return version_; }
 
     DebugRayFilter filter;
     TraversalOverlayOptions traversal;
     SurfaceOverlayOptions surface;
-    std::size_t budget = std::size_t{64} << 20;  ///< bytes of recorded trees
+    std::size_t budget = std::size_t{64} << 20;  ///< bytes of recorded ray trees
 
   private:
-    void record();
+    struct Replay {
+        std::optional<ReplayResult> verdict;
+        probe::PixelSamples pixel;
+        probe::SampleStatistics statistics;
+    };
+    void startReplay(SampleId id, std::shared_ptr<const render::Film> film);
+    void recordSample();
+    void recordAllSamples();
+    void resetSelection();
 
     std::optional<PixelRecording> recording_;
+    BackgroundJob<Replay> replay_;
+    BackgroundJob<ReplayResult> verification_;
+    BackgroundJob<std::vector<RayTree>> sampleTrees_;
+    BackgroundJob<std::vector<probe::Diagnosis>> diagnosis_;
+    bool diagnosisRequested_ = false, pinRequested_ = false;
+
     std::vector<probe::TraversalLog> traversals_;
-    std::optional<RaySelection> traversedRay_;       ///< whose traversal is recorded …
-    BvhLayout traversedLayout_ = BvhLayout::Binary;  ///< … through which tree
+    std::optional<RaySelection> traversedRay_;  ///< whose traversal is recorded, in a tree of this layout:
+    BvhLayout traversedLayout_ = BvhLayout::Binary;
     int sample_ = 0;
     int version_ = 0;
 };

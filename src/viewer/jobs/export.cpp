@@ -1,15 +1,14 @@
 #include "viewer/jobs/export.h"
 
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "image/srgb.h"
 #include "post/display_transform.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"
+#include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
 
@@ -21,24 +20,10 @@ std::string nextFreeName(std::string_view suffix) {
     }
 }
 
-ImageMetadata metadataOf(const EditState& state, std::uint64_t seed, int samples) {
-    ImageMetadata metadata = render::imageMetadata(*state.scene, state.settings, seed, samples);
+ImageMetadata metadataOf(const EditState& state, int samples) {
+    ImageMetadata metadata = render::imageMetadata(*state.scene, state.settings, kViewerSeed, samples);
     metadata["camera"] = toOptions(state.camera);
     return metadata;
-}
-
-RgbImage readFramebuffer(int x, int y, int width, int height) {
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
-    RgbImage image(width, height);
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const std::uint8_t* pixel = &bytes[3 * image.index(column, height - 1 - row)];
-            image.at(column, row) = {image::decodeByte(pixel[0]), image::decodeByte(pixel[1]),
-                                     image::decodeByte(pixel[2])};
-        }
-    return image;
 }
 
 RenderJob::RenderJob(const EditState& state, int width, int height, std::string path, int threads)
@@ -50,6 +35,7 @@ RenderJob::RenderJob(const EditState& state, int width, int height, std::string 
     request.camera = state.camera;
     request.width = width;
     request.height = height;
+    request.seed = kViewerSeed;
     request.progressive = false;
     session_.submit(std::move(request));
 }
@@ -62,22 +48,20 @@ void RenderJob::update() {
             phase_ = Phase::Failed;
         } else if (status.state == RenderState::Done) {
             phase_ = Phase::Writing;
-            writing_ = std::async(std::launch::async, [this, film = session_.film(), status] {
-                writeImage(
-                    path_,
-                    post::applyDisplayTransform(film->mean(), state_.settings, post::isDisplayFormat(path_)),
-                    metadataOf(state_, 0, status.samples), state_.settings.tone);
+            writing_.start([path = path_, state = state_, film = session_.film(), samples = status.samples](
+                               const std::stop_token&, JobProgress&) {
+                writeImage(path, post::applyDisplayTransform(film->mean(), state.settings, post::isDisplayFormat(path)),
+                           metadataOf(state, samples), state.settings.tone);
+                return true;
             });
         }
     }
-    if (phase_ == Phase::Writing && writing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        try {
-            writing_.get();
-            phase_ = Phase::Done;
-        } catch (const std::exception& error) {
-            error_ = error.what();
-            phase_ = Phase::Failed;
-        }
+    if (phase_ != Phase::Writing) return;
+    if (writing_.poll()) {
+        phase_ = Phase::Done;
+    } else if (!writing_.busy()) {
+        error_ = writing_.error();
+        phase_ = Phase::Failed;
     }
 }
 

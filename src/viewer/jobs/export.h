@@ -1,9 +1,9 @@
 #pragma once
-// Pictures on their way to files.
+// Writes pictures to files.
 #include <rayscope/render_session.h>
-#include <future>
 #include <string>
 
+#include "viewer/jobs/background_job.h"
 #include "viewer/model/edit_state.h"
 
 namespace rayscope::viewer {
@@ -11,13 +11,10 @@ namespace rayscope::viewer {
 /// The first of rayscope-0001, rayscope-0002 … with this suffix that does not exist in the current folder.
 std::string nextFreeName(std::string_view suffix = ".png");
 
-/// What travels inside a saved image.
-ImageMetadata metadataOf(const EditState& state, std::uint64_t seed, int samples);
+/// The metadata of a saved image of this state.
+ImageMetadata metadataOf(const EditState& state, int samples);
 
-/// Pixels of the bound framebuffer, whose rows start at the bottom, as a linear image.
-RgbImage readFramebuffer(int x, int y, int width, int height);
-
-/// A render to a file in its own session, beside the window.
+/// A render to a file, in the background and in a session of its own.
 class RenderJob {
   public:
     enum class Phase { Rendering, Writing, Done, Cancelled, Failed };
@@ -25,7 +22,7 @@ class RenderJob {
     /// Throws InputError if nothing could be written to `path`.
     RenderJob(const EditState& state, int width, int height, std::string path, int threads);
 
-    /// Moves on from rendering to writing to done; to be called in each frame.
+    /// Updates phase(); to be called in each frame.
     void update();
     void cancel();
 
@@ -39,7 +36,7 @@ class RenderJob {
     EditState state_;
     std::string path_, error_;
     RenderSession session_;
-    std::future<void> writing_;
+    BackgroundJob<bool> writing_;
     Phase phase_ = Phase::Rendering;
 };
 

@@ -1,24 +1,12 @@
 #include "viewer/jobs/heat_map.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "render/film.h"
+#include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
-
-namespace {
-
-RgbImage compute(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
-                 probe::Aov aov, int samples, int threads, std::stop_token stop) {
-    constexpr std::uint64_t kSeed = 0;  // the window renders with this one
-    probe::AovRequest request{*world, film.get(), kSeed, samples, std::nullopt, threads, std::move(stop)};
-    const probe::Aov wanted[] = {aov};
-    return std::move(probe::renderAovs(request, wanted).front());
-}
-
-}  // namespace
 
 HeatStatistics heatStatistics(const RgbImage& values) {
     constexpr std::size_t kBins = 64;
@@ -34,60 +22,62 @@ HeatStatistics heatStatistics(const RgbImage& values) {
     s.upperPercentile = static_cast<double>(finite[(finite.size() - 1) * 99 / 100]);
     for (const float value : finite) {
         s.mean += static_cast<double>(value) / static_cast<double>(finite.size());
-        const double share =
+        const double fraction =
             s.highest > s.lowest ? (static_cast<double>(value) - s.lowest) / (s.highest - s.lowest) : 0.0;
-        ++s.counts[std::min(static_cast<std::size_t>(share * kBins), kBins - 1)];
+        ++s.counts[std::min(static_cast<std::size_t>(fraction * kBins), kBins - 1)];
     }
     return s;
 }
 
 RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to) {
-    // The path through Oklab is looked up: a picture has a million pixels.
+    // Colour maps interpolate in Oklab, which is too slow for a million pixels, so the map is tabulated.
     constexpr int kSteps = 1024;
     std::vector<Rgb> table;
     for (int i = 0; i <= kSteps; ++i) table.push_back(post::mapColor(map, static_cast<double>(i) / kSteps));
     RgbImage image(values.width, values.height);
     for (std::size_t i = 0; i < values.pixels.size(); ++i) {
         const double value = static_cast<double>(values.pixels[i].x);
-        const double share = to > from ? (value - from) / (to - from) : (value > to ? 1.0 : 0.0);
+        const double fraction = to > from ? (value - from) / (to - from) : (value > to ? 1.0 : 0.0);
         image.pixels[i] =
-            std::isnan(share)
-                ? post::mapColor(map, share)
-                : table[static_cast<std::size_t>(std::lround(std::clamp(share, 0.0, 1.0) * kSteps))];
+            std::isnan(fraction)
+                ? post::mapColor(map, fraction)
+                : table[static_cast<std::size_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * kSteps))];
     }
     return image;
 }
 
+HeatMap::Computed HeatMap::compute(const Source& source, int threads, const std::stop_token& stop) {
+    const probe::AovRequest request{*source.world, source.film.get(), kViewerSeed, source.samples,
+                                    std::nullopt,  threads,           stop};
+    const probe::Aov aovs[] = {source.aov};
+    Computed computed{source, std::move(probe::renderAovs(request, aovs).front()), {}};
+    computed.statistics = heatStatistics(computed.values);
+    return computed;
+}
+
 void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
                      int threads) {
-    if (pending_.valid() && pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        try {
-            values_ = pending_.get();
-            computedSource_ = pendingSource_;
-            statistics_ = heatStatistics(*values_);
-            if (fitRange) {
-                from = static_cast<float>(std::min(statistics_.lowest, 0.0));
-                to = static_cast<float>(statistics_.upperPercentile);
-            }
-            recolor();
-        } catch (const Stopped&) {
-            // Something else is wanted by now.
+    if (auto computed = job_.poll()) {
+        values_ = std::move(computed->values);
+        statistics_ = std::move(computed->statistics);
+        if (fitRange) {
+            from = static_cast<float>(std::min(statistics_.lowest, 0.0));
+            to = static_cast<float>(statistics_.upperPercentile);
         }
+        recolor();
     }
     if (!shown || !world) return;
-    // What the film knows is asked again whenever it has more samples.
     const bool ofFilm = aov >= probe::Aov::Samples;
-    const Source wanted{world, ofFilm ? film : nullptr, aov, samples,
+    const Source wanted{std::move(world), ofFilm ? film : nullptr, aov, samples,
                         ofFilm && film ? film->completeSamples() : 0};
-    if (wanted == computedSource_) return;
-    if (pending_.valid()) {
-        if (wanted.world != pendingSource_.world || wanted.aov != pendingSource_.aov) stop_.request_stop();
-        return;
-    }
-    pendingSource_ = wanted;
-    stop_ = std::stop_source{};
-    pending_ = std::async(std::launch::async, compute, std::move(world), wanted.film, aov, samples, threads,
-                          stop_.get_token());
+    if (wanted == requested_) return;
+    // A film that has more samples by now is evaluated after the running job: otherwise no job would finish.
+    const bool sameImage = wanted.world == requested_.world && wanted.aov == requested_.aov;
+    if (job_.busy() && sameImage) return;
+    requested_ = wanted;
+    job_.start([wanted, threads](const std::stop_token& stop, JobProgress&) {
+        return compute(wanted, threads, stop);
+    });
 }
 
 void HeatMap::recolor() {

@@ -1,18 +1,18 @@
 #pragma once
-#include <future>
 #include <optional>
 
 #include "post/color_map.h"
 #include "probe/aov.h"
 #include "trace/world.h"
+#include "viewer/jobs/background_job.h"
 
 namespace rayscope::viewer {
 
-/// How many pixels have which value, and the range that the colours span.
+/// The distribution of the values of an image.
 struct HeatStatistics {
     double lowest = 0.0, highest = 0.0, mean = 0.0;
-    double upperPercentile = 0.0;     ///< 99 % of the pixels lie at or below it
-    std::vector<std::size_t> counts;  ///< in equal steps from lowest to highest
+    double upperPercentile = 0.0;     ///< 99 % of the pixels have at most this value
+    std::vector<std::size_t> counts;  ///< histogram of equal bins from lowest to highest
 };
 /// Over the finite values of an image of one number per pixel.
 HeatStatistics heatStatistics(const RgbImage& values);
@@ -20,29 +20,27 @@ HeatStatistics heatStatistics(const RgbImage& values);
 /// The image as colours: `from` and below has the first, `to` and above the last.
 RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to);
 
-/// A picture of what pixels cost or how certain they are, in place of the traced one.
+/// A per-pixel quantity (an AOV) in false colour, shown instead of the traced picture.
 class HeatMap {
   public:
-    ~HeatMap() { stop_.request_stop(); }
-
     bool shown = false;
     probe::Aov aov = probe::Aov::Nodes;
     post::ColorMap map = post::ColorMap::Spectrum;
     float from = 0.0f, to = 1.0f;  ///< values at the ends of the colours
-    bool fitRange = true;          ///< to the values, anew for each picture
-    int samples = 1;               ///< per pixel, that are counted
+    bool fitRange = true;          ///< fit `from` and `to` to the values of each new image
+    int samples = 1;               ///< per pixel, over which costs are averaged
 
-    /// Computes beside the window what is to be shown. `film` is the one of the current picture.
+    /// Computes in the background what is shown. `film` is the one of the current picture.
     void update(std::shared_ptr<const trace::World> world, std::shared_ptr<const render::Film> film,
                 int threads);
-    bool busy() const { return pending_.valid(); }
-    /// Null until there is one.
+    bool busy() const { return job_.busy(); }
+    /// Null unless shown and computed.
     const RgbImage* image() const { return shown && values_ ? &image_ : nullptr; }
     const RgbImage* values() const { return values_ ? &*values_ : nullptr; }
     const HeatStatistics& statistics() const { return statistics_; }
     /// Applies map and range again.
     void recolor();
-    /// Grows when image() becomes another one.
+    /// Increases whenever image() changes.
     int version() const { return version_; }
 
   private:
@@ -53,9 +51,15 @@ class HeatMap {
         int samples = 0, filmSamples = 0;
         bool operator==(const Source&) const = default;
     };
-    Source computedSource_, pendingSource_;
-    std::future<RgbImage> pending_;
-    std::stop_source stop_;
+    struct Computed {
+        Source source;
+        RgbImage values;
+        HeatStatistics statistics;
+    };
+    static Computed compute(const Source& source, int threads, const std::stop_token& stop);
+
+    Source requested_;  ///< of the latest job
+    BackgroundJob<Computed> job_;
     std::optional<RgbImage> values_;
     RgbImage image_;
     HeatStatistics statistics_;

@@ -8,13 +8,12 @@ void LabJob::start(std::shared_ptr<const SceneDescription> scene, const Settings
     request.settings = settings;
     request.quick = quick;
     request.threads = threads;
-    BackgroundJob::start(std::move(scene),
-                         [request](const std::stop_token& stop, std::atomic<double>& fraction) {
-                             LabRequest run = request;
-                             run.stop = stop;
-                             run.progress = [&fraction](double done, double) { fraction.store(done); };
-                             return runLab(run);
-                         });
+    SceneJob::start(std::move(scene), [request](const std::stop_token& stop, JobProgress& progress) {
+        LabRequest run = request;
+        run.stop = stop;
+        run.progress = [&progress](double fraction, double) { progress.store(fraction); };
+        return runLab(run);
+    });
 }
 
 }  // namespace rayscope::viewer

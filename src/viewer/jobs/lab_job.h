@@ -1,13 +1,12 @@
 #pragma once
 #include <rayscope/lab.h>
 
-#include "viewer/jobs/background_job.h"
+#include "viewer/jobs/scene_job.h"
 
 namespace rayscope::viewer {
 
-/// The numerical robustness test of the open scene as a background job. A stop keeps the finished test
-/// points.
-class LabJob : public BackgroundJob<LabResult> {
+/// Numerical robustness (`rayscope lab`) of the open scene, measured in the background.
+class LabJob : public SceneJob<LabResult> {
   public:
     bool quick = true, overlay = true;
     LabMethod shownMethod = LabMethod::Float;  ///< whose failures are drawn

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <thread>
 
+#include "viewer/model/viewer_seed.h"
+
 namespace rayscope::viewer {
 
 namespace {
 
-/// A coarse picture should be complete this soon, so that the scene follows the hand.
+/// A preview has as many pixels as are traced in this time.
 constexpr double kPreviewSeconds = 0.07;
-/// A picture that takes longer than this is given up for a newer one, even if it has holes.
+/// A preview that takes longer than this is interrupted by a newer one, even if it is incomplete.
 constexpr double kMaxPreviewSeconds = 0.4;
 
 int threadsFor(int wanted) {
@@ -17,7 +19,7 @@ int threadsFor(int wanted) {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
 }
 
-/// Whether both show the same, whatever their size and number of samples.
+/// Whether both show the same view, whatever their size and number of samples.
 bool sameView(const RenderRequest& a, const RenderRequest& b) {
     Settings settings = a.settings;
     settings.spp = b.settings.spp;
@@ -29,7 +31,7 @@ bool sameImage(const RenderRequest& a, const RenderRequest& b) {
     return sameView(a, b) && a.width == b.width && a.height == b.height && a.settings.spp == b.settings.spp;
 }
 
-/// As many samples as any target could need.
+/// The number of samples of a picture that stops at an error target.
 constexpr int kMaxSamples = 1 << 16;
 
 RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divisor) {
@@ -37,9 +39,10 @@ RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divi
     request.scene = viewRequest.state.scene;
     request.settings = viewRequest.state.settings;
     request.camera = viewRequest.state.camera;
+    request.seed = kViewerSeed;
     request.width = std::max(1, viewRequest.width / divisor);
     request.height = std::max(1, viewRequest.height / divisor);
-    // A jittered pattern must know how many samples follow.
+    // A jittered pattern depends on the number of samples, which must be known in advance.
     if (viewRequest.stopCriteria.byError && request.settings.sampler != SamplePattern::Jittered)
         request.settings.spp = kMaxSamples;
     if (divisor > 1 || viewRequest.moving || !viewRequest.traced) request.settings.spp = 1;
@@ -57,8 +60,8 @@ int RenderControl::previewDivisor(const ViewRequest& viewRequest) const {
     return divisor;
 }
 
-/// While the camera moves, a new picture waits until the last one has a sample in every pixel: otherwise the
-/// tiles that come last would never be seen.
+/// While the camera moves, a preview is only interrupted once every pixel has a sample: otherwise the last
+/// tiles would never be shown.
 bool RenderControl::mayInterrupt() const {
     const bool complete = status_.samples > 0 || status_.state == RenderState::Done;
     const bool failed = status_.state == RenderState::Failed || status_.state == RenderState::Idle;
@@ -90,7 +93,7 @@ void RenderControl::update(const ViewRequest& viewRequest) {
         return;
     }
     RenderRequest full = requestFor(viewRequest, 1);
-    // What a former stopCriteria ended goes on.
+    // Resume a render that an earlier stop criterion ended.
     if (stopReason_ && stopCriteria_ != viewRequest.stopCriteria && submitted_ &&
         sameImage(*submitted_, full)) {
         stopReason_.reset();
@@ -100,42 +103,39 @@ void RenderControl::update(const ViewRequest& viewRequest) {
     applyStopCriteria(viewRequest);
     const bool sameAsBefore = submitted_ && sameView(*submitted_, full);
     const int divisor = previewDivisor(viewRequest);
-    // What was not seen yet is shown coarsely first, if the whole picture would take too long.
+    // A new view starts with a preview if the whole picture would take too long.
     const bool preview = viewRequest.moving || (!sameAsBefore && divisor > 1);
     if (coarse_ && !mayInterrupt()) return;
     submit(preview ? requestFor(viewRequest, divisor) : std::move(full), preview);
 }
 
-/// Keeps an eye on the film of the full picture, beside the window.
+/// Estimates the error of the full picture, in the background.
 void RenderControl::updateErrorEstimate(const ViewRequest& viewRequest) {
     const auto film = session_.film();
     const bool isOtherTarget = stopCriteria_.error != viewRequest.stopCriteria.error ||
                                stopCriteria_.confidence != viewRequest.stopCriteria.confidence;
-    if (film != estimatedFilm_ || isOtherTarget || !watch_) {
+    if (film != estimatedFilm_ || isOtherTarget || !monitor_) {
         estimatedFilm_ = film;
-        watch_ = std::make_shared<const measure::ErrorMonitor>(
+        estimation_.discard();
+        monitor_ = std::make_shared<const measure::ErrorMonitor>(
             ErrorTarget{.error = static_cast<double>(viewRequest.stopCriteria.error),
                         .confidence = static_cast<double>(viewRequest.stopCriteria.confidence)},
             viewRequest.state.settings.sampler);
     }
-    if (estimating_.valid()) {
-        if (estimating_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        auto looked = estimating_.get();
-        if (estimatedFrom_ == watch_) watch_ = std::move(looked);
-    }
-    if (!film || coarse_ || !viewRequest.traced || !watch_->isEstimateDue(film->completeSamples())) return;
-    estimatedFrom_ = watch_;
-    estimating_ = std::async(std::launch::async,
-                             [before = watch_, film]() -> std::shared_ptr<const measure::ErrorMonitor> {
-                                 auto next = std::make_shared<measure::ErrorMonitor>(*before);
-                                 next->update(measure::ErrorMonitor::snapshotOf(*film));
-                                 return next;
-                             });
+    if (auto updated = estimation_.poll()) monitor_ = std::move(*updated);
+    if (estimation_.busy() || !film || coarse_ || !viewRequest.traced ||
+        !monitor_->isEstimateDue(film->completeSamples()))
+        return;
+    estimation_.start([monitor = monitor_, film](const std::stop_token&, JobProgress&) -> ErrorMonitorPtr {
+        auto next = std::make_shared<measure::ErrorMonitor>(*monitor);
+        next->update(measure::ErrorMonitor::snapshotOf(*film));
+        return next;
+    });
 }
 
 void RenderControl::applyStopCriteria(const ViewRequest& viewRequest) {
     if (status_.state != RenderState::Rendering || coarse_ || stopReason_) return;
-    if (viewRequest.stopCriteria.byError && watch_->reached())
+    if (viewRequest.stopCriteria.byError && monitor_->reached())
         stopReason_ = StopReason::Reached;
     else if (viewRequest.stopCriteria.byTime &&
              status_.elapsedSeconds >= static_cast<double>(viewRequest.stopCriteria.seconds))
@@ -144,11 +144,11 @@ void RenderControl::applyStopCriteria(const ViewRequest& viewRequest) {
 }
 
 std::optional<ErrorForecast> RenderControl::forecast() const {
-    if (!watch_ || !watch_->hasEstimate() || coarse_ || !estimatedFilm_) return std::nullopt;
+    if (!monitor_ || !monitor_->hasEstimate() || coarse_ || !estimatedFilm_) return std::nullopt;
     const double samples =
         std::max<double>(estimatedFilm_->completeSamples(), status_.progress * status_.targetSamples);
-    return watch_->forecast(samples, status_.elapsedSeconds,
-                            stopCriteria_.byTime ? static_cast<double>(stopCriteria_.seconds) : 0.0);
+    return monitor_->forecast(samples, status_.elapsedSeconds,
+                              stopCriteria_.byTime ? static_cast<double>(stopCriteria_.seconds) : 0.0);
 }
 
 void RenderControl::togglePause() {

@@ -1,7 +1,6 @@
 #include "viewer/jobs/scene_loader.h"
 
 #include <chrono>
-#include <utility>
 
 namespace rayscope::viewer {
 
@@ -20,22 +19,8 @@ LoadedScene loadWithNotes(const std::string& path, bool reload) {
 }
 
 void SceneLoader::start(const std::string& path, bool reload) {
-    if (pending_.valid()) {
-        next_ = LoadRequest{path, reload};
-        return;
-    }
     path_ = path;
-    pending_ = std::async(std::launch::async, loadWithNotes, path, reload);
-}
-
-std::optional<LoadedScene> SceneLoader::poll() {
-    if (!pending_.valid() || pending_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return std::nullopt;
-    LoadedScene loaded = pending_.get();
-    if (!next_) return loaded;
-    const LoadRequest loadRequest = *std::exchange(next_, std::nullopt);
-    start(loadRequest.path, loadRequest.reload);
-    return std::nullopt;
+    job_.start([path, reload](const std::stop_token&, JobProgress&) { return loadWithNotes(path, reload); });
 }
 
 }  // namespace rayscope::viewer

@@ -1,40 +1,36 @@
 #pragma once
 #include <rayscope/scene.h>
-#include <future>
 #include <optional>
 #include <string>
 
+#include "viewer/jobs/background_job.h"
+
 namespace rayscope::viewer {
 
-/// What came of opening a scene: `scene` and what the reader and the lint found odd, or the reason why not.
+/// The result of opening a scene: `scene` with the notes of reader and lint, or `error`.
 struct LoadedScene {
     std::string path;
     std::optional<SceneDescription> scene;
     Diagnostics notes;
     std::string error;
-    bool reload = false;  ///< the camera, the settings and the view should stay as they are
+    bool reload = false;  ///< keep the camera, the settings and the view
     double seconds = 0.0;
 };
 
-/// Loads now.
+/// Reads and checks a scene; does not throw.
 LoadedScene loadWithNotes(const std::string& path, bool reload);
 
-/// Loads in the background so that the window goes on; of several wishes the latest wins.
+/// Loads scenes in the background; of several requests the latest wins.
 class SceneLoader {
   public:
     void start(const std::string& path, bool reload);
     /// The result, once, as soon as there is one.
-    std::optional<LoadedScene> poll();
-    bool busy() const { return pending_.valid(); }
+    std::optional<LoadedScene> poll() { return job_.poll(); }
+    bool busy() const { return job_.busy(); }
     const std::string& path() const { return path_; }
 
   private:
-    struct LoadRequest {
-        std::string path;
-        bool reload;
-    };
-    std::future<LoadedScene> pending_;
-    std::optional<LoadRequest> next_;
+    BackgroundJob<LoadedScene> job_;
     std::string path_;
 };
 

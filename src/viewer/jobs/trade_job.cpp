@@ -6,7 +6,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// Pixels along the longer side: errors do not depend on their number, and times are proportional to it.
+/// Pixels along the longer side: few, because times grow with their number and errors hardly depend on it.
 constexpr int kLongerSide = 96;
 
 }  // namespace
@@ -22,10 +22,10 @@ void TradeJob::start(const EditState& state, glm::ivec2 shown, int threads) {
     request.budgetSeconds = static_cast<double>(budget);
     request.threads = threads;
     request.cacheFolder = referenceCacheFolder();
-    BackgroundJob::start(state.scene, [request](const std::stop_token& stop, std::atomic<double>& fraction) {
+    SceneJob::start(state.scene, [request](const std::stop_token& stop, JobProgress& progress) {
         TradeRequest run = request;
         run.stop = stop;
-        run.progress = [&fraction](const TradeProgress& progress) { fraction.store(progress.fraction); };
+        run.progress = [&progress](const TradeProgress& now) { progress.store(now.fraction); };
         return measureTrade(run);
     });
 }

@@ -9,7 +9,7 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr double kRadiansPerPixel = 0.3 * 3.14159265358979323846 / 180.0;
-/// The nearest that the view direction may come to the up vector.
+/// The smallest angle between view direction and up vector.
 constexpr double kPoleMargin = 0.01;
 
 /// Rodrigues' rotation of `v` about the unit vector `axis`.
@@ -92,7 +92,7 @@ void frameAll(CameraDescription& camera, const SceneBounds& bounds, double aspec
     const glm::dvec3 center = (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper)) * 0.5;
     const double radius = glm::length(glm::dvec3(bounds.upper) - center);
     const ViewFrame frame = viewFrame(camera, 1, 1);
-    // The bounding sphere touches the narrower pair of the four planes of view.
+    // The bounding sphere touches the narrower pair of the side planes of the view frustum.
     const double halfVertical = std::atan(frame.tanHalfFov);
     const double halfHorizontal = std::atan(frame.tanHalfFov * aspect);
     const double distance = radius / std::sin(std::min(halfVertical, halfHorizontal));
@@ -105,7 +105,7 @@ void viewAlong(CameraDescription& camera, glm::dvec3 from) {
     const double distance = glm::length(glm::dvec3(camera.lookFrom) - target);
     const glm::dvec3 up = upOf(camera);
     glm::dvec3 direction = glm::normalize(from);
-    // Along the up vector itself the picture would have no defined top.
+    // Along the up vector the roll of the camera is undefined.
     if (std::abs(glm::dot(direction, up)) > std::cos(kPoleMargin)) {
         const ViewFrame frame = viewFrame(camera, 1, 1);
         const glm::dvec3 level = glm::cross(up, frame.right);

@@ -4,12 +4,12 @@
 
 namespace rayscope::viewer {
 
-/// The times from one frame to the next, of the latest frames that were not waiting for events.
+/// Frame times of the latest frames that did not wait for events.
 class FrameTimes {
   public:
     void add(double seconds);
-    /// The duration that the share `quantile` (0 … 1) of frames stay below, in seconds; 0 without frames.
-    double quantile(double share) const;
+    /// The quantile (0 … 1) of the frame times, in seconds; 0 without frames.
+    double quantile(double fraction) const;
     std::size_t count() const { return seconds_.size(); }
     void clear() { seconds_.clear(); }
     const std::vector<float>& latest() const { return seconds_; }

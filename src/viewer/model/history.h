@@ -12,7 +12,7 @@ class History {
   public:
     explicit History(EditState first) : states_{std::move(first)} {}
 
-    /// Records `state` as a new step unless it is the current one. What was undone is forgotten.
+    /// Records `state` as a new step unless it is the current one. Undone states are discarded.
     void record(const EditState& state);
 
     bool canUndo() const { return current_ > 0; }

@@ -25,7 +25,7 @@ void move(SegmentLight& light, int handle, glm::vec3 delta) {
 }
 void move(ParallelogramLight& light, int handle, glm::vec3 delta) {
     if (handle <= 1) light.corner += delta;
-    // Moving the corner alone leaves the ends of the edges where they are.
+    // Moving the corner keeps the ends of the edges in place.
     if (handle == 1) light.edges[0] -= delta;
     if (handle == 1) light.edges[1] -= delta;
     if (handle == 2) light.edges[0] += delta;
@@ -39,7 +39,7 @@ double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     return glm::length(p - (a + ab * t));
 }
 
-/// The lines that a light is drawn with.
+/// The lines of the symbol of a light.
 using Edges = std::vector<std::pair<glm::dvec3, glm::dvec3>>;
 Edges edges(const PointLight&) { return {}; }
 Edges edges(const SegmentLight& light) { return {{light.endpoints[0], light.endpoints[1]}}; }
@@ -64,7 +64,7 @@ std::optional<double> nearestOnAxis(glm::dvec3 center, glm::dvec3 axis, glm::dve
     const glm::dvec3 offset = center - origin;
     const double b = glm::dot(axis, direction);
     const double determinant = 1.0 - b * b;
-    // Seen nearly end-on (within half a degree), a pixel of movement would throw the light across the scene.
+    // Seen nearly end-on (within half a degree), a movement of one pixel would cross the whole scene.
     if (determinant < 1e-4) return std::nullopt;
     return (b * glm::dot(direction, offset) - glm::dot(axis, offset)) / determinant;
 }

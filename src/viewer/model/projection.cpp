@@ -57,7 +57,7 @@ glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds) {
     const glm::dvec3 center = (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper)) * 0.5;
     const double radius = glm::length(glm::dvec3(bounds.upper) - center);
     const double depth = glm::dot(center - frame.eye, frame.forward);
-    // Overlays reach a little beyond the geometry; 24 bits of depth stand a ratio of some thousands well.
+    // Overlays extend beyond the geometry; 24 bits of depth suffice for a far/near ratio of some thousands.
     const double far = std::max(depth, 0.0) + 4.0 * radius;
     const double near = std::max(depth - 4.0 * radius, far * 2e-4);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Where points of the scene appear in the picture: the rasterised view, the overlays and the handles use the
-// camera of the tracer.
+// Projection of the scene to the picture with the camera of the tracer, for the rasterised view, the overlays
+// and the handles.
 #include <rayscope/scene.h>
 #include <array>
 #include <optional>
@@ -18,15 +18,16 @@ struct ViewFrame {
 
     /// Unit direction from the eye through a point of the picture.
     glm::dvec3 directionThrough(glm::dvec2 pixel) const;
-    /// The point of the picture where `point` appears; nothing if it is not before the camera.
+    /// Pixel coordinates of `point`; nothing if it is not in front of the camera.
     std::optional<glm::dvec2> project(glm::dvec3 point) const;
-    /// The ends of a segment in the picture, as far as it lies before the camera; nothing if it does nowhere.
+    /// Pixel coordinates of the ends of the part of a segment in front of the camera; nothing if there is
+    /// none.
     std::optional<std::array<glm::dvec2, 2>> projectSegment(glm::dvec3 a, glm::dvec3 b) const;
     /// Size of a pixel, in scene units, at the depth of `point`.
     double unitsPerPixelAt(glm::dvec3 point) const;
 };
 
-/// The frame of the tracer's camera, also where it looks along `up`.
+/// The frame of the tracer's camera, also if it looks along `up`.
 ViewFrame viewFrame(const CameraDescription& camera, int width, int height);
 
 /// OpenGL clip coordinates with the near and far plane fitted to `bounds`.

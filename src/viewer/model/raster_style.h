@@ -2,7 +2,7 @@
 
 namespace rayscope::viewer {
 
-/// What the raster view draws of surfaces.
+/// How the rasterised view draws surfaces.
 struct RasterStyle {
     bool smoothNormals = true;
     bool textures = true;

@@ -5,8 +5,8 @@
 
 namespace rayscope::viewer {
 
-/// The scenes that were opened last, newest first, kept in a text file with one path per line. A file that
-/// cannot be read or written costs the memory, never an error.
+/// The most recently opened scenes, newest first, stored in a text file with one path per line. If the file
+/// cannot be read or written, the list is not stored; there is no error.
 class RecentFiles {
   public:
     explicit RecentFiles(std::filesystem::path file);

@@ -9,17 +9,17 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// Boxes of a smaller diagonal are drawn as a stroke, at most one in a square of this many pixels.
+/// Boxes with a smaller diagonal are drawn as strokes, at most one per square of this many pixels.
 constexpr double kSmallestBox = 4.0;
 
-/// Which spots of the picture have a stroke already.
-class Spots {
+/// The squares of the picture that have a stroke.
+class StrokeGrid {
   public:
-    explicit Spots(const ViewFrame& frame)
+    explicit StrokeGrid(const ViewFrame& frame)
         : columns_(static_cast<std::size_t>(frame.width / kSmallestBox) + 1),
           taken_(columns_ * (static_cast<std::size_t>(frame.height / kSmallestBox) + 1)) {}
 
-    /// Whether the spot was free until now. `pixel` lies in the picture.
+    /// Whether the square had no stroke; it has one now. `pixel` lies in the picture.
     bool take(glm::dvec2 pixel) {
         const auto column = static_cast<std::size_t>(pixel.x / kSmallestBox);
         const auto row = static_cast<std::size_t>(pixel.y / kSmallestBox);
@@ -33,16 +33,16 @@ class Spots {
     std::vector<bool> taken_;
 };
 
-/// Whether a ball of `radius` pixels around `pixel` reaches into the picture.
-bool reaches(const ViewFrame& frame, glm::dvec2 pixel, double radius) {
+/// Whether a disc of `radius` pixels around `pixel` overlaps the picture.
+bool overlaps(const ViewFrame& frame, glm::dvec2 pixel, double radius) {
     return pixel.x > -radius && pixel.y > -radius && pixel.x < frame.width + radius &&
            pixel.y < frame.height + radius;
 }
 
-/// A box that reaches into the picture.
+/// A box that overlaps the picture.
 struct VisibleBox {
     const OverlayBox* box;
-    glm::dvec2 pixel;  ///< of its middle; not of boxes around or close to the camera
+    glm::dvec2 pixel;  ///< of its centre; undefined around or close to the camera
     double size;       ///< of its diagonal, in pixels; infinite around or close to the camera
 };
 
@@ -65,12 +65,12 @@ std::vector<VisibleBox> visibleBoxes(const OverlayBoxes& boxes, const ViewFrame&
         const glm::dvec2 place(glm::dot(toCenter, frame.right), -glm::dot(toCenter, frame.up));
         const glm::dvec2 pixel = middle + scale * place;
         const double size = 2.0 * radius * scale;
-        if (reaches(frame, pixel, size)) visible.push_back({&box, pixel, size});
+        if (overlaps(frame, pixel, size)) visible.push_back({&box, pixel, size});
     }
     return visible;
 }
 
-/// The size from which on boxes are drawn whole.
+/// Boxes of at least this size are drawn with all edges.
 double minWholeSize(const std::vector<VisibleBox>& visible, std::size_t maxWholeBoxes) {
     std::vector<double> sizes;
     for (const VisibleBox& box : visible)
@@ -85,7 +85,7 @@ double minWholeSize(const std::vector<VisibleBox>& visible, std::size_t maxWhole
 
 BoxSelection selectBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std::size_t maxWholeBoxes) {
     BoxSelection drawn;
-    Spots spots(frame);
+    StrokeGrid strokes(frame);
     const std::vector<VisibleBox> visible = visibleBoxes(boxes, frame);
     const double whole = minWholeSize(visible, maxWholeBoxes);
     drawn.whole.reserve(std::min(visible.size(), maxWholeBoxes));
@@ -93,7 +93,7 @@ BoxSelection selectBoxes(const OverlayBoxes& boxes, const ViewFrame& frame, std:
         if (size >= kSmallestBox) ++drawn.large;
         if (size >= whole) {
             drawn.whole.push_back(*box);
-        } else if (reaches(frame, pixel, 0.0) && spots.take(pixel)) {
+        } else if (overlaps(frame, pixel, 0.0) && strokes.take(pixel)) {
             drawn.strokes.push_back({box->lower, box->upper, box->color, LineStyle::Solid, box->width});
         }
     }

@@ -14,15 +14,14 @@ struct OverlayBox {
 using OverlayBoxes = std::vector<OverlayBox>;
 
 struct BoxSelection {
-    OverlayBoxes whole;     ///< of which all edges are drawn
-    OverlayLines strokes;   ///< that stand for small boxes
-    std::size_t large = 0;  ///< boxes of some pixels in the picture, whether drawn whole or not
+    OverlayBoxes whole;     ///< drawn with all edges
+    OverlayLines strokes;   ///< represent small boxes
+    std::size_t large = 0;  ///< boxes of several pixels, in `whole` or not
 };
 
-/// Boxes as they can be told apart from where the camera stands, with the pixels that `frame` has: those of
-/// some pixels have twelve edges, but no more than the `maxWholeBoxes` largest; of the others one per spot of
-/// the picture is drawn, as a stroke; those outside the picture are left out. So the number of lines is
-/// bounded, whatever the number of boxes.
+/// Level of detail for boxes at the resolution of `frame`: the largest, at most `maxWholeBoxes`, are drawn
+/// with twelve edges; of the others one per square of some pixels is drawn, as a stroke; boxes outside the
+/// picture are dropped. The number of lines is therefore bounded.
 BoxSelection selectBoxes(const OverlayBoxes& boxes, const ViewFrame& frame,
                          std::size_t maxWholeBoxes = 20000);
 

@@ -24,27 +24,27 @@ void appendCircle(OverlayLines& lines, glm::vec3 center, glm::vec3 a, glm::vec3 
         lines.push_back({point(i), point(i + 1), color, LineStyle::Solid, width});
 }
 
-bool hasLeaf(const IndexedTree& own, const BvhOverlayOptions& choice) {
-    return choice.leaf && static_cast<std::size_t>(choice.leafNumber) < own.index.leaves.size();
+bool hasLeaf(const IndexedTree& own, const BvhOverlayOptions& options) {
+    return options.leaf && static_cast<std::size_t>(options.leafNumber) < own.index.leaves.size();
 }
 
-std::uint32_t leafNode(const IndexedTree& own, const BvhOverlayOptions& choice) {
-    return own.index.leaves[static_cast<std::size_t>(choice.leafNumber)];
+std::uint32_t leafNode(const IndexedTree& own, const BvhOverlayOptions& options) {
+    return own.index.leaves[static_cast<std::size_t>(options.leafNumber)];
 }
 
 }  // namespace
 
 OverlayBoxes levelBoxes(const IndexedTree& own, const IndexedTree* referenceTree,
-                        const BvhOverlayOptions& choice) {
+                        const BvhOverlayOptions& options) {
     OverlayBoxes boxes;
-    if (choice.showReference && referenceTree != nullptr)
-        for (const std::uint32_t node :
-             probe::nodesAtLevel(referenceTree->tree, referenceTree->index, choice.level, choice.leavesAbove))
+    if (options.showReference && referenceTree != nullptr)
+        for (const std::uint32_t node : probe::nodesAtLevel(referenceTree->tree, referenceTree->index,
+                                                            options.level, options.leavesAbove))
             boxes.push_back(
                 boxOf(referenceTree->tree.nodes[node], palette::kReferenceBox, LineStyle::Solid, 2.5f));
-    if (choice.levels || choice.showReference)
+    if (options.levels || options.showReference)
         for (const std::uint32_t node :
-             probe::nodesAtLevel(own.tree, own.index, choice.level, choice.leavesAbove))
+             probe::nodesAtLevel(own.tree, own.index, options.level, options.leavesAbove))
             boxes.push_back(boxOf(own.tree.nodes[node], palette::kLevelBox, LineStyle::Solid, 1.2f));
     return boxes;
 }
@@ -80,14 +80,14 @@ OverlayLines primitiveLines(const AccelInput& input, std::span<const std::uint32
     return lines;
 }
 
-OverlayBoxes leafBoxes(const IndexedTree& own, const BvhOverlayOptions& choice) {
-    if (!hasLeaf(own, choice)) return {};
-    return {boxOf(own.tree.nodes[leafNode(own, choice)], palette::kLeaf, LineStyle::Solid, 3.0f)};
+OverlayBoxes leafBoxes(const IndexedTree& own, const BvhOverlayOptions& options) {
+    if (!hasLeaf(own, options)) return {};
+    return {boxOf(own.tree.nodes[leafNode(own, options)], palette::kLeaf, LineStyle::Solid, 3.0f)};
 }
 
-OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhOverlayOptions& choice) {
-    if (!hasLeaf(own, choice)) return {};
-    return primitiveLines(input, probe::primitivesOfLeaf(own.tree, leafNode(own, choice)),
+OverlayLines leafLines(const IndexedTree& own, const AccelInput& input, const BvhOverlayOptions& options) {
+    if (!hasLeaf(own, options)) return {};
+    return primitiveLines(input, probe::primitivesOfLeaf(own.tree, leafNode(own, options)),
                           palette::kLeafPrimitive, 3.0f);
 }
 

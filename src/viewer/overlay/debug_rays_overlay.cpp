@@ -8,11 +8,11 @@ namespace rayscope::viewer {
 
 namespace {
 
-struct Look {
+struct Appearance {
     glm::vec4 color;
     LineStyle style;
 };
-Look lookOf(const RayNode& node) {
+Appearance appearanceOf(const RayNode& node) {
     if (node.end == RayEnd::BelowSurface) return {palette::kBelowSurfaceRay, LineStyle::Dotted};
     if (!node.hit) return {palette::kMissedRay, LineStyle::Dashed};
     switch (node.kind) {
@@ -55,22 +55,22 @@ bool addsEnough(const RgbSum& contribution, const DebugRayFilter& filter) {
            static_cast<double>(filter.minContribution);
 }
 
-bool isOnTheWayTo(const RayTree& tree, int node, int target) {
+bool isAncestor(const RayTree& tree, int node, int target) {
     while (target > node) target = tree.nodes[static_cast<std::size_t>(target)].parent;
     return target == node;
 }
 
-/// With a ray isolated, only what led to it and what it asked the lights.
+/// Whether `ray` is an ancestor or a shadow ray of the selected one.
 bool belongsToSelected(const RayTree& tree, RaySelection ray, RaySelection selected) {
     if (selected.shadow >= 0) {
         if (ray.shadow >= 0) return ray.shadow == selected.shadow;
-        return isOnTheWayTo(tree, ray.node, tree.shadowRays[static_cast<std::size_t>(selected.shadow)].node);
+        return isAncestor(tree, ray.node, tree.shadowRays[static_cast<std::size_t>(selected.shadow)].node);
     }
     if (ray.shadow >= 0) return tree.shadowRays[static_cast<std::size_t>(ray.shadow)].node == selected.node;
-    return isOnTheWayTo(tree, ray.node, selected.node);
+    return isAncestor(tree, ray.node, selected.node);
 }
 
-/// The end of the line that stands for a segment.
+/// The end of the line of a segment.
 glm::vec3 endOf(const RayNode& node, float sceneSize) {
     if (node.hit) return node.position;
     const float length = glm::length(node.ray.direction);
@@ -78,14 +78,14 @@ glm::vec3 endOf(const RayNode& node, float sceneSize) {
 }
 
 OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {
-    const Look look = lookOf(node);
+    const Appearance look = appearanceOf(node);
     OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
     const bool seesEnvironment = !node.hit && node.contribution != RgbSum(0.0);
     if (!seesEnvironment && (colors == RayColors::Kind || !node.hit)) return line;
     if (colors == RayColors::IncomingRadiance) {
         line.color = {displayColor(Rgb(arriving)), 1.0f};
     } else {
-        // A pane of glass is drawn as thin as it is.
+        // Transparent surfaces are drawn with their opacity.
         const float opacity = node.hit ? static_cast<float>(node.opacity) : 1.0f;
         line.color = {displayColor(Rgb(surfaceColor(node))), std::max(opacity, 0.25f)};
     }
@@ -114,7 +114,7 @@ double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
     return glm::distance(point, a + t * along);
 }
 
-/// The distance in pixels from the cursor to a line of the scene, as far as that is before the camera.
+/// Distance in pixels from the cursor to the part of a segment in front of the camera.
 std::optional<double> distanceOnScreen(const ViewFrame& frame, glm::dvec3 a, glm::dvec3 b,
                                        glm::dvec2 cursor) {
     const auto segment = frame.projectSegment(a, b);
@@ -160,7 +160,7 @@ OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, fl
                                ? segmentLine(tree.nodes[index], arriving[index], filter.colors, sceneSize)
                                : shadowLine(tree.shadowRays[index]);
         if (ray == filter.selected) {
-            // A halo below keeps colour and style of the ray itself readable.
+            // A halo below leaves colour and style of the ray visible.
             lines.push_back({line.from, line.to, palette::kHalo, LineStyle::Solid, 7.0f});
             line.width = 3.5f;
         }

@@ -14,12 +14,13 @@ OverlayLines labFailureLines(const LabResult& result, LabMethod method) {
         const Ray ray = rayInScene(result, failure);
         const float length = glm::length(ray.direction);
         if (!(length > 0.0f) || !std::isfinite(length)) continue;
-        const bool atSeam = failure.kind == LabFailureKind::Leak || failure.kind == LabFailureKind::DoubleHit;
-        const glm::vec3 to = ray.origin + (atSeam ? 1.0f : 0.05f) * size / length * ray.direction;
+        const bool atSharedEdge =
+            failure.kind == LabFailureKind::Leak || failure.kind == LabFailureKind::DoubleHit;
+        const glm::vec3 to = ray.origin + (atSharedEdge ? 1.0f : 0.05f) * size / length * ray.direction;
         lines.push_back(
             {ray.origin, to,
              failure.kind == LabFailureKind::DoubleHit ? palette::kBelowSurfaceRay : palette::kMissedRay,
-             atSeam ? LineStyle::Solid : LineStyle::Dashed});
+             atSharedEdge ? LineStyle::Solid : LineStyle::Dashed});
     }
     return lines;
 }

@@ -5,8 +5,8 @@
 
 namespace rayscope::viewer {
 
-/// The rays that went wrong with a method, brought back from their testPoints to the scene as it is: leaks
-/// and double hits as solid lines of the scene's size, what went wrong next to a surface dashed and shorter.
+/// The rays of a method's failures, transformed from their test points back to the scene: leaks and double
+/// hits as solid lines of the scene's size, failures next to a surface as shorter dashed lines.
 OverlayLines labFailureLines(const LabResult& result, LabMethod method);
 
 }  // namespace rayscope::viewer

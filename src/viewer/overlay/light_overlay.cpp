@@ -4,7 +4,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr int kPieces = 16;  // of a line whose colour changes along it
+constexpr int kPieces = 16;  // of a line with a colour gradient
 
 struct Sketch {
     OverlayLines& lines;
@@ -15,7 +15,7 @@ struct Sketch {
     float width() const { return selected ? 3.0f : 2.0f; }
     glm::vec4 colorOf(Rgb color) const { return {displayColor(color), 1.0f}; }
 
-    /// Rays of a star around a point, `pixels` long.
+    /// A star of eight strokes around a point, with a radius of `pixels`.
     void star(glm::vec3 center, Rgb color, double pixels) const {
         const float radius = static_cast<float>(pixels * scale * frame.unitsPerPixelAt(center));
         const glm::vec3 right(frame.right), up(frame.up);
@@ -74,7 +74,7 @@ OverlayLines handleLines(const ViewFrame& frame, glm::dvec3 center, std::optiona
         const glm::vec4 color = hovered == handlePart ? kHovered : kColors[static_cast<int>(handlePart)];
         const glm::dvec3 end = axisEnd(frame, center, handlePart, size);
         lines.push_back({glm::vec3(center), glm::vec3(end), color, LineStyle::Solid, 3.0f});
-        // An arrow head of two strokes that face the viewer.
+        // An arrow head of two strokes in the plane that faces the viewer.
         const glm::dvec3 along = (end - center) * 0.16;
         const glm::dvec3 aside = glm::cross(along, center - frame.eye);
         if (!(glm::length(aside) > 0.0)) continue;

@@ -6,7 +6,7 @@
 
 namespace rayscope::viewer {
 
-/// The lights where they are, in their colours; signs of constant size on the screen.
+/// Symbols of the lights in their colours, with a constant size on the screen.
 OverlayLines lightLines(const std::vector<Light>& lights, int selected, const ViewFrame& frame, double scale);
 
 /// The three-axis handle at `center`: x red, y green, z blue, the part under the cursor bright.

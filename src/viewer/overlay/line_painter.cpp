@@ -12,18 +12,18 @@ namespace rayscope::viewer {
 
 namespace {
 
-/// A line that lies on a surface is not hidden: depths have 24 bits.
+/// Depth bias, so that lines on a surface are visible: depths have 24 bits.
 constexpr float kStepOfDepth = 1.0f / 8388608.0f;
-/// Places are counted in steps of 2^-16 pixels. Rounding adds up to 1/8 pixel over the longest line, hence
-/// the margin at the border.
+/// Pixel coordinates are fixed-point with 16 fractional bits. Rounding accumulates to at most 1/8 pixel over
+/// the longest line, hence the margin at the border.
 constexpr int kFraction = 16;
 constexpr float kMargin = 0.25f;
 
-/// The colour as the painter mixes it, and the pattern.
+/// A colour prepared for blending, and the line style.
 struct Ink {
     std::uint32_t redBlue, green;
     std::uint32_t opacity, hiddenOpacity;  // of 256
-    float period, on;                      // pixels, and the share that is drawn; solid if the period is 0
+    float period, on;                      // pixels, and the fraction that is drawn; solid if the period is 0
 };
 
 Ink inkOf(const glm::vec4& color, LineStyle style, const PaintOptions& look) {
@@ -64,7 +64,7 @@ class Painter {
               look_.viewProjection * glm::vec4(line.to, 1.0f), inkOf(line.color, line.style, look_));
     }
 
-    /// Its corners are projected once, not once for each of the three edges that meet there.
+    /// Projects each corner once instead of once per edge.
     void paint(const OverlayBox& box) {
         const Ink ink = inkOf(box.color, box.style, look_);
         const glm::vec3 extent = box.upper - box.lower;
@@ -92,7 +92,7 @@ class Painter {
                 if (!(start & axis)) edge(start, start | axis);
     }
 
-    /// How far inside each of the six planes of the view a point of clip space is.
+    /// Signed distances of a point in clip space to the six planes of the view frustum; positive inside.
     std::array<float, 6> insides(const glm::vec4& p) const {
         const glm::vec2 reach = (1.0f - 2.0f * kMargin / size_) * p.w;
         return {p.w + p.z, p.w - p.z, reach.x + p.x, reach.x - p.x, reach.y + p.y, reach.y - p.y};
@@ -121,7 +121,7 @@ class Painter {
         }
         if (!(enter < leave)) return;
         const glm::vec3 a = placeOf(glm::mix(from, to, enter)), b = placeOf(glm::mix(from, to, leave));
-        // The pattern begins where the line begins, be that in the picture or beside it.
+        // The pattern starts at the start of the line, even if that is outside the picture.
         float along = 0.0f;
         if (ink.period > 0.0f && enter > beforeCamera)
             along = glm::distance(glm::vec2(placeOf(glm::mix(from, to, beforeCamera))), glm::vec2(a));
@@ -138,12 +138,12 @@ class Painter {
         if (highest + 1.0f < static_cast<float>(rows_.begin) || lowest - 1.0f > static_cast<float>(rows_.end))
             return;
         if (ink.period > 0.0f)
-            hides_ ? walk<true, true>(a, b, along, ink) : walk<true, false>(a, b, along, ink);
+            hides_ ? rasterize<true, true>(a, b, along, ink) : rasterize<true, false>(a, b, along, ink);
         else
-            hides_ ? walk<false, true>(a, b, along, ink) : walk<false, false>(a, b, along, ink);
+            hides_ ? rasterize<false, true>(a, b, along, ink) : rasterize<false, false>(a, b, along, ink);
     }
 
-    /// A line goes from pixel to pixel, one per row or column; this is the part of it that lies in the rows.
+    /// The part of a line that lies in the rows, in steps of one pixel per row or column.
     struct Steps {
         int first, last;
     };
@@ -158,7 +158,7 @@ class Painter {
     }
 
     template <bool kPattern, bool kHidden>
-    void walk(const glm::vec3& a, const glm::vec3& b, float along, const Ink& ink) {
+    void rasterize(const glm::vec3& a, const glm::vec3& b, float along, const Ink& ink) {
         const auto fixed = [](float value) { return static_cast<int>(value * (1 << kFraction)); };
         const int count = std::max(std::abs(static_cast<int>(b.x) - static_cast<int>(a.x)),
                                    std::abs(static_cast<int>(b.y) - static_cast<int>(a.y)));
@@ -190,7 +190,7 @@ class Painter {
     bool hides_;
 };
 
-/// Each thread paints all lines on rows of its own, so every pixel has its lines in their order.
+/// Each thread draws all lines on its own rows, so each pixel is blended in the order of the list.
 template <class Work>
 void inBands(PaintCanvas& canvas, const PaintOptions& look, Work&& work) {
     if (canvas.pixels.empty()) return;

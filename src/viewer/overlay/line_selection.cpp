@@ -12,8 +12,8 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr double kLineCost = 30.0;
-/// Lines whose ends lie in the same squares of this many pixels look the same.
-constexpr double kSamePlace = 2.0;
+/// Lines with ends in the same squares of this many pixels have the same appearance.
+constexpr double kPixelGrid = 2.0;
 
 using PixelSegment = std::array<glm::dvec2, 2>;
 
@@ -34,11 +34,11 @@ double lengthInside(const PixelSegment& segment, const ViewFrame& frame) {
     return enter < leave ? (leave - enter) * glm::length(along) : 0.0;
 }
 
-/// Where a line appears and what it looks like, rounded.
+/// Pixel coordinates, colour and style of a line, quantised.
 using Appearance = std::array<long, 6>;
 
 Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
-    const auto square = [](double pixel) { return std::lround(std::clamp(pixel / kSamePlace, -1e6, 1e6)); };
+    const auto square = [](double pixel) { return std::lround(std::clamp(pixel / kPixelGrid, -1e6, 1e6)); };
     const auto level = [&](int channel) { return std::lround(line.color[channel] * 15.0f); };
     const long color = ((level(0) * 16 + level(1)) * 16 + level(2)) * 16 + level(3);
     return {
@@ -46,7 +46,7 @@ Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
         static_cast<long>(line.style)};
 }
 
-/// Mixes the numbers as FNV-1a mixes bytes.
+/// FNV-1a over the numbers instead of bytes.
 struct AppearanceHash {
     std::size_t operator()(const Appearance& appearance) const {
         std::uint64_t hash = 14695981039346656037u;
@@ -55,14 +55,15 @@ struct AppearanceHash {
     }
 };
 
-/// Multiples of the golden ratio fill 0 … 1 evenly, however few are taken and whatever repeats in the list.
-double placeInOrder(std::size_t index) {
+/// Multiples of the golden ratio modulo 1: every prefix is evenly distributed, and periodic lists do not
+/// alias.
+double goldenSequence(std::size_t index) {
     constexpr double kGoldenRatio = 0.6180339887498949;
     const double multiple = static_cast<double>(index) * kGoldenRatio;
     return multiple - std::floor(multiple);
 }
 
-/// A line as it is seen: where, if it is before the camera, and what it takes to draw it.
+/// The projection of a line, if it is in front of the camera, and its drawing cost.
 struct SeenLine {
     std::optional<PixelSegment> segment;
     double cost = kLineCost;
@@ -85,7 +86,7 @@ double sumOf(const std::vector<SeenLine>& seen) {
     return cost;
 }
 
-/// Numbers of the lines that are not bold and that lie in the picture, one for each place.
+/// Indices of the visible lines that are not bold, one per appearance.
 std::vector<std::size_t> distinctLines(const OverlayLines& lines, const std::vector<SeenLine>& seen) {
     std::vector<std::size_t> distinct;
     std::unordered_set<Appearance, AppearanceHash> known(2 * lines.size());
@@ -112,10 +113,10 @@ OverlayLines selectLines(const OverlayLines& lines, const ViewFrame& frame, doub
     for (const std::size_t i : candidates) all += seen[i].cost;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (isBold(lines[i])) left -= seen[i].cost;
-    const double share = all > 0.0 ? std::max(left, 0.0) / all : 1.0;
+    const double fraction = all > 0.0 ? std::max(left, 0.0) / all : 1.0;
 
     std::vector<bool> kept(lines.size());
-    for (const std::size_t i : candidates) kept[i] = placeInOrder(i) < share;
+    for (const std::size_t i : candidates) kept[i] = goldenSequence(i) < fraction;
     OverlayLines chosen;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (kept[i] || isBold(lines[i])) chosen.push_back(lines[i]);

@@ -4,17 +4,17 @@
 
 namespace rayscope::viewer {
 
-/// From this width on a line is meant to stand out: what is selected, and what is hit.
+/// Lines of at least this width mark selections and hits.
 inline constexpr float kBoldWidth = 3.0f;
 inline bool isBold(const OverlayLine& line) { return line.width >= kBoldWidth; }
 
-/// What it takes to draw lines one pixel wide, in pixels: their lengths within the picture, and for each line
-/// what it takes to begin one.
+/// The cost of drawing lines one pixel wide, in pixels: their lengths within the picture and a constant per
+/// line.
 double drawingCost(const OverlayLines& lines, const ViewFrame& frame);
 
-/// As many of the lines as cost no more than `maxPixels`, all of them if that is enough. Of lines that
-/// appear at the same place one is kept, of the rest an even choice; bold lines are always kept. The choice
-/// changes little when the camera moves.
+/// A subset of the lines with a drawing cost of at most `maxPixels`, or all of them. Of lines with the same
+/// appearance one is kept, of the rest an even subset; bold lines are always kept. The subset is stable while
+/// the camera moves.
 OverlayLines selectLines(const OverlayLines& lines, const ViewFrame& frame, double maxPixels);
 
 }  // namespace rayscope::viewer

@@ -1,6 +1,6 @@
 #pragma once
-// What overlays are made of. An overlay is a pure function from recorded data to such a list, so that it can
-// be tested without a window.
+// Elements of overlays. An overlay is a pure function from recorded data to a list of them, so it can be
+// tested without a window.
 #include <rayscope/vector.h>
 #include <vector>
 
@@ -22,7 +22,7 @@ using OverlayLines = std::vector<OverlayLine>;
 void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 color,
                LineStyle style = LineStyle::Solid, float width = 1.0f);
 
-/// A linear colour as it appears on the screen: brought into 0 … 1 with its hue kept, then the sRGB curve.
+/// Display value of a linear colour: scaled into 0 … 1, which keeps its hue, then encoded as sRGB.
 glm::vec3 displayColor(Rgb linear);
 
 }  // namespace rayscope::viewer

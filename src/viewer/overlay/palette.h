@@ -1,7 +1,6 @@
 #pragma once
-// The colours of the overlays, sRGB. They follow Okabe and Ito's palette, which people with red-green
-// blindness notify apart too; where two things can stand side by side their line styles or widths differ as
-// well.
+// The colours of the overlays, sRGB, after Okabe and Ito's palette, which is suitable for red-green colour
+// blindness. Elements that are shown together also differ in line style or width.
 #include <rayscope/vector.h>
 
 namespace rayscope::viewer::palette {

@@ -4,19 +4,13 @@
 
 namespace rayscope::viewer {
 
-/// What is drawn of how surfaces and the camera are sampled.
-struct SurfaceOverlayOptions {
-    bool glossySquare = true, environment = true, lens = true;
-    bool operator==(const SurfaceOverlayOptions&) const = default;
-};
-
 /// The edges of the triangle and the normals of its vertices, `length` long.
 OverlayLines vertexNormalLines(const probe::VertexNormals& normals, float length);
 
-/// The square as two triangles, and the mirrored direction through its middle.
+/// The square as two triangles, and the mirror direction through its centre.
 OverlayLines glossySquareLines(const probe::GlossySquare& square);
 
-/// A ray of the length into the environment, in the colour that it fetches.
+/// A ray of this length into the environment, in the colour that is looked up.
 OverlayLines environmentLines(const probe::EnvironmentPoint& point, glm::vec3 from, float length);
 
 /// The outline of the aperture; the plane of focus, and dashed the planes of the sharp zone.

@@ -14,43 +14,43 @@ bool isTest(probe::TraversalEvent event) {
            event == probe::TraversalEvent::Filtered;
 }
 
-/// What became of a box in the end, or as far as the steps go.
-struct Fate {
+/// The latest event of a box within the shown steps.
+struct BoxState {
     bool seen = false;
     probe::TraversalEvent last = probe::TraversalEvent::Missed;
 };
 
-std::vector<Fate> fatesOf(const probe::TraversalLog& log, std::size_t steps) {
-    std::vector<Fate> fates(log.boxes.size());
+std::vector<BoxState> boxStates(const probe::TraversalLog& log, std::size_t steps) {
+    std::vector<BoxState> states(log.boxes.size());
     for (std::size_t i = 0; i < steps; ++i)
-        if (!isTest(log.steps[i].event)) fates[log.steps[i].number] = {true, log.steps[i].event};
-    return fates;
+        if (!isTest(log.steps[i].event)) states[log.steps[i].number] = {true, log.steps[i].event};
+    return states;
 }
 
 }  // namespace
 
-std::size_t shownSteps(const probe::TraversalLog& log, const TraversalOverlayOptions& choice) {
-    if (!choice.stepping) return log.steps.size();
-    return std::min(static_cast<std::size_t>(std::max(choice.step, 0)), log.steps.size());
+std::size_t shownSteps(const probe::TraversalLog& log, const TraversalOverlayOptions& options) {
+    if (!options.stepping) return log.steps.size();
+    return std::min(static_cast<std::size_t>(std::max(options.step, 0)), log.steps.size());
 }
 
-OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalOverlayOptions& choice) {
+OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalOverlayOptions& options) {
     OverlayBoxes boxes;
-    if (!choice.shown) return boxes;
-    const std::size_t steps = shownSteps(log, choice);
-    const std::vector<Fate> fates = fatesOf(log, steps);
+    if (!options.shown) return boxes;
+    const std::size_t steps = shownSteps(log, options);
+    const std::vector<BoxState> states = boxStates(log, steps);
     const auto add = [&](std::size_t i, glm::vec4 color, LineStyle style, float width) {
         boxes.push_back(
             {log.boxes[i].lower + log.shift, log.boxes[i].upper + log.shift, color, style, width});
     };
-    for (std::size_t i = 0; i < fates.size(); ++i) {
-        if (!fates[i].seen) continue;
-        switch (fates[i].last) {
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (!states[i].seen) continue;
+        switch (states[i].last) {
             case probe::TraversalEvent::Missed:
-                if (choice.missed) add(i, palette::kMissedBox, LineStyle::Dotted, 1.0f);
+                if (options.missed) add(i, palette::kMissedBox, LineStyle::Dotted, 1.0f);
                 break;
             case probe::TraversalEvent::Culled:
-                if (choice.culled) add(i, palette::kCulledBox, LineStyle::Dashed, 1.5f);
+                if (options.culled) add(i, palette::kCulledBox, LineStyle::Dashed, 1.5f);
                 break;
             case probe::TraversalEvent::Pushed:
                 add(i, palette::kPushedBox, LineStyle::Dashed, 1.5f);
@@ -60,16 +60,16 @@ OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalOverl
         }
     }
     const int current = probe::stateAfter(log, steps).current;
-    if (choice.stepping && current >= 0)
+    if (options.stepping && current >= 0)
         add(static_cast<std::size_t>(current), palette::kVisitedBox, LineStyle::Solid, 3.5f);
     return boxes;
 }
 
 OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& input,
-                            const TraversalOverlayOptions& choice, float sceneSize) {
+                            const TraversalOverlayOptions& options, float sceneSize) {
     OverlayLines lines;
-    if (!choice.shown) return lines;
-    const std::size_t steps = shownSteps(log, choice);
+    if (!options.shown) return lines;
+    const std::size_t steps = shownSteps(log, options);
     const probe::TraversalState state = probe::stateAfter(log, steps);
     const auto outline = [&](std::uint32_t primitive, glm::vec4 color, float width) {
         const std::uint32_t one[] = {primitive};
@@ -79,10 +79,10 @@ OverlayLines traversalLines(const probe::TraversalLog& log, const AccelInput& in
             lines.push_back(line);
         }
     };
-    if (choice.stepping && steps > 0 && isTest(log.steps[steps - 1].event))
+    if (options.stepping && steps > 0 && isTest(log.steps[steps - 1].event))
         outline(log.steps[steps - 1].number, palette::kPushedBox, 2.5f);
     if (state.closest != kNoPrimitive) outline(state.closest, palette::kHitPrimitive, 4.0f);
-    if (choice.stepping) {
+    if (options.stepping) {
         const float speed = glm::length(log.ray.direction);
         const glm::vec3 origin = log.ray.origin + log.shift;
         const glm::vec3 middle =

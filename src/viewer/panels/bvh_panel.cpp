@@ -122,9 +122,7 @@ void drawSelected(const InspectedTree& seen, std::uint32_t number) {
 }
 
 void drawTree(BvhInspector& bvh, const InspectedTree& seen) {
-    static std::uint32_t revealed = bvh::kNoNode;
-    const bool reveal = bvh.shown.node != revealed && bvh.shown.node != bvh::kNoNode;
-    revealed = bvh.shown.node;
+    const bool reveal = bvh.takeSelectionChange() && bvh.shown.node != bvh::kNoNode;
     if (ImGui::BeginChild("nodes", {0.0f, scaled(150.0f)}, true, ImGuiWindowFlags_HorizontalScrollbar))
         drawNode(bvh, seen, 0, reveal);
     ImGui::EndChild();

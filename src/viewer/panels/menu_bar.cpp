@@ -9,55 +9,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-bool isEnabled(const Workspace& workspace, Command command) {
-    if (command == Command::Undo) return workspace.history.canUndo();
-    if (command == Command::Redo) return workspace.history.canRedo();
-    const bool hasSelection = !workspace.rays.selection().empty();
-    if (command == Command::HideRay || command == Command::IsolateRay) return hasSelection;
-    if (command == Command::ClearRays || command == Command::CopyRays || command == Command::ExportRays ||
-        command == Command::PinPixel)
-        return workspace.rays.recording() != nullptr;
-    if (command == Command::ComparePictures || command == Command::FlipPictures)
-        return workspace.comparison.a() != nullptr;
-    return true;
-}
-
-bool isTicked(const Workspace& workspace, Command command) {
-    const ViewState& view = workspace.view;
-    switch (command) {
-        case Command::SwitchView:
-            return view.traced;
-        case Command::ToggleOverlay:
-            return view.overlay;
-        case Command::ToggleWireframe:
-            return view.raster.wireframe;
-        case Command::ToggleSidePanel:
-            return view.sidePanel;
-        case Command::FlyMode:
-            return view.flying;
-        case Command::PauseOrResume:
-            return workspace.render.paused();
-        case Command::ToggleLiveRay:
-            return view.liveRay;
-        case Command::ToggleHeatMap:
-            return workspace.heat.shown;
-        case Command::ComparePictures:
-            return workspace.comparison.visible();
-        case Command::ToggleTraversal:
-            return workspace.rays.traversal.shown;
-        case Command::IsolateRay:
-            return workspace.rays.filter.isolated;
-        case Command::ToggleBvhLevels:
-            return workspace.bvh.shown.levels;
-        case Command::ShowKeys:
-            return view.showKeys;
-        case Command::ShowStatistics:
-            return view.showStatistics;
-        default:
-            return false;
-    }
-}
-
 void drawBuiltinMenu(Workspace& workspace) {
     static const std::vector<BuiltinScene> scenes = builtinScenes();
     if (!ImGui::BeginMenu("Built-in scenes")) return;
@@ -81,8 +32,8 @@ void drawCommands(Workspace& workspace, const char* menu) {
     for (const CommandInfo& info : commandTable()) {
         if (std::strcmp(info.menu, menu) != 0) continue;
         if (info.separatorBefore) ImGui::Separator();
-        if (ImGui::MenuItem(info.label, shortcutText(info).c_str(), isTicked(workspace, info.command),
-                            isEnabled(workspace, info.command)))
+        if (ImGui::MenuItem(info.label, shortcutText(info).c_str(), info.checked && info.checked(workspace),
+                            !info.enabled || info.enabled(workspace)))
             workspace.commands.push_back(info.command);
         tooltip(info.help);
         if (info.command == Command::OpenScene) {

@@ -71,7 +71,7 @@ bool OpenDialog::drawEntries() {
 }
 
 void OpenDialog::draw(Workspace& workspace) {
-    if (std::exchange(workspace.openDialogRequested, false)) {
+    if (std::exchange(requested_, false)) {
         std::error_code ignored;
         enter(folder_.empty() ? std::filesystem::current_path(ignored) : folder_);
         ImGui::OpenPopup(kTitle);

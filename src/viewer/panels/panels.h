@@ -16,6 +16,9 @@ void drawKeysWindow(Workspace& workspace);
 void drawStatisticsWindow(Workspace& workspace);
 void drawErrorDialog(Workspace& workspace);
 
+/// The view buttons and the tabs, into the current window.
+void drawSidePanelContents(Workspace& workspace);
+
 // Groups of the side panel.
 void drawScenePanel(Workspace& workspace);
 void drawCameraPanel(Workspace& workspace);
@@ -38,10 +41,12 @@ void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 siz
 /// A list of folders and scene files in which one is chosen.
 class OpenDialog {
   public:
-    /// Opens when the workspace asks for it.
+    /// Opens the dialog at the next draw().
+    void request() { requested_ = true; }
     void draw(Workspace& workspace);
 
   private:
+    bool requested_ = false;
     struct Entry {
         std::string name;
         bool folder;
@@ -57,9 +62,12 @@ class OpenDialog {
 /// Size, samples and name of a render to a file, then its progress.
 class RenderDialog {
   public:
+    /// Opens the dialog at the next draw().
+    void request() { requested_ = true; }
     void draw(Workspace& workspace);
 
   private:
+    bool requested_ = false;
     void drawForm(Workspace& workspace);
     void drawProgress(Workspace& workspace);
 

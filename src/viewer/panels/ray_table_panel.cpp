@@ -4,6 +4,7 @@
 
 #include "probe/names.h"
 #include "trace/world.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/panels/ray_panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"

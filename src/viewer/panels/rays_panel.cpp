@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "probe/names.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/ray_panels.h"
 #include "viewer/panels/theme.h"
@@ -83,6 +84,12 @@ void drawVerdict(const ReplayResult& verdict) {
     if (!verdict.sumMatches) text("the contributions of a tree do not add up to its radiance");
 }
 
+void drawReplayProgress(DebugRays& rays) {
+    dimText(fmt::format("replaying samples: {:.0f} %", 100.0 * rays.replayProgress()));
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Stop")) rays.cancelReplay();
+}
+
 void drawSamples(DebugRays& rays, const DebugRays::PixelRecording& recording) {
     int sample = recording.tree().name.index;
     labelledRow("Sample");
@@ -113,7 +120,10 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
                      tree.shadowRays.size()));
     if (rays.isStaleFor(workspace.edit, workspace.imageSize()))
         coloredText(kWarningText, "Stale: something has changed since");
-    if (recording.verdict) drawVerdict(*recording.verdict);
+    if (rays.replaying())
+        drawReplayProgress(rays);
+    else if (recording.verdict)
+        drawVerdict(*recording.verdict);
     valueRow("Radiance", rgbText(tree.radiance));
     drawPixelSamples(workspace, recording);
     drawSamples(rays, recording);
@@ -122,7 +132,18 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
 
 /// Sentences about the pixel; a click goes to a ray that they rest on.
 void drawDiagnosis(DebugRays& rays) {
-    const std::vector<probe::Diagnosis> all = rays.explain();
+    const std::vector<probe::Diagnosis>* diagnosis = rays.diagnose();
+    if (diagnosis == nullptr) {
+        if (rays.diagnosing()) {
+            if (stoppableProgress(rays.diagnosisProgress())) rays.cancelDiagnosis();
+        } else {
+            if (!rays.diagnosisError().empty()) coloredText(kErrorText, rays.diagnosisError());
+            if (ImGui::Button("Diagnose", {-1.0f, 0.0f})) rays.restartDiagnosis();
+        }
+        return;
+    }
+    // A copy, because a click below selects another ray.
+    const std::vector<probe::Diagnosis> all = *diagnosis;
     if (all.empty()) dimText("Nothing stands out about this pixel.");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const probe::Diagnosis& why = all[i];

@@ -87,7 +87,7 @@ void RenderDialog::drawProgress(Workspace& workspace) {
 }
 
 void RenderDialog::draw(Workspace& workspace) {
-    if (std::exchange(workspace.renderDialogRequested, false)) {
+    if (std::exchange(requested_, false)) {
         size_[0] = workspace.imageSize().x;
         size_[1] = workspace.imageSize().y;
         samples_ = workspace.edit.settings.spp;

@@ -22,7 +22,7 @@ void drawSceneChoice(Workspace& workspace) {
         ImGui::EndCombo();
     }
     ImGui::SameLine();
-    if (ImGui::Button("Open...", {-1.0f, 0.0f})) workspace.openDialogRequested = true;
+    if (ImGui::Button("Open...", {-1.0f, 0.0f})) workspace.commands.push_back(Command::OpenScene);
 }
 
 /// "1 mesh", "5 materials"; nothing for none.

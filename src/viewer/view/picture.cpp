@@ -5,9 +5,9 @@
 namespace rayscope::viewer {
 
 namespace {
-/// Time per frame for taking tiles: of 33 ms, what is left beside drawing on a slow machine.
+/// Time per frame for collecting tiles, of a frame time of 33 ms.
 constexpr double kCollectSeconds = 0.006;
-/// How strongly lines show that lie behind surfaces.
+/// Opacity of lines behind surfaces.
 constexpr float kHiddenOpacity = 0.28f;
 
 std::string_view rendererName() {
@@ -15,10 +15,6 @@ std::string_view rendererName() {
     return name ? name : "";
 }
 }  // namespace
-
-HandleSize handleSize(float scale) {
-    return {70.0 * static_cast<double>(scale), 8.0 * static_cast<double>(scale)};
-}
 
 Picture::Picture()
     : software_(isSoftwareRenderer(rendererName())), raster_(drawingBudget(software_, true).triangles) {}
@@ -54,7 +50,7 @@ void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bo
         changed = traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
     if (!everything && !changed) return;
 
-    // While the picture refines, only the part is drawn again that new tiles lie in.
+    // While the picture is refined, only the rectangle of the new tiles is drawn again.
     const RgbImage& image = traced_.image();
     const glm::ivec2 pixels(target_.width(), target_.height());
     const bool part =
@@ -68,7 +64,7 @@ void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bo
     drawn_ = std::move(inputs);
 }
 
-/// Gives the target as many pixels as the view has, or fewer while something moves.
+/// The target has the resolution of the view, or less while something moves.
 bool Picture::resize(const Inputs& inputs) {
     const int divisor = drawingBudget(software_, inputs.moving).divisor;
     return target_.resize((inputs.size.x + divisor - 1) / divisor, (inputs.size.y + divisor - 1) / divisor);
@@ -143,7 +139,7 @@ void Picture::paintLines(const SceneOverlays::Drawing& drawing, const LineDrawOp
     target_.writeColors(canvas_.pixels);
 }
 
-/// The handles of the selected light, before everything.
+/// The handles of the selected light, in front of everything.
 void Picture::drawHandles(const Inputs& inputs, const ViewFrame& frame, LineDrawOptions look) {
     if (inputs.selectedLight < 0) return;
     const Light& light = inputs.state.scene->lights[static_cast<std::size_t>(inputs.selectedLight)];

@@ -12,12 +12,12 @@
 
 namespace rayscope::viewer {
 
-/// The picture area: one of the two views with the overlays on it, redrawn only when something changed.
+/// The picture area: one of the two views with its overlays, redrawn only when something changed.
 class Picture {
   public:
     Picture();
 
-    /// Brings the off-screen picture up to date. `hovered` is the part of the light's handle to highlight.
+    /// Updates the off-screen picture. `hovered` is the part of the light's handle to highlight.
     void update(Workspace& workspace, std::optional<HandlePart> hovered, bool moving);
 
     /// Copies the finished picture to the window, its lower left corner to this pixel.
@@ -25,19 +25,19 @@ class Picture {
         target_.copyToWindow(corner.x, corner.y, drawn_.size.x, drawn_.size.y);
     }
 
-    /// What is shown, without overlays, as a linear image of the view's size.
+    /// The rasterised view without overlays, as a linear image of the view's size.
     RgbImage rasterImage(const Workspace& workspace);
     const RgbImage& tracedImage() const { return traced_.image(); }
-    /// The traced picture as it is shown, with bloom; its revision grows when it changes.
+    /// The traced picture with bloom, if it is on; its revision increases whenever it changes.
     const RgbImage& shownImage() const { return traced_.shownImage(); }
     int shownRevision() const { return traced_.revision(); }
     const SceneBounds& sceneBounds() const { return raster_.bounds(); }
     bool computing() const { return traced_.computingBloom(); }
-    /// What the picture has of what there is to see.
+    /// How much of the scene and the overlays the picture shows.
     const DrawnCounts& counts() const { return counts_; }
 
   private:
-    /// All that the picture depends on besides the traced image.
+    /// Everything that the picture depends on besides the traced image.
     struct Inputs {
         EditState state;
         RasterStyle raster;
@@ -60,19 +60,16 @@ class Picture {
     void drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame);
     void drawHandles(const Inputs& inputs, const ViewFrame& frame, LineDrawOptions look);
 
-    bool software_;  ///< OpenGL runs on the processor
+    bool software_;  ///< OpenGL runs on the CPU
     RenderTarget target_;
     RasterView raster_;
     TracedView traced_;
     SceneOverlays overlays_;
     LineBatch sceneLines_, boldLines_;
-    PaintCanvas canvas_;  ///< kept for its memory
+    PaintCanvas canvas_;  ///< kept to reuse its memory
     Inputs drawn_;
     DrawnCounts counts_;
     std::shared_ptr<const SceneDescription> loaded_;
 };
-
-/// Sizes of the handle in pixels at this scale.
-HandleSize handleSize(float scale);
 
 }  // namespace rayscope::viewer

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMaxLights = 8;  // as many as shaders/surface.frag has room for
 
-/// Where a light is, seen from far, and its colour.
+/// A light as a point.
 struct LightSpot {
     glm::vec3 position;
     Rgb color;
@@ -69,9 +69,9 @@ void RasterView::collectItems() {
     opaque_.clear();
     transparent_.clear();
     const auto add = [&](const Item& item) {
-        const bool seeThrough =
+        const bool transparent =
             item.material < scene_->materials.size() && scene_->materials[item.material].opacity < 1.0f;
-        (seeThrough ? transparent_ : opaque_).push_back(item);
+        (transparent ? transparent_ : opaque_).push_back(item);
     };
     for (const MeshInstance& instance : scene_->meshes) {
         DrawableMesh& mesh = *meshes_.at(instance.data);
@@ -90,22 +90,23 @@ void RasterView::collectItems() {
         add({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, sphere.sphere.center});
 }
 
-/// While something moves, each mesh may have triangles in proportion to those that it really has.
+/// While something moves, the triangle limit is distributed over the meshes in proportion to their sizes.
 void RasterView::distributeTriangles() {
     constexpr double kFewest = 48.0;
     double all = static_cast<double>(sphere_.triangles() * scene_->spheres.size());
     for (const MeshInstance& instance : scene_->meshes)
         all += static_cast<double>(instance.data->triangles.size());
-    const double share = static_cast<double>(maxTrianglesMoving_) / std::max(all, 1.0);
+    const double fraction = static_cast<double>(maxTrianglesMoving_) / std::max(all, 1.0);
     const auto limit = [&](DrawableMesh& mesh) {
-        const double most = std::max(kFewest, static_cast<double>(mesh.triangles()) * std::min(share, 1.0));
+        const double most =
+            std::max(kFewest, static_cast<double>(mesh.triangles()) * std::min(fraction, 1.0));
         mesh.prepareProxy(static_cast<std::size_t>(most));
     };
     for (const auto& [data, mesh] : meshes_) limit(*mesh);
     if (!scene_->spheres.empty()) limit(sphere_);
 }
 
-/// The same for each frame, so it is kept.
+/// Drawn once per size and kept.
 void RasterView::drawBackground(const RenderTarget& target) {
     glDisable(GL_DEPTH_TEST);
     if (backdrop_.resize(target.width(), target.height())) {
@@ -124,7 +125,7 @@ void RasterView::setLights() {
         const LightSpot spot = std::visit([](const auto& shape) { return spotOf(shape); },
                                           scene_->lights[static_cast<std::size_t>(i)].shape);
         positions[i] = spot.position;
-        // Colours far above one are meant for a falloff that this view does not compute.
+        // Colours far above 1 assume a distance falloff, which this view does not have.
         colors[i] = spot.color / std::max({spot.color.r, spot.color.g, spot.color.b, 1.0f});
     }
     surface_.set("lightCount", count);
@@ -146,7 +147,7 @@ void RasterView::drawItem(const Item& item, const RasterStyle& style, bool movin
     surface_.set("kd", material.kd);
     surface_.set("ks", material.ks);
     surface_.set("shininess", std::max(material.shininess, 1.0f));
-    // What is nearly invisible is still an object that one wants to find.
+    // Nearly transparent objects stay visible.
     surface_.set("opacity", std::max(material.opacity, 0.15f));
     if (textured) texture->second.bind(0);
     counts_.trianglesDrawn += mesh.draw(item.slot);

@@ -14,17 +14,17 @@
 
 namespace rayscope::viewer {
 
-/// Draws the scene with OpenGL through the camera of the tracer: a light at the viewer's side and the lights
-/// of the scene without shadows, so that shapes read.
+/// Draws the scene with OpenGL and the camera of the tracer, lit by a headlight and by the lights of the
+/// scene without shadows.
 class RasterView {
   public:
-    /// While something moves, no more than so many triangles are drawn.
+    /// While something moves, at most about this many triangles are drawn.
     explicit RasterView(std::size_t maxTrianglesMoving);
     ~RasterView();
     RasterView(const RasterView&) = delete;
     RasterView& operator=(const RasterView&) = delete;
 
-    /// Loads what is new in `scene` into the graphics card and forgets what is gone.
+    /// Creates the OpenGL objects that are new in `scene` and deletes those that it does not have.
     void setScene(std::shared_ptr<const SceneDescription> scene);
     const SceneBounds& bounds() const { return bounds_; }
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include "viewer/overlay/bvh_overlay.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/overlay/lab_overlay.h"
 #include "viewer/overlay/light_overlay.h"
 #include "viewer/overlay/line_selection.h"
+#include "viewer/overlay/surface_overlay.h"
+#include "viewer/overlay/traversal_overlay.h"
 
 namespace rayscope::viewer {
 
@@ -36,7 +40,7 @@ SceneOverlays::Inputs SceneOverlays::inputsOf(const Workspace& workspace) {
             workspace.lab.overlay && workspace.lab.scene() == workspace.edit.scene.get()};
 }
 
-/// What surfaces and the lens add to the rays of the chosen sample.
+/// Surface and lens overlays of the selected sample.
 void SceneOverlays::addSurfaces(const DebugRays::PixelRecording& recording, const DebugRays& rays,
                                 float sceneSize) {
     const RayTree& tree = recording.tree();
@@ -64,7 +68,7 @@ void SceneOverlays::addRays(const DebugRays::PixelRecording& recording, const De
     const DebugRayFilter& filter = rays.filter;
     for (std::size_t i = 0; i < recording.trees.size(); ++i) {
         if (i == recording.chosen) continue;
-        // Numbers of rays that are selected or hidden belong to the chosen sample.
+        // Indices of selected and hidden rays belong to the selected sample.
         DebugRayFilter others = filter;
         others.selected = {};
         others.hidden.clear();

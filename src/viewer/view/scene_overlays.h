@@ -5,10 +5,10 @@
 
 namespace rayscope::viewer {
 
-/// Puts together what is drawn over the picture from everything that was recorded.
+/// Collects the overlays of rays, traversals, surfaces, BVH and lab.
 class SceneOverlays {
   public:
-    /// What the overlays are a function of, besides the camera, the lights and the size of the scene.
+    /// What the overlays depend on besides the camera, the lights and the size of the scene.
     struct Inputs {
         int raysVersion = 0, bvhVersion = 0;
         DebugRayFilter rays;
@@ -22,11 +22,11 @@ class SceneOverlays {
     };
     static Inputs inputsOf(const Workspace& workspace);
 
-    /// What there is to draw in a frame.
+    /// The overlays of a frame.
     struct Drawing {
         OverlayBoxes boxes;
-        OverlayLines lines, boldLines;  ///< both over the boxes, the latter over the former
-        bool painted = false;           ///< `boxes` and `lines` are many: paintBoxes(), paintLines()
+        OverlayLines lines, boldLines;  ///< drawn in this order after the boxes
+        bool painted = false;           ///< `boxes` and `lines` are many: use paintBoxes() and paintLines()
         DrawnCounts counts;             ///< of boxes and lines
     };
     /// `sceneSize` is the diagonal of the scene.

@@ -12,7 +12,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr double kMostCells = 1024.0;  // along the longest side
+constexpr double kMaxCells = 1024.0;  // along the longest side
 constexpr std::uint64_t kNoCell = ~std::uint64_t{0};
 
 struct Extent {
@@ -31,7 +31,7 @@ Extent extentOf(const std::vector<glm::vec3>& positions) {
     return {lower, std::max({size.x, size.y, size.z, 0.0})};
 }
 
-/// The number of each vertex's cell.
+/// The index of the cell of each vertex.
 std::vector<std::uint64_t> cellsOf(const std::vector<glm::vec3>& positions, const Extent& extent,
                                    double cells) {
     const double scale = extent.longest > 0.0 ? cells / extent.longest : 0.0;
@@ -55,7 +55,7 @@ bool keepsItsCorners(glm::uvec3 triangle, const std::vector<std::uint64_t>& cell
 std::vector<std::uint64_t> finestCells(const MeshData& mesh, std::size_t maxTriangles,
                                        const std::stop_token& stop) {
     const Extent extent = extentOf(mesh.positions);
-    for (double count = kMostCells;; count = std::floor(count)) {
+    for (double count = kMaxCells;; count = std::floor(count)) {
         if (stop.stop_requested()) throw Stopped();
         std::vector<std::uint64_t> cells = cellsOf(mesh.positions, extent, count);
         const auto left = static_cast<std::size_t>(
@@ -68,7 +68,7 @@ std::vector<std::uint64_t> finestCells(const MeshData& mesh, std::size_t maxTria
     }
 }
 
-/// One vertex per cell, at the mean of what lies in it; the texture coordinates are those of the first.
+/// One vertex per cell, at the mean of its vertices; the texture coordinates are those of the first.
 MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells) {
     MeshData coarse;
     std::unordered_map<std::uint64_t, std::uint32_t> vertexOfCell;
@@ -98,7 +98,7 @@ MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells
     return coarse;
 }
 
-/// So many of the triangles, evenly spread over the list.
+/// `count` of the triangles, evenly spaced in the list.
 MeshData someTriangles(const MeshData& mesh, std::size_t count) {
     MeshData some{mesh.positions, mesh.normals, mesh.texCoords, {}, {}};
     for (std::size_t k = 0; k < count; ++k) {

@@ -12,7 +12,7 @@ TracedView::TracedView() { glGenVertexArrays(1, &emptyVertexArray_); }
 
 TracedView::~TracedView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
 
-/// The picture so far stays as a placeholder, scaled, until tiles of the new size arrive.
+/// The old picture, scaled, is the placeholder until tiles of the new size arrive.
 void TracedView::resize(int width, int height) {
     RgbImage scaled(width, height);
     if (!image_.empty())
@@ -56,8 +56,8 @@ std::optional<PixelBounds> TracedView::update(RenderSession& session, const Sett
 
 bool TracedView::updateBloom(const Settings& settings) {
     bool arrived = false;
-    if (bloom_.valid() && bloom_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-        bloomImage_ = bloom_.get();
+    if (auto image = bloom_.poll()) {
+        bloomImage_ = std::move(*image);
         bloomTexture_ = GlTexture::floatImage(bloomImage_.width, bloomImage_.height);
         bloomTexture_.upload(0, 0, bloomImage_.width, bloomImage_.height, bloomImage_.pixels.data());
         bloomShown_ = settings.bloom;
@@ -69,11 +69,12 @@ bool TracedView::updateBloom(const Settings& settings) {
         return arrived || wasShown;
     }
     if (settings != bloomSettings_) bloomOutdated_ = true;
-    if (!bloom_.valid() && bloomOutdated_ && !image_.empty()) {
+    if (!bloom_.busy() && bloomOutdated_ && !image_.empty()) {
         bloomSettings_ = settings;
         bloomOutdated_ = false;
-        bloom_ = std::async(std::launch::async,
-                            [image = image_, settings] { return post::applyBloom(image, settings); });
+        bloom_.start([image = image_, settings](const std::stop_token&, JobProgress&) {
+            return post::applyBloom(image, settings);
+        });
     }
     return arrived;
 }

@@ -2,93 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace rayscope::viewer {
 
 namespace {
-
-constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
-
-// clang-format off
-constexpr CommandInfo kCommands[] = {
-    {Command::OpenScene, "File", "Open...", GLFW_KEY_O, kCtrl, "Choose a scene file or a bare OBJ."},
-    {Command::ReloadScene, "File", "Reload", GLFW_KEY_F5, 0, "Read the scene file again; camera and settings stay."},
-    {Command::SaveImage, "File", "Save image", GLFW_KEY_S, kCtrl, "Write the picture to the current folder.", true},
-    {Command::SaveScreenshot, "File", "Save screenshot", GLFW_KEY_S, kCtrl | kShift,
-     "Write the whole window, with rays and panels."},
-    {Command::RenderToFile, "File", "Render to file...", GLFW_KEY_F12, 0, "Render at any size and number of samples."},
-    {Command::Quit, "File", "Quit", GLFW_KEY_Q, kCtrl, "Close the window.", true},
-
-    {Command::Undo, "Edit", "Undo", GLFW_KEY_Z, kCtrl, "Take back the last change of scene, settings or camera."},
-    {Command::Redo, "Edit", "Redo", GLFW_KEY_Y, kCtrl, "Do again what was taken back."},
-    {Command::CopyPixel, "Edit", "Copy pixel", GLFW_KEY_C, kCtrl, "Copy the values of the pixel under the cursor.", true},
-    {Command::CopyCamera, "Edit", "Copy camera", GLFW_KEY_C, kCtrl | kShift,
-     "Copy the camera as options of the command line."},
-
-    {Command::SwitchView, "View", "Ray-traced", GLFW_KEY_TAB, 0, "Switch between the rasterised and the ray-traced view."},
-    {Command::PauseOrResume, "View", "Pause tracing", GLFW_KEY_SPACE, 0, "Pause or resume the rendering."},
-    {Command::ToggleHeatMap, "View", "Heat map", GLFW_KEY_M, 0, "Show what pixels cost, or how certain they are, in place of the picture."},
-    {Command::KeepPicture, "View", "Keep as A", GLFW_KEY_K, 0, "Keep the traced picture, to compare others with it.", true},
-    {Command::ComparePictures, "View", "Compare A with B", GLFW_KEY_V, 0, "Show the kept picture beside the present one."},
-    {Command::FlipPictures, "View", "Flip A and B", GLFW_KEY_X, 0, "Show the other one of the two."},
-    {Command::ToggleOverlay, "View", "Overlay", GLFW_KEY_O, 0, "Show or hide rays, lights and handles.", true},
-    {Command::ToggleWireframe, "View", "Wireframe", GLFW_KEY_Z, 0, "Draw only the edges in the rasterised view."},
-    {Command::ToggleSidePanel, "View", "Side panel", GLFW_KEY_N, 0, "Show or hide the side panel."},
-    {Command::ToggleFullScreen, "View", "Full screen", GLFW_KEY_F11, 0, "Use the whole screen."},
-    {Command::IncreaseUiScale, "View", "Larger text", GLFW_KEY_EQUAL, kCtrl, "Enlarge text and controls.", true},
-    {Command::DecreaseUiScale, "View", "Smaller text", GLFW_KEY_MINUS, kCtrl, "Shrink text and controls."},
-    {Command::ResetUiScale, "View", "Text of the monitor's scale", GLFW_KEY_0, kCtrl,
-     "Size text and controls as the monitor asks."},
-
-    {Command::ResetCamera, "Camera", "Reset", GLFW_KEY_HOME, 0, "Return to the camera of the scene."},
-    {Command::FrameAll, "Camera", "Frame all", GLFW_KEY_F, 0, "Bring the whole scene into the picture."},
-    {Command::FrontView, "Camera", "From the front", GLFW_KEY_KP_1, 0, "Look along -Z.", true},
-    {Command::SideView, "Camera", "From the side", GLFW_KEY_KP_3, 0, "Look along -X."},
-    {Command::TopView, "Camera", "From above", GLFW_KEY_KP_7, 0, "Look along -Y."},
-    {Command::FlyMode, "Camera", "Fly", GLFW_KEY_GRAVE_ACCENT, 0,
-     "Drag to look around, W A S D Q E to move, wheel for the speed.", true},
-
-    {Command::RecordRays, "Rays", "Shoot debug ray", GLFW_KEY_R, 0, "Record and draw the rays of the pixel under the cursor."},
-    {Command::ClearRays, "Rays", "Clear rays", GLFW_KEY_C, 0, "Forget the recorded rays."},
-    {Command::ToggleLiveRay, "Rays", "Live ray", GLFW_KEY_L, 0, "Record the pixel under the cursor again and again, wherever it goes."},
-    {Command::PinPixel, "Rays", "Pin pixel", GLFW_KEY_P, 0, "Keep the numbers of the recorded pixel, to compare it with others."},
-    {Command::HideRay, "Rays", "Hide", GLFW_KEY_H, 0, "Do not draw the selected ray.", true},
-    {Command::IsolateRay, "Rays", "Isolate", GLFW_KEY_I, 0, "Draw only the selected ray and what belongs to it, or all again."},
-    {Command::CopyRays, "Rays", "Copy as JSON", GLFW_KEY_J, 0, "Copy the rays of the chosen sample as JSON."},
-    {Command::ExportRays, "Rays", "Export", GLFW_KEY_J, kCtrl,
-     "Write the rays as lines of an OBJ and as JSON to the current folder."},
-    {Command::ToggleTraversal, "Rays", "Search in the BVH", GLFW_KEY_T, 0,
-     "Show which boxes the selected ray visits and which it skips.", true},
-    {Command::StepForward, "Rays", "Step forward", GLFW_KEY_RIGHT, 0, "Take one step of the search."},
-    {Command::StepBack, "Rays", "Step back", GLFW_KEY_LEFT, 0, "Take one step of the search back."},
-    {Command::JumpForward, "Rays", "Ten steps forward", GLFW_KEY_RIGHT, kShift, "Take ten steps of the search."},
-    {Command::JumpBack, "Rays", "Ten steps back", GLFW_KEY_LEFT, kShift, "Take ten steps of the search back."},
-    {Command::Cancel, "Rays", "Cancel", GLFW_KEY_ESCAPE, 0, "Close what is open, else leave fly mode, else clear the rays."},
-
-    {Command::ToggleBvhLevels, "BVH", "Boxes of a level", GLFW_KEY_B, 0, "Show or hide the boxes of one level of the BVH."},
-    {Command::NextLevel, "BVH", "Deeper level", GLFW_KEY_PAGE_DOWN, 0, "Show the boxes of the next deeper level."},
-    {Command::PreviousLevel, "BVH", "Higher level", GLFW_KEY_PAGE_UP, 0, "Show the boxes of the next higher level."},
-    {Command::NextLeaf, "BVH", "Next leaf", GLFW_KEY_PERIOD, 0, "Highlight the next leaf and its primitives.", true},
-    {Command::PreviousLeaf, "BVH", "Previous leaf", GLFW_KEY_COMMA, 0, "Highlight the leaf before."},
-    {Command::LeafUnderCursor, "BVH", "Leaf under the cursor", GLFW_KEY_G, 0,
-     "Go to the leaf that holds what the cursor is on."},
-
-    {Command::ShowKeys, "Help", "Keys", GLFW_KEY_F1, 0, "List the keys and mouse gestures."},
-    {Command::ShowStatistics, "Help", "Statistics", GLFW_KEY_F2, 0, "Show frame times and ray counts."},
-};
-
-/// Further keys, where hands expect them.
-struct Alias { int key, modifiers; Command command; };
-constexpr Alias kAliases[] = {
-    {GLFW_KEY_Z, kCtrl | kShift, Command::Redo},
-    {GLFW_KEY_R, kShift, Command::ClearRays},
-    {GLFW_KEY_KP_ADD, kCtrl, Command::IncreaseUiScale},
-    {GLFW_KEY_EQUAL, kCtrl | kShift, Command::IncreaseUiScale},
-    {GLFW_KEY_KP_SUBTRACT, kCtrl, Command::DecreaseUiScale},
-    {GLFW_KEY_KP_0, kCtrl, Command::ResetUiScale},
-    {GLFW_KEY_GRAVE_ACCENT, kShift, Command::FlyMode},
-    {GLFW_KEY_SLASH, kShift, Command::ShowKeys},
-};
-// clang-format on
 
 std::string keyText(int key) {
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
@@ -119,28 +37,22 @@ std::string keyText(int key) {
 
 }  // namespace
 
-std::span<const CommandInfo> commandTable() { return kCommands; }
-
-const CommandInfo& infoOf(Command command) {
-    for (const CommandInfo& info : kCommands)
-        if (info.command == command) return info;
-    return kCommands[0];
-}
+const CommandInfo& infoOf(Command command) { return commandTable()[static_cast<std::size_t>(command)]; }
 
 std::optional<Command> commandFor(int key, int modifiers) {
-    const int relevant = modifiers & (kCtrl | kShift | GLFW_MOD_ALT);
-    for (const CommandInfo& info : kCommands)
-        if (info.key == key && info.modifiers == relevant) return info.command;
-    for (const Alias& alias : kAliases)
-        if (alias.key == key && alias.modifiers == relevant) return alias.command;
+    const Shortcut pressed{key, modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT)};
+    for (const CommandInfo& info : commandTable())
+        if (info.shortcut == pressed ||
+            std::count(info.alternatives.begin(), info.alternatives.end(), pressed))
+            return info.command;
     return std::nullopt;
 }
 
 std::string shortcutText(const CommandInfo& info) {
     std::string text;
-    if (info.modifiers & kShift) text += "Shift+";
-    if (info.modifiers & kCtrl) text += "Ctrl+";
-    return text + keyText(info.key);
+    if (info.shortcut.modifiers & GLFW_MOD_SHIFT) text += "Shift+";
+    if (info.shortcut.modifiers & GLFW_MOD_CONTROL) text += "Ctrl+";
+    return text + keyText(info.shortcut.key);
 }
 
 }  // namespace rayscope::viewer

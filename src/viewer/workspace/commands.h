@@ -1,14 +1,19 @@
 #pragma once
-// Everything that a menu item or a key can ask for, in one table: the menus, the shortcuts and the list of
-// keys are made from it.
+// Everything that menu entries and keys do, in one table. Menus, shortcuts and the list of keys are made from
+// it.
 #include <GLFW/glfw3.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
 
 namespace rayscope::viewer {
 
+class Application;
+struct Workspace;
+
+/// In the order of the menus.
 enum class Command {
     OpenScene,
     ReloadScene,
@@ -21,8 +26,11 @@ enum class Command {
     CopyPixel,
     CopyCamera,
     SwitchView,
-    RecordRays,
-    ClearRays,
+    PauseOrResume,
+    ToggleHeatMap,
+    KeepPicture,
+    ComparePictures,
+    FlipPictures,
     ToggleOverlay,
     ToggleWireframe,
     ToggleSidePanel,
@@ -30,54 +38,63 @@ enum class Command {
     IncreaseUiScale,
     DecreaseUiScale,
     ResetUiScale,
-    PauseOrResume,
     ResetCamera,
     FrameAll,
-    FlyMode,
     FrontView,
     SideView,
     TopView,
-    ShowKeys,
-    ShowStatistics,
+    FlyMode,
+    RecordRays,
+    ClearRays,
+    ToggleLiveRay,
+    PinPixel,
+    HideRay,
+    IsolateRay,
+    CopyRays,
+    ExportRays,
+    ToggleTraversal,
+    StepForward,
+    StepBack,
+    JumpForward,
+    JumpBack,
+    Cancel,
     ToggleBvhLevels,
     NextLevel,
     PreviousLevel,
     NextLeaf,
     PreviousLeaf,
     LeafUnderCursor,
-    ToggleTraversal,
-    StepForward,
-    StepBack,
-    JumpForward,
-    JumpBack,
-    HideRay,
-    ToggleLiveRay,
-    ToggleHeatMap,
-    KeepPicture,
-    ComparePictures,
-    FlipPictures,
-    PinPixel,
-    IsolateRay,
-    CopyRays,
-    ExportRays,
-    Cancel,
+    ShowKeys,
+    ShowStatistics,
+    Count  ///< the number of commands
+};
+
+struct Shortcut {
+    int key = 0;        ///< GLFW_KEY_…; 0: none
+    int modifiers = 0;  ///< GLFW_MOD_…
+    bool operator==(const Shortcut&) const = default;
 };
 
 struct CommandInfo {
     Command command;
-    const char* menu;   ///< heading in the menu bar; "" for none
+    const char* menu;   ///< heading in the menu bar
     const char* label;  ///< in the menu
-    int key;            ///< GLFW_KEY_…
-    int modifiers;      ///< GLFW_MOD_…
     const char* help;   ///< one sentence
+    Shortcut shortcut;  ///< shown beside the label
+    std::array<Shortcut, 2> alternatives{};
     bool separatorBefore = false;
+    /// Called after the frame's input, when the pixel under the cursor is known.
+    void (*execute)(Application&);
+    bool (*enabled)(const Workspace&) = nullptr;  ///< null: always
+    bool (*checked)(const Workspace&) = nullptr;  ///< null: the entry has no check mark
 };
 
-/// In the order of the menus.
+/// One row per command, in the order of the enumeration. Defined by the application, whose functions it
+/// calls.
 std::span<const CommandInfo> commandTable();
 const CommandInfo& infoOf(Command command);
 
-/// The command on a key; several keys may lead to one command.
+/// The command of a key; lock keys do not matter.
 std::optional<Command> commandFor(int key, int modifiers);
 
 /// "Shift+Ctrl+S".

@@ -27,6 +27,13 @@ glm::ivec2 Workspace::imageSize() const {
     return glm::max(glm::ivec2(size), glm::ivec2(1));
 }
 
+bool Workspace::busy() const {
+    const bool exporting = job && job->running();
+    const bool running[] = {render.busy(), loader.busy(), rays.busy(), bvh.busy(),       heat.busy(),
+                            lab.busy(),    trade.busy(),  exporting,   comparison.busy()};
+    return std::find(std::begin(running), std::end(running), true) != std::end(running);
+}
+
 void Workspace::notify(std::string text, Severity severity) { notice = Notice{std::move(text), severity}; }
 
 void Workspace::setLights(std::vector<Light> lights) {

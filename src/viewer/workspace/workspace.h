@@ -1,5 +1,5 @@
 #pragma once
-// What the panels show and change. It has no window and draws nothing.
+// The state that panels show and change. It has no window and draws nothing.
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -24,7 +24,7 @@
 
 namespace rayscope::viewer {
 
-/// How the scene is looked at; not part of what can be undone.
+/// How the scene is viewed; not subject to undo.
 struct ViewState {
     bool traced = false, overlay = true, sidePanel = true, flying = false, liveRay = false;
     bool showKeys = false, showStatistics = false;
@@ -32,14 +32,14 @@ struct ViewState {
     float resolution = 1.0f;  ///< pixels of the traced image per pixel of the view
     double flySpeed = 1.0;    ///< scene units per second
     int selectedLight = -1, selectedHandle = 0;
-    float scale = 1.0f;  ///< of text and controls
+    float scale = 1.0f;  ///< of the user interface
 };
 
-/// What the cursor is on, in the picture.
+/// The pixel under the cursor and what it shows.
 struct CursorInfo {
     glm::ivec2 pixel{0};  ///< of the traced image
     std::optional<Rgb> radiance;
-    std::string object;                      ///< as the scene calls it; empty if nothing is hit
+    std::string object;                      ///< its name in the scene; empty if nothing is hit
     std::uint32_t primitive = kNoPrimitive;  ///< of the world
     long triangle = -1;                      ///< within the object; -1 for a sphere
 };
@@ -65,7 +65,7 @@ struct Workspace {
     TradeJob trade;
     Comparison comparison;
     StopCriteria stopCriteria;
-    bool bvhPanelOpen = false;  ///< the panel of the hierarchy is open
+    bool bvhPanelOpen = false;  ///< the BVH panel was drawn in this frame
     SceneLoader loader;
     RecentFiles recent{recentFilesPath()};
     std::unique_ptr<RenderJob> job;
@@ -73,20 +73,22 @@ struct Workspace {
 
     std::optional<CursorInfo> cursor;  ///< absent outside the picture
     std::optional<Notice> notice;      ///< in the status bar
-    std::string errorMessage;          ///< in a box that asks to be closed; empty: none
+    std::string errorMessage;          ///< of the error dialog; empty: none
     glm::ivec2 viewSize{1};            ///< of the picture area, in pixels
 
-    /// Commands that panels ask for; the window's loop carries them out.
+    /// Commands from keys, menus and panels, executed once per frame.
     std::vector<Command> commands;
-    bool openDialogRequested = false, renderDialogRequested = false, closeDialogs = false;
+    bool closeDialogs = false;  ///< in this frame, because of the Cancel key
 
     glm::ivec2 imageSize() const;
-    /// What the scene needs, with the lens of the current camera; counted once per scene.
+    /// Whether any background work runs, so that frames have to follow one another.
+    bool busy() const;
+    /// Requirements of the scene with the lens of the current camera; computed once per scene.
     const SceneRequirements& needs();
     void notify(std::string text, Severity severity = Severity::Note);
     void setLights(std::vector<Light> lights);
     void open(const std::string& path) { loader.start(path, false); }
-    /// Takes over what the loader brought.
+    /// Opens the loaded scene or reports its error.
     void show(LoadedScene loaded);
     void undo();
     void redo();
