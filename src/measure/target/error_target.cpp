@@ -9,10 +9,11 @@
 #include "measure/target/error_trend.h"
 #include "measure/target/film_pair.h"
 #include "measure/target/sample_allocation.h"
-#include "render/crash_report.h"
 #include "render/pass_plan.h"
+#include "render/probe_command.h"
 #include "render/render_pass.h"
 #include "sampling/hash.h"
+#include "sampling/sample_stream.h"
 #include "trace/compile.h"
 
 namespace rayscope {
@@ -77,12 +78,11 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
     if (pixels < kMinPixels)
         throw InputError(fmt::format(
             "an error cannot be promised for {} pixels, only for {} or more; say --spp", pixels, kMinPixels));
-    render::describeForCrashReport(render);
+    render::setCrashContext(render::crashContextOf(render));
     limit_ =
         std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
     trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
-    // A jittered pattern must know how many samples follow, which nobody does here.
-    if (compiled.settings.sampler == SamplePattern::Jittered)
+    if (sampling::dependsOnSampleCount(compiled.settings.sampler))
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with a target");
     result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });

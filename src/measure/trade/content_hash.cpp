@@ -6,6 +6,7 @@
 #include <span>
 
 #include "sampling/hash.h"
+#include "sampling/sample_stream.h"
 #include "settings/table.h"
 #include "trace/radiance.h"
 
@@ -132,7 +133,8 @@ std::string filmContentHash(const trace::CompileRequest& request, const trace::W
     add(hash, request.camera);
     add(hash, *request.scene);
     settings::forEachSetting([&](const auto& row) {
-        const bool counts = row.text.key == "spp" && request.settings.sampler != SamplePattern::Jittered;
+        const bool counts =
+            row.text.key == "spp" && !sampling::dependsOnSampleCount(request.settings.sampler);
         if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !counts)
             hash.text(textOf(request.settings, row.text.key));
     });

@@ -21,7 +21,7 @@ std::optional<Trial> runTrial(Workers& workers, const trace::CompileRequest& req
             return std::nullopt;
         }
         Trial trial;
-        trial.buildSeconds = world->buildSeconds;
+        trial.buildSeconds = world->buildReport.seconds;
         render::Film film(request.width, request.height, {0, request.width, 0, request.height});
         render::RenderCounters counters;
         const int wanted = request.settings.spp;

@@ -126,7 +126,7 @@ void Application::executeAtCursor() {
         const CursorInfo& cursor = *workspace_.cursor;
         if (command == Command::LeafUnderCursor && cursor.primitive != kNoPrimitive)
             workspace_.bvh.selectLeafOf(
-                workspace_.render.session().world()->nameOf(cursor.primitive).inGroup);
+                workspace_.render.session().world()->locatePrimitive(cursor.primitive).inGroup);
     }
     const std::optional<CursorInfo>& cursor = workspace_.cursor;
     if (workspace_.view.liveRay && cursor && !input_.moving()) {

@@ -4,6 +4,7 @@
 
 #include "probe/names.h"
 #include "render/film.h"
+#include "sampling/sample_stream.h"
 #include "trace/world.h"
 
 namespace rayscope::viewer {
@@ -22,9 +23,9 @@ std::size_t bytesOf(const RayTree& tree) {
 void DebugRays::recordPixel(std::shared_ptr<const trace::World> world, const EditState& state,
                             glm::ivec2 imageSize, SampleId name, const render::Film* film) {
     PixelRecording recording;
-    // Beside the rasterised view the world is compiled for one sample, which only a jittered grid depends on.
-    const bool dependsOnCount = world->settings.sampler == SamplePattern::Jittered;
-    recording.samples = dependsOnCount ? world->settings.spp : state.settings.spp;
+    // Beside the rasterised view the world is compiled for one sample per pixel.
+    recording.samples =
+        sampling::dependsOnSampleCount(world->settings.sampler) ? world->settings.spp : state.settings.spp;
     recording.state = state;
     recording.imageSize = imageSize;
     recording.trees = {RayTree{}};

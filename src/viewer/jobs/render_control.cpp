@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "sampling/sample_stream.h"
+
 namespace rayscope::viewer {
 
 namespace {
@@ -39,8 +41,7 @@ RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divi
     request.camera = viewRequest.state.camera;
     request.width = std::max(1, viewRequest.width / divisor);
     request.height = std::max(1, viewRequest.height / divisor);
-    // A jittered pattern must know how many samples follow.
-    if (viewRequest.stopCriteria.byError && request.settings.sampler != SamplePattern::Jittered)
+    if (viewRequest.stopCriteria.byError && !sampling::dependsOnSampleCount(request.settings.sampler))
         request.settings.spp = kMaxSamples;
     if (divisor > 1 || viewRequest.moving || !viewRequest.traced) request.settings.spp = 1;
     return request;
