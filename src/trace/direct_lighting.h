@@ -16,8 +16,8 @@ struct LightTerm {
     bool needsShadow = false;
 };
 
-inline Ray shadowRay(const glm::vec3& from, const LightTerm& term) {
-    return shadowRay(from, term.connection.at.position, term.toLight, term.distance);
+inline Ray shadowRay(const LightTerm& term) {
+    return shadowRay(term.connection.from, term.connection.at.position, term.toLight, term.distance);
 }
 
 /// Adds the mean of visibility · phong over the samples of a light; without shading, the mean of
@@ -26,23 +26,23 @@ template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                                       const glm::dvec3& throughput) {
     const int n = branch.split ? 1 : world_.lights[light].grid.count();
-    // A TermQueue batches shadow rays by itself.
-    if (n == 1 || defersShadowRays())
-        addDirectLight<1>(light, n, at, branch, throughput);
+    if constexpr (Terms::kDefersShadowRays)
+        if (world_.canDeferShadowRays()) return addDirectLight<1, true>(light, n, at, branch, throughput);
+    if (n == 1)
+        addDirectLight<1, false>(light, n, at, branch, throughput);
     else
-        addDirectLight<kRayGroup>(light, n, at, branch, throughput);
+        addDirectLight<kRayGroup, false>(light, n, at, branch, throughput);
 }
 
-/// Traces the shadow rays of kGroup samples as a batch, or leaves them to the TermQueue. Terms are added in
-/// the order of the samples.
+/// Traces the shadow rays of kGroup samples as a batch or, if it defers them, leaves them to the TermQueue,
+/// which makes batches of its own. Terms are added in the order of the samples.
 template <PathObserver O, TermsFor<O> Terms>
-template <int kGroup>
+template <int kGroup, bool kDefers>
 void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                                       const glm::dvec3& throughput) {
     const sampling::SamplePoints points = lightSamplePoints(light, branch, n);
     const glm::dvec3 weight = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
-    const bool defers = defersShadowRays();
     std::array<LightTerm, kGroup> terms;
     std::array<Ray, kGroup> shadows;
     std::array<double, kGroup> visible;
@@ -50,19 +50,17 @@ void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interactio
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
         std::size_t shadowCount = 0;
         for (std::size_t k = 0; k < count; ++k) {
-            terms[k] = connect(light, first + static_cast<int>(k), at, from, points);
-            if (terms[k].needsShadow) shadows[shadowCount++] = shadowRay(from, terms[k]);
+            connect(light, first + static_cast<int>(k), at, from, points, terms[k]);
+            if constexpr (kDefers)
+                deferLightTerm(terms[k], weight);
+            else if (terms[k].needsShadow)
+                shadows[shadowCount++] = shadowRay(terms[k]);
         }
-        if (!defers) transmittances({shadows.data(), shadowCount}, {visible.data(), shadowCount});
+        if constexpr (kDefers) continue;
+        transmittances({shadows.data(), shadowCount}, {visible.data(), shadowCount});
         std::size_t nextShadow = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t shadow = nextShadow;
-            if (terms[k].needsShadow) ++nextShadow;
-            if (defers)
-                deferLightTerm(terms[k], weight, shadows[shadow]);
-            else
-                addLightTerm(terms[k], weight, terms[k].needsShadow ? visible[shadow] : 1.0);
-        }
+        for (std::size_t k = 0; k < count; ++k)
+            addLightTerm(terms[k], weight, terms[k].needsShadow ? visible[nextShadow++] : 1.0);
     }
 }
 
@@ -80,16 +78,14 @@ void Tracer<O, Terms>::addLightTerm(LightTerm& term, const glm::dvec3& weight, d
 /// Queues the term with its shadow ray, which counts as traced. The observer is the NullObserver (see
 /// TermsFor).
 template <PathObserver O, TermsFor<O> Terms>
-void Tracer<O, Terms>::deferLightTerm(const LightTerm& term, const glm::dvec3& weight, const Ray& shadow) {
-    if constexpr (Terms::kDefersShadowRays) {
-        const glm::dvec3 value = weight * term.reflected;
-        rays_ += term.needsShadow ? 1 : 0;
-        if (value == glm::dvec3(0.0)) return;
-        if (term.needsShadow)
-            terms_.addIfVisible(value, shadow);
-        else
-            terms_.add(value);
-    }
+void Tracer<O, Terms>::deferLightTerm(const LightTerm& term, const glm::dvec3& weight) {
+    const glm::dvec3 value = weight * term.reflected;
+    rays_ += term.needsShadow ? 1 : 0;
+    if (value == glm::dvec3(0.0)) return;
+    if (term.needsShadow)
+        terms_.addIfVisible(value, shadowRay(term));
+    else
+        terms_.add(value);
 }
 
 /// The points of the unit square that the n light samples are mapped from; unused by point lights.
@@ -100,18 +96,18 @@ sampling::SamplePoints Tracer<O, Terms>::lightSamplePoints(std::size_t light, co
     return stream_.points(sampling::Dim::Light, branch.key, static_cast<std::uint32_t>(light), n);
 }
 
-/// Connects `from`, the spawned origin of the surface, with sample k of a light.
+/// Connects `from`, the spawned origin of the surface, with sample k of a light. Sets every member of `term`.
 template <PathObserver O, TermsFor<O> Terms>
-LightTerm Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
-                                    const sampling::SamplePoints& points) const {
+void Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+                               const sampling::SamplePoints& points, LightTerm& term) const {
     const CompiledLight& compiled = world_.lights[light];
     glm::vec2 u(0.0f);
     if (compiled.dimensions == 1) u.x = points.get1D(k);
     if (compiled.dimensions == 2) u = points.get2D(k);
-    LightTerm term;
     term.connection = {static_cast<int>(light), k, from, shading::sampleLight(compiled.light, u)};
     term.toLight = term.connection.at.position - glm::dvec3(from);
     term.distance = glm::length(term.toLight);
+    term.reflected = glm::dvec3(0.0);
     if (settings_.shading) {
         const SurfaceMaterial& material = world_.materials[at.material];
         if (term.distance > 0.0)
@@ -126,7 +122,6 @@ LightTerm Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction&
     const bool facesAway = term.reflected == glm::dvec3(0.0);
     if (facesAway) term.connection.visibility = Visibility::FacingAway;
     term.needsShadow = compiled.castsShadows && !facesAway;
-    return term;
 }
 
 template <PathObserver O, TermsFor<O> Terms>

@@ -68,17 +68,16 @@ class Tracer {
                        const glm::dvec3& direction);
     glm::dvec3 mirrorDirection(const Interaction& at) const;
 
-    bool defersShadowRays() const { return Terms::kDefersShadowRays && world_.canDeferShadowRays(); }
     void addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                         const glm::dvec3& throughput);
-    template <int kGroup>
+    template <int kGroup, bool kDefers>
     void addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                         const glm::dvec3& throughput);
     sampling::SamplePoints lightSamplePoints(std::size_t light, const Branch& branch, int n) const;
-    LightTerm connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
-                      const sampling::SamplePoints& points) const;
+    void connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+                 const sampling::SamplePoints& points, LightTerm& term) const;
     void addLightTerm(LightTerm& term, const glm::dvec3& weight, double visible);
-    void deferLightTerm(const LightTerm& term, const glm::dvec3& weight, const Ray& shadow);
+    void deferLightTerm(const LightTerm& term, const glm::dvec3& weight);
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& shadow);
 
