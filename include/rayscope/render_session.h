@@ -24,7 +24,7 @@ struct PixelBounds {
     bool operator==(const PixelBounds&) const = default;
 };
 
-/// Everything an image is a function of, and how it should be delivered.
+/// Everything that an image is a function of, and options of the session.
 struct RenderRequest {
     std::shared_ptr<const SceneDescription> scene;
     Settings settings;
@@ -32,57 +32,61 @@ struct RenderRequest {
     int width = 800, height = 800;
     std::optional<PixelBounds> region;  ///< absent: the whole image
     std::uint64_t seed = 0;
-    bool keepBinaryTrees = true;  ///< so that hierarchies can be looked at; rays do not need them
-    bool progressive = true;      ///< passes of 1, 1, 2, 4, 8 … samples instead of large ones; same bits
+    bool keepBinaryTrees = true;  ///< for the display of BVHs; rays do not need them
+    bool progressive = true;  ///< passes of 1, 1, 2, 4, 8 … samples instead of 16; the image is the same
 };
 
+/// Idle: nothing submitted yet, or cancelled.
 enum class RenderState { Idle, Compiling, Rendering, Paused, Done, Failed };
 
 struct RenderStatus {
     RenderState state = RenderState::Idle;
-    std::uint64_t epoch = 0;  ///< counts submissions; images of an older epoch are never delivered
-    int samples = 0;          ///< per pixel, that every pixel has
+    std::uint64_t epoch = 0;  ///< number of submissions so far
+    int samples = 0;          ///< per pixel, the minimum over the image
     int targetSamples = 0;
-    double progress = 0.0;          ///< 0 … 1
-    double elapsedSeconds = 0.0;    ///< tracing only
-    double remainingSeconds = 0.0;  ///< estimate; 0 when unknown
-    double compileSeconds = 0.0, buildSeconds = 0.0;
-    double sahCostGrowth = 1.0;  ///< how many times as dear refits have made the hierarchies, by the SAH
-    std::uint64_t rays = 0;      ///< traced so far, of all kinds
-    std::uint64_t nonFiniteSamples = 0;
-    std::string message;  ///< why it failed
+    double progress = 0.0;               ///< 0 … 1
+    double elapsedSeconds = 0.0;         ///< spent on tracing the current film
+    double remainingSeconds = 0.0;       ///< estimate; 0 when unknown
+    double compileSeconds = 0.0;         ///< the whole of the latest compilation
+    double buildSeconds = 0.0;           ///< its part for building and refitting BVHs
+    double sahCostGrowth = 1.0;          ///< SAH cost after refits over that of the BVHs as built
+    std::uint64_t rays = 0;              ///< traced for the current film, of all kinds
+    std::uint64_t nonFiniteSamples = 0;  ///< NaN or infinite; they are part of the film
+    std::string message;                 ///< the error, if the state is Failed
 };
 
-/// Pixels of one tile that changed: means so far, linear, `stride` pixels per row.
+/// One tile: the mean of each pixel so far, linear.
 struct TileView {
     int x0, y0, width, height;
-    int imageWidth, imageHeight;  ///< of the image that the tile belongs to
+    int imageWidth, imageHeight;  ///< of the whole image
     int samples;
     std::span<const Rgb> mean;  ///< width * height, row by row
 };
 
-/// Renders in the background. The caller never waits: submit() returns at once and the latest request wins.
-/// The film always holds a valid image; what a new request does not invalidate is kept. All functions may be
-/// called from one thread at a time, except that the session's own threads run beside it.
+/// Renders in the background. submit() returns at once, and a new request replaces the current one. The film
+/// is a valid image at any time; a request that only asks for more samples, or only changes the display,
+/// continues it. Calls must come from one thread at a time.
 class RenderSession {
   public:
-    /// `threads` counts the tracing threads; 0 takes one per core.
+    /// `threads`: number of tracing threads; 0 takes one per core.
     explicit RenderSession(int threads = 0);
     ~RenderSession();
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;
 
     void submit(RenderRequest request);
-    void pause();
+    void pause();  ///< drops the tiles in flight; no effect unless compiling or rendering
     void resume();
-    void cancel();  ///< at once; keeps the film, and a later submit() of the same request goes on from it
-    void finishTiles();  ///< like cancel(), but tiles in flight are completed first
+    /// Drops the tiles in flight; the film stays, and a later submit() of the same request continues it.
+    void cancel();
+    /// Like cancel(), but completes the tiles in flight.
+    void finishTiles();
 
     RenderStatus status() const;
-    /// Calls `take` for tiles that changed since the last call, until all are taken or `budgetSeconds` are
-    /// spent. Returns the number of tiles delivered.
+    /// Calls `take` for each tile that changed since it was last delivered, until `budgetSeconds` have
+    /// passed; at least for one. Returns the number of tiles delivered.
     int collect(const std::function<void(const TileView&)>& take, double budgetSeconds = 1e9);
-    /// Blocks until the present request is done, failed or cancelled, or `seconds` have passed. Returns the
+    /// Blocks until the state is neither Compiling nor Rendering, or `seconds` have passed. Returns the
     /// state.
     RenderState wait(double seconds = 1e9);
 

@@ -1,8 +1,4 @@
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <rayscope/diagnostics.h>
 #include <bit>
 #include <cerrno>
@@ -16,6 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "render/cast_rays.h"
+#include "render/thread_arena.h"
 #include "trace/compile.h"
 
 namespace rayscope::cli {
@@ -107,13 +104,9 @@ int runCast(const CastOptions& options) {
     RenderRequest request = openScene(options.scene, options.quiet);
     // All primitives at shutter open: one motion group, whose primitives are numbered triangles first.
     request.settings.motionBlur = false;
-    const int threads =
-        options.scene.threads > 0 ? options.scene.threads : oneapi::tbb::info::default_concurrency();
-    const oneapi::tbb::global_control parallelism(oneapi::tbb::global_control::max_allowed_parallelism,
-                                                  static_cast<std::size_t>(std::max(threads, 2)));
-    oneapi::tbb::task_arena arena(threads);
+    render::ThreadArena arena(options.scene.threads);
     CastCounts counts;
-    arena.execute([&] {
+    arena.run([&] {
         const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1});
         std::vector<Ray> rays;
         while (!interrupt.interrupted() && file.next(rays))

@@ -22,6 +22,7 @@
 #include "probe/non_finite.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
+#include "render/probe_command.h"
 #include "trace/world.h"
 
 namespace rayscope::cli {
@@ -124,7 +125,7 @@ BadSample firstBadSample(const Rendered& rendered, const RenderRequest& request,
 }
 
 /// Names the pixels that are not numbers, and says why the first is none and how to look into it.
-bool reportNonFinite(const RenderOptions& options, const RenderRequest& request, const Rendered& rendered) {
+bool reportNonFinite(const RenderRequest& request, const Rendered& rendered) {
     const RgbImage& image = rendered.mean;
     constexpr int kNamed = 8;
     int count = 0;
@@ -141,7 +142,7 @@ bool reportNonFinite(const RenderOptions& options, const RenderRequest& request,
     const BadSample bad = firstBadSample(rendered, request, first);
     fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; in the first, {}; look into it with: {}\n",
                count, names, count > kNamed ? " …" : "", bad.cause,
-               probeCommand(options.scene, first, bad.index));
+               render::probeCommand(request, {first.x, first.y, bad.index}));
     return true;
 }
 
@@ -177,7 +178,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& 
     rendered.status.elapsedSeconds = result.seconds;
     rendered.status.rays = result.rays;
     rendered.status.nonFiniteSamples = result.nonFiniteSamples;
-    rendered.status.buildSeconds = result.world->buildSeconds;
+    rendered.status.buildSeconds = result.world->buildReport.seconds;
     rendered.world = result.world;
     rendered.mean = std::move(result.mean);
     if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.text;
@@ -222,7 +223,7 @@ int runRender(const RenderOptions& options) {
                                   renderStatsJson(request, status, *rendered.world, threads, total));
     }
     if (!rendered.words.empty()) fmt::print(stderr, "{}\n", rendered.words);
-    if (reportNonFinite(options, request, rendered) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
+    if (reportNonFinite(request, rendered) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
     return exitCode;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "base/nearest_name.h"
-#include "base/shell_quote.h"
 #include "cli/number_list.h"
 
 namespace rayscope::cli {
@@ -123,26 +122,6 @@ std::string dumpSettings(const Settings& settings) {
                                       : fmt::format("{} = {}\n", info.key, value);
     }
     return text;
-}
-
-std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int sample) {
-    std::string words = "rayscope probe";
-    const auto add = [&](std::string_view option, const std::string& value) {
-        if (value.empty()) return;
-        if (!option.empty()) words += fmt::format(" {}", option);
-        words += " " + base::shellQuote(value);
-    };
-    add("", options.scene);
-    add("--size", options.size);
-    add("--camera", options.camera);
-    add("--look-from", options.lookFrom);
-    add("--look-at", options.lookAt);
-    add("--up", options.up);
-    if (options.fov) add("--fov", fmt::format("{}", *options.fov));
-    if (options.spp) add("--spp", fmt::format("{}", *options.spp));
-    if (options.seed != 0) add("--seed", fmt::format("{}", options.seed));
-    for (const std::string& assignment : options.assignments) add("--set", assignment);
-    return words + fmt::format(" --pixel {},{} --sample {}", pixel.x, pixel.y, sample);
 }
 
 }  // namespace rayscope::cli

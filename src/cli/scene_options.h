@@ -30,9 +30,6 @@ struct SceneOptions {
 /// scene file, command line. Throws InputError.
 RenderRequest openScene(const SceneOptions& options, bool quiet);
 
-/// The command that probes a sample of what these options render, ready to be pasted into a shell.
-std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int sample);
-
 /// The settings that the command line asks for beside the preset, each checked, and the preset's name. Throws
 /// InputError or CLI::ValidationError.
 std::vector<SettingAssignment> parseAssignments(const SceneOptions& options);

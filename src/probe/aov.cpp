@@ -1,10 +1,7 @@
 #include "probe/aov.h"
 
 #include <fmt/format.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <chrono>
 #include <cmath>
@@ -13,8 +10,9 @@
 #include "math/vectors.h"
 #include "probe/counting_observer.h"
 #include "render/film.h"
+#include "render/thread_arena.h"
 #include "sampling/sample_stream.h"
-#include "trace/radiance.inl"
+#include "trace/radiance_definition.h"
 
 namespace rayscope::probe {
 
@@ -203,12 +201,8 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
                                                             : costValue(cost, wanted[i]);
         }
     };
-    namespace tbb = oneapi::tbb;
-    const tbb::global_control parallelism(
-        tbb::global_control::max_allowed_parallelism,
-        static_cast<std::size_t>(std::max(request.threads, tbb::info::default_concurrency())));
-    tbb::task_arena arena(request.threads > 0 ? request.threads : tbb::task_arena::automatic);
-    arena.execute([&] { tbb::parallel_for(region.y0, region.y1, renderRow); });
+    render::ThreadArena arena(request.threads);
+    arena.run([&] { oneapi::tbb::parallel_for(region.y0, region.y1, renderRow); });
     if (request.stop.stop_requested()) throw Stopped{};
     return images;
 }

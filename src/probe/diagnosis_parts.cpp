@@ -28,7 +28,7 @@ PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int 
 }
 
 std::string locationText(const trace::World& world, std::uint32_t primitive) {
-    const trace::PrimitiveLocation name = world.nameOf(primitive);
+    const trace::PrimitiveLocation name = world.locatePrimitive(primitive);
     const std::string object = objectName(world, static_cast<int>(name.range->object));
     return name.range->mesh ? fmt::format("triangle {} of {}", name.inObject, object) : object;
 }

@@ -24,7 +24,7 @@ std::string describe(const RayNode& node, const trace::World& world) {
     std::string line = fmt::format("{} ray, throughput {}", probe::nameOf(node.kind), text(node.throughput));
     if (!node.hit)
         return line + fmt::format(": {}, adds {}", probe::nameOf(node.end), text(node.contribution));
-    const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     return line +
            fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}', normal {}, adds {}, {}",
                        node.primitiveHit.t, probe::objectName(world, node.object),
@@ -45,7 +45,7 @@ nlohmann::json nodeJson(const RayNode& node, const trace::World& world) {
                         {"end", probe::nameOf(node.end)},
                         {"hit", nullptr}};
     if (!node.hit) return j;
-    const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     j["hit"] = {{"t", node.primitiveHit.t},
                 {"primitive", node.primitiveHit.primitive},
                 {"object", probe::objectName(world, node.object)},

@@ -1,7 +1,7 @@
 #include <rayscope/probe.h>
 
 #include "probe/ray_tree_recorder.h"
-#include "trace/radiance.inl"
+#include "trace/radiance_definition.h"
 
 namespace rayscope {
 

@@ -38,7 +38,7 @@ std::vector<glm::dvec2> apertureOutline(LensShape shape) {
 
 std::optional<VertexNormals> vertexNormalsOf(const trace::World& world, const RayNode& node, float time) {
     if (!node.hit) return std::nullopt;
-    const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     if (name.range->mesh == nullptr || name.range->mesh->normals.empty()) return std::nullopt;
     const trace::Geometry& geometry = *name.motionGroup->geometry;
     const glm::uvec3 corner = geometry.input.triangles[name.inGroup];
@@ -61,7 +61,7 @@ std::optional<VertexNormals> vertexNormalsOf(const trace::World& world, const Ra
 std::optional<TexelQuad> texelsOf(const trace::World& world, const RayNode& node) {
     if (!node.hit) return std::nullopt;
     const shading::MipTexture* texture = world.materials[static_cast<std::size_t>(node.material)].texture;
-    const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
+    const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     if (texture == nullptr || name.range->mesh == nullptr || name.range->mesh->texCoords.empty())
         return std::nullopt;
     const RgbImage& image = texture->source()->image;

@@ -7,8 +7,8 @@
 
 namespace rayscope::render {
 
-/// Answers many rays on the threads of the calling arena, at the start of the shutter; the answers are those
-/// of World::closestHit() and World::anyHit(). Both spans have the same length.
+/// World::closestHits() and World::anyHits() at the start of the shutter, in parallel on the threads of the
+/// calling arena. Both spans have the same length.
 void castClosest(const trace::World& world, std::span<const Ray> rays, std::span<Hit> hits);
 void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded);
 

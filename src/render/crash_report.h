@@ -1,40 +1,41 @@
 #pragma once
-// What the program says if it crashes: what it was rendering, and how to repeat it.
-#include <rayscope/render_session.h>
+// The report on stderr when the program crashes: what it was rendering, and the command that repeats it.
+#include <rayscope/path.h>
+
 #include <atomic>
 #include <string>
 
-#include <rayscope/path.h>
-
 namespace rayscope::render {
 
-/// The command line that traces one sample of a request again: `rayscope probe SCENE …` without the pixel. It
-/// names the settings that differ from the defaults, and the camera in full; a lens comes with the name of
-/// the camera.
-std::string probeCommandOf(const RenderRequest& request);
+/// The work in progress, as text. The command that repeats a sample is the concatenation of `beforeX`, the
+/// pixel's x, `beforeY`, its y, `beforeIndex` and the index of the sample. Long texts are cut.
+struct CrashContext {
+    std::string scene, settings;
+    std::string beforeX, beforeY, beforeIndex;
+};
 
-/// From now on a crash by a signal, or by an assertion that fails, is reported on stderr before the program
-/// ends by that signal: the scene, the settings, and for the samples that were being traced the command that
-/// repeats them, first that of the thread that crashed. That works also where a thread has used up its stack.
+/// Installs signal handlers. From then on a crash by a signal, also by a failed assertion, is reported before
+/// the program ends by that signal: the context, and the command of each sample in flight, first that of the
+/// thread that crashed. This works also after a stack overflow.
 void installCrashReport();
 
-/// What is being rendered, for the report. The latest request wins.
-void describeForCrashReport(const RenderRequest& request);
+/// Replaces the context of the report. May be called from any thread.
+void setCrashContext(const CrashContext& context);
 
-/// The sample that a thread is tracing; asking for it prepares the thread for a report. Written for every
-/// sample, read only by the report.
+/// The sample that a thread traces. Written for every sample, read only by the report.
 class CurrentSample {
   public:
+    /// The first call in a thread also gives its signal handlers a stack of their own.
     static CurrentSample& ofThisThread();
 
-    void set(int x, int y, int index) {
-        x_.store(x, std::memory_order_relaxed);
-        y_.store(y, std::memory_order_relaxed);
-        index_.store(index, std::memory_order_relaxed);
+    void set(const SampleId& sample) {
+        x_.store(sample.x, std::memory_order_relaxed);
+        y_.store(sample.y, std::memory_order_relaxed);
+        index_.store(sample.index, std::memory_order_relaxed);
     }
-    void clear() { set(0, 0, kNone); }
-    bool isBusy() const { return index_.load(std::memory_order_relaxed) != kNone; }
-    SampleId name() const {
+    void clear() { set({0, 0, kNone}); }
+    bool isSet() const { return index_.load(std::memory_order_relaxed) != kNone; }
+    SampleId get() const {
         return {x_.load(std::memory_order_relaxed), y_.load(std::memory_order_relaxed),
                 index_.load(std::memory_order_relaxed)};
     }

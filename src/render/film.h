@@ -12,20 +12,20 @@
 
 namespace rayscope::render {
 
-/// What the film keeps of a pixel: sums over its samples 0 … n − 1 in this order.
+/// Sums over the samples 0 … n − 1 of a pixel, in this order.
 struct PixelSums {
     RgbSum radiance{0.0};
     double squaredLuminance = 0.0;
 };
 
-/// Of the samples of a pixel, of which there are n ≥ 2.
+/// The sample variance of the luminance of n ≥ 2 samples.
 inline double varianceOfLuminance(const PixelSums& sums, double n) {
     const double mean = math::luminance(sums.radiance) / n;
     return std::max(0.0, sums.squaredLuminance / n - mean * mean) * n / (n - 1.0);
 }
 
-/// Sums of all pixels, in square tiles. A tile is only ever replaced as a whole, so whatever is read from it
-/// is the left fold over the first `samples` samples of each of its pixels.
+/// Sums of all pixels, in square tiles. A tile is replaced as a whole, so that at any time it holds the left
+/// fold over the first `samples` samples of each of its pixels. All functions may be called from any thread.
 class Film {
   public:
     static constexpr int kTileSize = 32;
@@ -37,7 +37,7 @@ class Film {
     const PixelBounds& region() const { return region_; }
 
     int tileCount() const { return static_cast<int>(tiles_.size()); }
-    PixelBounds tileBounds(int tile) const;  ///< cut to the region
+    PixelBounds tileBounds(int tile) const;  ///< clipped to the region
 
     /// A consistent copy of a tile.
     struct TileCopy {
@@ -46,13 +46,13 @@ class Film {
         std::uint32_t version = 0;  ///< grows with each commit
     };
     void read(int tile, TileCopy& copy) const;
-    void commit(int tile, TileCopy&& copy);  ///< takes its pixels
+    void commit(int tile, TileCopy&& copy);  ///< the pixels of `copy` are unspecified afterwards
     std::uint32_t version(int tile) const;
     int samples(int tile) const;
 
     /// The smallest number of samples that any tile has.
     int completeSamples() const;
-    /// How many of the `targetSamples` that each tile should get are there, as a fraction 0 … 1 of all.
+    /// The fraction, 0 … 1, of `targetSamples` in all tiles that are committed.
     double doneFraction(int targetSamples) const;
     /// Sums and sample count of one pixel of the region.
     PixelSums sums(int x, int y, int& samples) const;

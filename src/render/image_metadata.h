@@ -7,7 +7,7 @@
 
 namespace rayscope::render {
 
-/// What travels inside an image file: program and version, scene, settings, seed, samples per pixel.
+/// The metadata of an image file: program and version, scene, settings, seed, samples per pixel.
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples);
 

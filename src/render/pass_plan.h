@@ -3,8 +3,8 @@
 
 namespace rayscope::render {
 
-/// How many samples each pixel should have after the next pass. The plan decides how soon an image is seen,
-/// never what it looks like.
+/// The samples per pixel after the next pass. The plan affects how soon intermediate images are available,
+/// never the final image.
 inline int nextPassTarget(int samples, int targetSamples, bool progressive) {
     const int step = progressive ? std::max(1, samples) : 16;
     return std::min(samples + step, targetSamples);

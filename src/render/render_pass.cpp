@@ -14,9 +14,9 @@ bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int t
 
 bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::span<const int> targetSamples,
                 const PassControl& control, RenderCounters& counters) {
-    // Tiles are claimed in order from one counter: neighbours start together, and no thread is left with a
-    // long tail. The counters also tell the thread sanitizer, which does not see into TBB, that a task starts
-    // after the pass was set up and that the pass ends after its tasks.
+    // Threads take tiles in order from one counter, for locality and an even load. The two counters also give
+    // the thread sanitizer, which cannot see the synchronisation within TBB, the order of set-up, tasks and
+    // return.
     std::atomic<int> next, finished;
     next.store(0);
     finished.store(0);

@@ -8,15 +8,15 @@
 
 namespace rayscope::render {
 
-/// How a pass is ended early: `stop` drops the tiles in flight, `drain` lets them finish and starts no more.
+/// Early end of a pass: `stop` drops the tiles in flight, `drain` completes them and starts no others.
 struct PassControl {
     std::stop_token stop;
     std::stop_token drain;
     bool endsEarly() const { return stop.stop_requested() || drain.stop_requested(); }
 };
 
-/// Brings every tile of the film to `targetSamples` on the threads of the calling arena. Returns false if it
-/// was stopped; the film is valid either way and a later pass goes on from it.
+/// Renders every tile of the film up to `targetSamples` on the threads of the calling arena. Returns false if
+/// it was stopped; the film is valid in either case, and a later pass continues it.
 bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters);
 

@@ -1,4 +1,3 @@
-#include <oneapi/tbb/info.h>
 #include <rayscope/render_session.h>
 
 #include <algorithm>
@@ -7,8 +6,7 @@
 
 namespace rayscope {
 
-RenderSession::RenderSession(int threads)
-    : state_(std::make_unique<State>(threads > 0 ? threads : oneapi::tbb::info::default_concurrency())) {
+RenderSession::RenderSession(int threads) : state_(std::make_unique<State>(threads)) {
     state_->thread = std::jthread([state = state_.get()] { state->run(); });
 }
 
@@ -39,6 +37,11 @@ void RenderSession::pause() {
     if (!busy) return;
     state_->paused = true;
     state_->stop.request_stop();
+    // A request that has not been started has nothing to stop.
+    if (state_->pending) {
+        state_->status.state = RenderState::Paused;
+        state_->changedState.notify_all();
+    }
 }
 
 void RenderSession::resume() {
@@ -105,7 +108,7 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
     int delivered = 0;
     render::Film::TileCopy copy;
     std::vector<Rgb> mean;
-    // Go on where the last call ran out of time, so that no tile starves.
+    // Continue where the last call ran out of time, so that every tile is delivered eventually.
     for (int visited = 0; visited < film->tileCount();
          ++visited, s.nextTile = (s.nextTile + 1) % film->tileCount()) {
         if (delivered > 0 && render::secondsSince(start) > budgetSeconds) break;

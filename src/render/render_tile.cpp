@@ -11,40 +11,42 @@
 namespace rayscope::render {
 
 namespace {
-/// The thread works on samples as long as this lives.
-struct Busy {
-    CurrentSample& sample = CurrentSample::ofThisThread();
-    Busy() = default;
-    ~Busy() { sample.clear(); }
-    Busy(const Busy&) = delete;
-    Busy& operator=(const Busy&) = delete;
+
+/// Clears the thread's current sample at the end of a tile.
+struct CurrentSampleScope {
+    CurrentSample& current = CurrentSample::ofThisThread();
+    CurrentSampleScope() = default;
+    ~CurrentSampleScope() { current.clear(); }
+    CurrentSampleScope(const CurrentSampleScope&) = delete;
+    CurrentSampleScope& operator=(const CurrentSampleScope&) = delete;
 };
 
-/// The samples that a tile lacks, pixel by pixel.
+/// Iterates over the samples that a tile lacks, pixel by pixel.
 class MissingSamples {
   public:
-    MissingSamples(const PixelBounds& bounds, int have, int want)
-        : bounds_(bounds), have_(have), want_(want), next_{bounds.x0, bounds.y0, have} {}
+    MissingSamples(const PixelBounds& bounds, int first, int end)
+        : bounds_(bounds), first_(first), end_(end), next_{bounds.x0, bounds.y0, first} {}
 
-    /// The next ones, as many as there is room for; none at the end.
-    std::span<const SampleId> take(std::span<SampleId> room) {
+    /// The next samples, at most as many as fit into the buffer; none at the end.
+    std::span<const SampleId> take(std::span<SampleId> buffer) {
         std::size_t taken = 0;
-        for (; taken < room.size() && next_.y < bounds_.y1; ++taken) {
-            room[taken] = next_;
-            if (++next_.index < want_) continue;
-            next_.index = have_;
+        for (; taken < buffer.size() && next_.y < bounds_.y1; ++taken) {
+            buffer[taken] = next_;
+            if (++next_.index < end_) continue;
+            next_.index = first_;
             if (++next_.x < bounds_.x1) continue;
             next_.x = bounds_.x0;
             ++next_.y;
         }
-        return room.first(taken);
+        return buffer.first(taken);
     }
 
   private:
     PixelBounds bounds_;
-    int have_, want_;
+    int first_, end_;  ///< sample indices
     SampleId next_;
 };
+
 }  // namespace
 
 bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int tile, int targetSamples,
@@ -54,22 +56,23 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
     if (copy.samples >= targetSamples) return true;
     const PixelBounds bounds = film.tileBounds(tile);
     std::uint64_t rays = 0, nonFinite = 0;
-    Busy busy;
+    CurrentSampleScope scope;
     MissingSamples missing(bounds, copy.samples, targetSamples);
-    std::array<SampleId, trace::RadianceBatch::kSize> room;
+    std::array<SampleId, trace::RadianceBatch::kSize> buffer;
     trace::RadianceBatch batch(world, seed);
-    for (auto names = missing.take(room); !names.empty(); names = missing.take(room)) {
-        batch.start(names);
-        for (std::size_t i = 0; i < names.size(); ++i) {
+    for (auto samples = missing.take(buffer); !samples.empty(); samples = missing.take(buffer)) {
+        batch.start(samples);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
             if (stop.stop_requested()) return false;
-            busy.sample.set(names[i].x, names[i].y, names[i].index);
+            scope.current.set(samples[i]);
             batch.trace(i);
         }
         const std::span<const trace::SampleResult> results = batch.finish();
-        for (std::size_t i = 0; i < names.size(); ++i) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
             const trace::SampleResult& sample = results[i];
-            const int column = names[i].x - bounds.x0, row = names[i].y - bounds.y0;
+            const int column = samples[i].x - bounds.x0, row = samples[i].y - bounds.y0;
             PixelSums& pixel = copy.pixels[static_cast<std::size_t>(row * (bounds.x1 - bounds.x0) + column)];
+            // A non-finite sample is added like any other: the pixel becomes NaN or infinite and is reported.
             pixel.radiance += sample.radiance;
             const double value = math::luminance(sample.radiance);
             pixel.squaredLuminance += value * value;

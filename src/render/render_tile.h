@@ -1,7 +1,6 @@
 #pragma once
 #include <rayscope/path.h>
 #include <atomic>
-#include <optional>
 #include <stop_token>
 
 #include "render/film.h"
@@ -9,15 +8,15 @@
 
 namespace rayscope::render {
 
-/// What was counted while rendering; grows with each committed tile.
+/// Counts over all committed tiles.
 struct RenderCounters {
     std::atomic<std::uint64_t> rays{0};
-    std::atomic<std::uint64_t> nonFiniteSamples{0};
+    std::atomic<std::uint64_t> nonFiniteSamples{0};  ///< which are part of the film
 };
 
 /// Adds samples to each pixel of a tile until it has `targetSamples`, in the order of their index, and
-/// commits the tile as a whole. If a stop is requested meanwhile, the tile stays as it was and the function
-/// returns false. A stop is noticed between two samples.
+/// commits the tile as a whole. Returns false, and leaves the tile unchanged, if a stop is requested in
+/// between; this is checked before each sample.
 bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int tile, int targetSamples,
                 const std::stop_token& stop, RenderCounters& counters);
 

@@ -1,11 +1,8 @@
 #include "render/session_state.h"
 
-#include <oneapi/tbb/info.h>
-
-#include <algorithm>
-
-#include "render/crash_report.h"
 #include "render/pass_plan.h"
+#include "render/probe_command.h"
+#include "sampling/sample_stream.h"
 #include "trace/compile.h"
 
 namespace rayscope {
@@ -20,19 +17,13 @@ PixelBounds regionOf(const RenderRequest& request) {
 /// Whether the samples of a film made for `before` are also the first samples of `after`.
 bool continues(const RenderRequest& before, const RenderRequest& after) {
     Settings sameCount = before.settings;
-    // Only a jittered pattern depends on how many samples will follow.
-    if (after.settings.sampler != SamplePattern::Jittered) sameCount.spp = after.settings.spp;
+    if (!sampling::dependsOnSampleCount(after.settings.sampler)) sameCount.spp = after.settings.spp;
     return before.scene == after.scene && before.camera == after.camera && before.width == after.width &&
            before.height == after.height && regionOf(before) == regionOf(after) &&
            before.seed == after.seed && changed(sameCount, after.settings) <= Invalidates::Display;
 }
 
 }  // namespace
-
-RenderSession::State::State(int threads)
-    : parallelism(oneapi::tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(threads, oneapi::tbb::info::default_concurrency()))),
-      arena(threads) {}
 
 void RenderSession::State::run() {
     for (;;) {
@@ -61,10 +52,10 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
     RenderState outcome = RenderState::Idle;
     std::string message;
     try {
-        render::describeForCrashReport(request);
+        render::setCrashContext(render::crashContextOf(request));
         const render::SessionClock::time_point start = render::SessionClock::now();
         std::shared_ptr<const trace::World> compiled;
-        arena.execute([&] {
+        arena.run([&] {
             compiled = trace::compile({request.scene, request.settings, request.camera, request.width,
                                        request.height, request.keepBinaryTrees},
                                       world.get(), control.stop);
@@ -73,24 +64,22 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
             const std::scoped_lock guard(lock);
             world = compiled;
             status.compileSeconds = render::secondsSince(start);
-            status.buildSeconds = compiled->buildSeconds;
-            status.sahCostGrowth = compiled->sahCostGrowth;
+            status.buildSeconds = compiled->buildReport.seconds;
+            status.sahCostGrowth = compiled->buildReport.sahCostGrowth;
         }
         prepareFilm(request);
         if (renderPasses(request, control)) outcome = RenderState::Done;
     } catch (const Stopped&) {
-        // The next request says what to do.
+        // Cancelled, paused or replaced: the state below follows from `pending` and `paused`.
     } catch (const std::exception& error) {
         outcome = RenderState::Failed;
         message = error.what();
     }
     const std::scoped_lock guard(lock);
-    // A pause keeps the request for later, unless a newer one is there already.
-    if (outcome == RenderState::Idle && paused && !pending && number == epoch && !quitting) {
-        pending = request;
-        outcome = RenderState::Paused;
-    }
-    status.state = pending && !paused ? RenderState::Compiling : outcome;
+    // A paused request stays pending, unless a newer one replaces it.
+    if (outcome == RenderState::Idle && paused && !pending && number == epoch && !quitting) pending = request;
+    if (pending) outcome = paused ? RenderState::Paused : RenderState::Compiling;
+    status.state = outcome;
     status.message = message;
     changedState.notify_all();
 }
@@ -116,7 +105,7 @@ bool RenderSession::State::renderPasses(const RenderRequest& request, const rend
     for (int samples = film->completeSamples(); complete && samples < wanted;
          samples = film->completeSamples()) {
         const int target = render::nextPassTarget(samples, wanted, request.progressive);
-        arena.execute(
+        arena.run(
             [&] { complete = render::renderPass(*world, request.seed, *film, target, control, counters); });
     }
     const std::scoped_lock guard(lock);

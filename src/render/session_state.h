@@ -1,7 +1,6 @@
 #pragma once
-// The inside of a RenderSession: one thread that serves requests, and what it shares with the caller.
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
+// Implementation of RenderSession: one thread that serves requests, and the state that it shares with the
+// caller.
 #include <rayscope/render_session.h>
 
 #include <chrono>
@@ -13,6 +12,7 @@
 
 #include "render/film.h"
 #include "render/render_pass.h"
+#include "render/thread_arena.h"
 
 namespace rayscope::render {
 
@@ -26,18 +26,17 @@ inline double secondsSince(SessionClock::time_point start) {
 
 namespace rayscope {
 
-/// One thread runs requests, one at a time. Everything under `lock` is shared with the caller; the caller
-/// never waits for more than a copy. `stop` interrupts whatever runs at present.
+/// One thread runs requests, one at a time. Everything below `lock` is shared with the caller and held only
+/// for copies, so that the caller never blocks on rendering. `stop` interrupts the current request.
 struct RenderSession::State {
-    explicit State(int threads);
+    explicit State(int threads) : arena(threads) {}
 
     void run();
     void serve(const RenderRequest& request, std::uint64_t epoch, const render::PassControl& control);
     void prepareFilm(const RenderRequest& request);
     bool renderPasses(const RenderRequest& request, const render::PassControl& control);
 
-    oneapi::tbb::global_control parallelism;
-    oneapi::tbb::task_arena arena;
+    render::ThreadArena arena;
 
     mutable std::mutex lock;
     std::condition_variable changedState;
@@ -48,17 +47,17 @@ struct RenderSession::State {
     RenderStatus status;
     std::shared_ptr<const trace::World> world;
     std::shared_ptr<render::Film> film;
-    std::optional<RenderRequest> filmRequest;  ///< what the film was made for
+    std::optional<RenderRequest> filmRequest;  ///< the request that the film belongs to
     render::RenderCounters counters;
     render::SessionClock::time_point started{};
     double doneAtStart = 0.0;
 
-    // Only collect() uses these.
+    // Used by collect() only.
     std::shared_ptr<render::Film> collectedFilm;
     std::vector<std::uint32_t> collectedVersions;
     int nextTile = 0;
 
-    std::jthread thread;  ///< last, so that everything else outlives it
+    std::jthread thread;  ///< last member: joined before the others are destroyed
 };
 
 }  // namespace rayscope

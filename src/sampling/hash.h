@@ -3,7 +3,7 @@
 
 namespace rayscope::sampling {
 
-/// A bijection of 64-bit numbers that spreads every input bit over all output bits (the finaliser of
+/// A bijection of 64-bit numbers in which every input bit affects all output bits (the finaliser of
 /// SplitMix64: Steele, Lea, Flood 2014, "Fast Splittable Pseudorandom Number Generators", constants of
 /// Stafford's variant 13).
 constexpr std::uint64_t mix(std::uint64_t x) {
@@ -14,13 +14,12 @@ constexpr std::uint64_t mix(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// One number from two, in which their order matters.
+/// A hash of an ordered pair.
 constexpr std::uint64_t hashPair(std::uint64_t a, std::uint64_t b) {
     return mix(mix(a + 0x9e3779b97f4a7c15u) ^ (b + 0x632be59bd9b4e019u));
 }
 
-/// The number that belongs to `b` in the family of a well-mixed `key`: a sequence of SplitMix64 that starts
-/// there, entered anywhere.
+/// Element `b` of the SplitMix64 sequence whose state starts at `key`, a value that is well mixed.
 constexpr std::uint64_t derivedKey(std::uint64_t key, std::uint64_t b) {
     return mix(key + (b + 1) * 0x9e3779b97f4a7c15u);
 }

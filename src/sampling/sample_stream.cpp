@@ -8,7 +8,7 @@
 namespace rayscope::sampling {
 
 PathKey PathKey::child(std::uint32_t branch) const {
-    // Never 0, which is the root's.
+    // Not 0, the key of the root.
     return {static_cast<std::uint32_t>(hashPair(value, branch)) | 1u};
 }
 
@@ -22,8 +22,8 @@ SampleStream::SampleStream(SamplePattern pattern, std::uint64_t seed, int x, int
 
 namespace {
 
-/// A pseudo-random permutation of 0 … n − 1: a keyed bijection of the next power of two, walked until it
-/// falls in.
+/// A pseudo-random permutation of 0 … n − 1: a keyed bijection on the next power of two, iterated until the
+/// value is below n (cycle walking).
 std::uint32_t permute(std::uint32_t i, std::uint32_t n, std::uint64_t key) {
     std::uint32_t mask = n - 1;
     for (int shift = 1; shift < 32; shift *= 2) mask |= mask >> shift;
@@ -42,7 +42,7 @@ std::uint32_t permute(std::uint32_t i, std::uint32_t n, std::uint64_t key) {
     return i;
 }
 
-/// Rows of the squarest grid that has exactly n cells.
+/// Rows of the grid of exactly n cells that is nearest to a square.
 int gridRows(int n) {
     int rows = static_cast<int>(std::sqrt(static_cast<double>(n)));
     while (n % rows != 0) --rows;
@@ -51,11 +51,11 @@ int gridRows(int n) {
 
 struct SobolBlock {
     int dimension;
-    bool sharesIndex;  ///< with the pixel position, so that the block is stratified together with it
+    bool sharesIndex;  ///< with the pixel position: stratified jointly with it
 };
 
-/// The pixel, the lens, the first light seen directly and the time are one high-dimensional point; everything
-/// else is padded with independently shuffled two-dimensional points.
+/// Pixel, lens, first light at the first hit and time are the coordinates of one seven-dimensional point;
+/// everything else is padded with independently shuffled two-dimensional points.
 SobolBlock blockOf(Dim dim, PathKey vertex, std::uint32_t which, int n) {
     if (!vertex.isRoot() || which != 0 || n != 1) return {0, false};
     switch (dim) {
@@ -83,8 +83,8 @@ float coordinate(std::uint32_t reversedNumber, int dimension, std::uint32_t seed
 SamplePoints SampleStream::points(Dim dim, PathKey vertex, std::uint32_t which, int n) const {
     SamplePoints points;
     points.pattern_ = pattern_;
-    const std::uint64_t place = (static_cast<std::uint64_t>(dim) << 29) + which;
-    points.key_ = derivedKey(pixelKey_, (static_cast<std::uint64_t>(vertex.value) << 32) + place);
+    const std::uint64_t purpose = (static_cast<std::uint64_t>(dim) << 29) + which;
+    points.key_ = derivedKey(pixelKey_, (static_cast<std::uint64_t>(vertex.value) << 32) + purpose);
     points.index_ = index_;
     points.samplesPerPixel_ = samplesPerPixel_;
     points.n_ = n;
@@ -119,7 +119,8 @@ glm::vec2 SamplePoints::jittered(int k) const {
     return glm::min(point, glm::vec2(1.0f - 0x1p-24f));
 }
 
-/// Number of the point in its sequence, with its bits reversed: those of one sample follow one another.
+/// Index of the point in its sequence, shuffled, with its bits reversed. Points of one sample are
+/// consecutive.
 std::uint32_t SamplePoints::shuffled(int k) const {
     const auto number =
         static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n_) + static_cast<std::uint32_t>(k);
@@ -138,7 +139,7 @@ float SamplePoints::get1D(int k) const {
     if (pattern_ == SamplePattern::Independent) return independent(key_, k).x;
     if (pattern_ == SamplePattern::Sobol)
         return coordinate(shuffled(k), dimension_, static_cast<std::uint32_t>(key_));
-    const std::uint64_t key = mix(key_);  // other numbers than those of get2D()
+    const std::uint64_t key = mix(key_);  // independent of the numbers of get2D()
     const auto [cell, cells] = stratum(key, k);
     const float x = (static_cast<float>(cell) + independent(key, k).x) / static_cast<float>(cells);
     return x < 1.0f ? x : 1.0f - 0x1p-24f;

@@ -40,8 +40,8 @@ constexpr Directions directionsOf(int dimension) {
     return v;
 }
 
-/// The sum over the bits of one byte of the index, for each of its four bytes: a point is four look-ups.
-/// Index and sum have their bits reversed.
+/// The XOR of the direction numbers of one byte of the index, for each of its four bytes: a coordinate is
+/// four lookups. Index and value are in reversed bit order.
 using ByteTable = std::array<std::array<std::uint32_t, 256>, 4>;
 constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
     std::array<ByteTable, kSobolDimensions> tables{};

@@ -21,8 +21,8 @@ constexpr std::uint32_t reverseBits(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
-/// The same two functions, from and to words with their bits in reverse order. That is what scrambling works
-/// on, so a chain of these reverses bits at its ends only.
+/// sobol() and owenScramble() with arguments and results in reversed bit order. Scrambling works in this
+/// order, so a chain of calls reverses bits only at its ends.
 std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension);
 
 constexpr std::uint32_t owenScrambleReversed(std::uint32_t reversed, std::uint32_t seed) {

@@ -74,7 +74,7 @@ glm::dvec2 concentricDisk(const glm::dvec2& u) {
     return radius * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
-/// One of six equal triangles around the centre, then uniform in it.
+/// Chooses one of six equal triangles around the centre and maps to it uniformly.
 glm::dvec2 hexagon(const glm::dvec2& u) {
     const double scaled = u.x * 6.0;
     const int sector = std::min(static_cast<int>(scaled), 5);
@@ -89,7 +89,7 @@ glm::dvec2 hexagon(const glm::dvec2& u) {
 }  // namespace
 
 double normalDeviate(float u) {
-    // The middle of the float's cell: neither 0 nor 1 can occur.
+    // Centre of the interval of width 2^-24 that the float represents, so that neither 0 nor 1 occurs.
     return normalQuantile(static_cast<double>(u) + 0x1p-25);
 }
 

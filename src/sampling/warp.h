@@ -8,8 +8,8 @@ namespace rayscope::sampling {
 /// that stratified input stays stratified. Relative error below 1e-15; finite for every float input.
 double normalDeviate(float u);
 
-/// A point in the unit aperture (circumscribed radius 1, the square has the disk's diameter), uniform in
-/// area.
+/// A point in the unit aperture, uniform in area: the unit disk, its circumscribed square, or its inscribed
+/// hexagon.
 glm::dvec2 sampleAperture(LensShape shape, const glm::vec2& u);
 
 }  // namespace rayscope::sampling

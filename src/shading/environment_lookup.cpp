@@ -8,7 +8,7 @@ namespace rayscope::shading {
 
 namespace {
 
-/// Axes of each face as its image shows it: to the right, downwards, and outwards.
+/// Axes of a face as seen in its image, and outwards.
 struct FaceAxes {
     glm::dvec3 right, down, out;
 };
@@ -20,7 +20,7 @@ glm::dvec3 texel(const RgbImage& image, int x, int y) {
     return glm::dvec3(image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)));
 }
 
-/// The texel at (x, y) of a face, or the neighbour's texel that lies there when the place is beyond an edge.
+/// The texel at (x, y) of a face; beyond an edge, the texel of the neighbouring face at that position.
 glm::dvec3 cubeTexel(const Environment& environment, int face, int x, int y) {
     const RgbImage* image = &environment.cube[static_cast<std::size_t>(face)]->image;
     if (x >= 0 && y >= 0 && x < image->width && y < image->height) return texel(*image, x, y);
@@ -44,7 +44,7 @@ glm::dvec3 lookupCube(const Environment& environment, const glm::dvec3& directio
 }
 
 glm::dvec3 lookupEquirect(const RgbImage& image, const glm::dvec3& d) {
-    // The middle of the image looks along −z; up is the top row.
+    // The centre of the image is −z; the top row is +y.
     const double longitude = std::atan2(d.x, -d.z), latitude = std::atan2(d.y, std::hypot(d.x, d.z));
     const double x = (longitude / (2.0 * std::numbers::pi) + 0.5) * image.width - 0.5;
     const double y = (0.5 - latitude / std::numbers::pi) * image.height - 0.5;

@@ -24,7 +24,7 @@ LightSample sampleShape(const ParallelogramLight& light, const glm::dvec2& u) {
     return {position, glm::mix(near, far, u.y)};
 }
 
-/// Samples along a length: as many as the setting says, or that many per unit of length, at least one.
+/// Samples along an edge: the value of the setting, or that many per unit of length, clamped to 1 … 4096.
 int alongLength(int setting, double length, LightSampleCount rule) {
     if (rule == LightSampleCount::Fixed) return setting;
     return static_cast<int>(std::clamp(std::floor(setting * length), 1.0, 4096.0));

@@ -15,14 +15,15 @@ struct LightSample {
 /// point light neither.
 LightSample sampleLight(const Light& light, const glm::vec2& u);
 
-/// How many samples a light takes under these settings, as a grid: n = columns * rows.
+/// Number of samples of a light under the settings, as a grid.
 struct LightSampleGrid {
     int columns = 1, rows = 1;
     int count() const { return columns * rows; }
 };
 LightSampleGrid sampleGrid(const Light& light, const Settings& settings);
 
-/// 0 for a point, 1 for a segment, 2 for a parallelogram: how many coordinates of `u` sampleLight() uses.
+/// Number of coordinates of `u` that sampleLight() uses: 0 for a point, 1 for a segment, 2 for a
+/// parallelogram.
 int dimensionsOf(const Light& light);
 
 }  // namespace rayscope::shading

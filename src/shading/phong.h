@@ -5,13 +5,13 @@
 
 namespace rayscope::shading {
 
-/// What Phong's model needs to know of a surface.
+/// Parameters of Phong's reflection model.
 struct PhongSurface {
     glm::dvec3 kd, ks;
     double shininess;
 };
 
-/// d mirrored at the plane with unit normal n.
+/// d reflected at the plane with unit normal n.
 inline glm::dvec3 mirror(const glm::dvec3& d, const glm::dvec3& n) { return d - 2.0 * glm::dot(d, n) * n; }
 
 /// Phong 1975: kd (N·L) + ks (R·V)^shininess, zero for light below the surface. All vectors have unit length

@@ -7,7 +7,7 @@ namespace rayscope::shading {
 
 namespace {
 
-/// Brings a coordinate into [0, 1], so that an index computed from it fits an int.
+/// Wraps a coordinate into [0, 1], so that an index computed from it fits an int.
 double wrapUnit(double x, TextureWrap wrap) {
     if (!std::isfinite(x)) return 0.0;
     return wrap == TextureWrap::Repeat ? x - std::floor(x) : std::clamp(x, 0.0, 1.0);
@@ -18,10 +18,10 @@ int wrapIndex(int i, int size, TextureWrap wrap) {
     return ((i % size) + size) % size;
 }
 
-/// How much of the pixel [i, i + 1) lies in [from, to).
+/// Length of the intersection of the pixel [i, i + 1) with [from, to).
 double overlap(double from, double to, int i) { return std::min(to, i + 1.0) - std::max(from, 1.0 * i); }
 
-/// Each pixel is the mean of the area under it, so that odd sizes keep the mean of the image as well.
+/// Box filter over the exact area of each new pixel, so that odd sizes also keep the mean of the image.
 RgbImage halved(const RgbImage& image) {
     RgbImage half(std::max(1, image.width / 2), std::max(1, image.height / 2));
     const double columns = static_cast<double>(image.width) / half.width;
@@ -44,7 +44,7 @@ RgbImage halved(const RgbImage& image) {
 }  // namespace
 
 BilinearTap bilinearTap(int width, int height, const glm::dvec2& uv, TextureWrap wrap) {
-    // Texel centres stand at half-integers; row 0 is the top of the image, v = 0 the bottom.
+    // Texel centres are at half-integers; row 0 is the top of the image, v = 0 the bottom.
     const double x = wrapUnit(uv.x, wrap) * width - 0.5;
     const double y = (1.0 - wrapUnit(uv.y, wrap)) * height - 0.5;
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
@@ -77,8 +77,8 @@ glm::dvec3 MipTexture::bilinear(const RgbImage& image, const glm::dvec2& uv) con
     return glm::mix(row(tap.y[0]), row(tap.y[1]), tap.weightY);
 }
 
-/// Williams 1983, "Pyramidal Parametrics": between the two levels whose texels are nearest in size to the
-/// footprint.
+/// Interpolates between the two levels whose texels are nearest in size to the footprint (Williams 1983,
+/// "Pyramidal Parametrics").
 glm::dvec3 MipTexture::trilinear(const glm::dvec2& uv, double footprint) const {
     const double texels = footprint * std::max(width(), height());
     const double highest = static_cast<double>(levels_.size());

@@ -5,13 +5,13 @@
 
 namespace rayscope::shading {
 
-/// A texture with its mip levels: level 0 is the image, each next one averages pixels in blocks of two by
-/// two. Levels beyond 0 exist only if they were asked for.
+/// A texture with its mip levels: level 0 is the image, each further one halves the size by averaging.
 class MipTexture {
   public:
+    /// Without `withLevels` there is level 0 only.
     MipTexture(std::shared_ptr<const Texture> texture, bool withLevels);
 
-    /// The colour at uv, where (0, 0) is the lower left corner of the image. Coordinates that are not finite
+    /// The linear colour at uv, where (0, 0) is the lower left corner of the image. Non-finite coordinates
     /// read 0. `footprint` is the width of the ray in units of uv; only the mipmap filter uses it.
     glm::dvec3 lookup(const glm::vec2& uv, double footprint, TextureFilter filter) const;
 
@@ -29,7 +29,7 @@ class MipTexture {
     std::vector<RgbImage> levels_;
 };
 
-/// The texels and weights of a bilinear look-up; weights sum to 1.
+/// Texels and weights of a bilinear lookup.
 struct BilinearTap {
     int x[2], y[2];
     double weightX, weightY;  ///< of x[1] and y[1]

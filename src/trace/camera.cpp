@@ -10,9 +10,9 @@ namespace rayscope::trace {
 Camera::Camera(const CameraDescription& description, int width, int height) : width_(width), height_(height) {
     position_ = glm::dvec3(description.lookFrom);
     forward_ = glm::normalize(glm::dvec3(description.lookAt) - position_);
-    const glm::dvec3 sideways = glm::cross(forward_, glm::dvec3(description.up));
-    // Looking exactly along `up` leaves the roll open: any side will do.
-    right_ = glm::length(sideways) > 0.0 ? glm::normalize(sideways) : math::frameAround(forward_).u;
+    const glm::dvec3 right = glm::cross(forward_, glm::dvec3(description.up));
+    // Looking exactly along `up` leaves the roll undefined: choose any.
+    right_ = glm::length(right) > 0.0 ? glm::normalize(right) : math::frameAround(forward_).u;
     up_ = glm::cross(right_, forward_);
     tanHalfY_ = std::tan(static_cast<double>(description.fov) * std::numbers::pi / 360.0);
     tanHalfX_ = tanHalfY_ * width / height;

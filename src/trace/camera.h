@@ -17,13 +17,13 @@ class Camera {
         return {glm::vec3(position_), glm::vec3(towards(onImagePlane(pixel)))};
     }
 
-    /// The ray that starts at a point of the aperture (in units of its radius) and meets the pinhole ray at
-    /// the plane of focus. At the centre of the aperture, bit for bit the pinhole ray.
+    /// The ray that starts at a point of the aperture (in units of its radius) and intersects the pinhole
+    /// ray in the plane of focus. At the centre of the aperture, bit for bit the pinhole ray.
     Ray lensRay(const glm::dvec2& pixel, const glm::dvec2& aperture) const;
 
-    /// Distance of a point before the camera along the viewing direction.
+    /// Distance of a point from the camera along the viewing direction.
     double depthOf(const glm::dvec3& point) const { return glm::dot(point - position_, forward_); }
-    /// Pixel coordinates of a point before the camera.
+    /// Pixel coordinates of a point in front of the camera.
     glm::dvec2 project(const glm::dvec3& point) const;
 
     bool hasLens() const { return lensRadius_ > 0.0; }

@@ -7,21 +7,21 @@
 
 namespace rayscope::trace {
 
-/// Where and when a sample looks.
+/// Position on the image plane and time of a sample.
 struct CameraSample {
-    glm::dvec2 pixel;
-    float time;  ///< of the shutter, 0 if nothing moves
+    glm::dvec2 pixel;  ///< pixel coordinates, as of Camera
+    float time;        ///< of the shutter in [0, 1); 0 if nothing moves
 
-    CameraSample(const World& world, const sampling::SampleStream& stream, const SampleId& name)
-        : pixel(glm::dvec2(name.x, name.y) + glm::dvec2(stream.get2D(sampling::Dim::Pixel))),
+    CameraSample(const World& world, const sampling::SampleStream& stream, const SampleId& sample)
+        : pixel(glm::dvec2(sample.x, sample.y) + glm::dvec2(stream.get2D(sampling::Dim::Pixel))),
           time(world.moves ? stream.get1D(sampling::Dim::Time) : 0.0f) {}
 };
 
-/// Whether each sample of a world is one camera ray that depends on nothing else.
+/// Whether each sample traces exactly one camera ray, which does not depend on the scene's geometry.
 inline bool hasSingleCameraRays(const World& world) {
     return !world.camera.hasLens() || (world.settings.lensSamples == 1 && !(world.settings.sharpZone > 0.0f));
 }
-/// That ray.
+/// The camera ray of a sample where hasSingleCameraRays().
 inline Ray singleCameraRay(const World& world, const sampling::SampleStream& stream,
                            const CameraSample& sample) {
     if (!world.camera.hasLens()) return world.camera.pinholeRay(sample.pixel);

@@ -18,8 +18,8 @@ BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop) {
 
 namespace {
 
-/// Refits the hierarchy of the previous motionGroup where the same triangles have moved; builds one where
-/// there is none, or where that would cost rays too much.
+/// Refits the BVH of the previous motion group if the same triangles have moved and its SAH cost has not
+/// grown beyond `maxCostGrowth`; builds a new one otherwise.
 std::shared_ptr<const Accel> makeAccel(const Geometry& geometry, const MotionGroup* previous,
                                        const BuildSettings& build, float maxCostGrowth) {
     const AccelInput& input = geometry.input;
@@ -33,15 +33,14 @@ std::shared_ptr<const Accel> makeAccel(const Geometry& geometry, const MotionGro
     return std::make_shared<const Accel>(Accel::build(input, build));
 }
 
-/// Shares geometry and hierarchies with the previous world as far as they are the same.
+/// Shares geometry and BVHs with the previous world as far as they are the same.
 void compileMotionGroups(World& world, const World* previous, bool keepBinaryTrees, std::stop_token stop) {
     const Settings& settings = world.settings;
     const bool sameShapes = previous && sameGeometry(*previous->description, *world.description) &&
                             previous->settings.motionBlur == settings.motionBlur;
     std::vector<std::shared_ptr<const Geometry>> geometries;
     if (sameShapes)
-        for (const MotionGroup& motionGroup : previous->motionGroups)
-            geometries.push_back(motionGroup.geometry);
+        for (const MotionGroup& group : previous->motionGroups) geometries.push_back(group.geometry);
     else
         geometries = makeGeometry(*world.description, settings.motionBlur);
 
@@ -53,21 +52,22 @@ void compileMotionGroups(World& world, const World* previous, bool keepBinaryTre
     const auto start = std::chrono::steady_clock::now();
     std::uint32_t first = 0;
     for (std::size_t i = 0; i < geometries.size(); ++i) {
-        MotionGroup motionGroup{geometries[i], nullptr, first};
+        MotionGroup group{geometries[i], nullptr, first};
         if (sameTrees && previous->motionGroups[i].accel)
-            motionGroup.accel = previous->motionGroups[i].accel;
+            group.accel = previous->motionGroups[i].accel;
         else if (settings.bvh)
-            motionGroup.accel =
-                makeAccel(*motionGroup.geometry, sameGroups ? &previous->motionGroups[i] : nullptr, build,
-                          settings.bvhRefit);
-        first += static_cast<std::uint32_t>(motionGroup.geometry->input.triangles.size() +
-                                            motionGroup.geometry->input.spheres.size());
-        world.moves |= motionGroup.geometry->motion != glm::vec3(0.0f);
-        if (motionGroup.accel)
-            world.sahCostGrowth = std::max(world.sahCostGrowth, motionGroup.accel->summary().costGrowth);
-        world.motionGroups.push_back(std::move(motionGroup));
+            group.accel = makeAccel(*group.geometry, sameGroups ? &previous->motionGroups[i] : nullptr, build,
+                                    settings.bvhRefit);
+        first += static_cast<std::uint32_t>(group.geometry->input.triangles.size() +
+                                            group.geometry->input.spheres.size());
+        world.moves |= group.geometry->motion != glm::vec3(0.0f);
+        if (group.accel)
+            world.buildReport.sahCostGrowth =
+                std::max(world.buildReport.sahCostGrowth, group.accel->summary().costGrowth);
+        world.motionGroups.push_back(std::move(group));
     }
-    world.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    world.buildReport.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 bool reflects(const Material& material, const Settings& settings) {

@@ -9,21 +9,21 @@
 
 namespace rayscope::trace {
 
-/// What a world is made from.
+/// The input of compile().
 struct CompileRequest {
     std::shared_ptr<const SceneDescription> scene;
     Settings settings;
     CameraDescription camera;
     int width = 1, height = 1;
-    bool keepBinaryTrees = true;  ///< for looking at and walking step by step; rays do not need them
+    bool keepBinaryTrees = true;  ///< for display and recorded traversal; rays do not need them
 };
 
-/// How the settings ask hierarchies to be built.
+/// The part of the settings that describes how BVHs are built.
 BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop = {});
 
-/// Makes a description ready to trace. What did not change since `previous` (which may be null) is shared
-/// with it, so that moving a light or the camera costs nothing. Throws Stopped when asked to stop, InputError
-/// if a scene cannot be traced.
+/// Compiles a scene description into a world. What did not change since `previous` (which may be null) is
+/// shared with it, so that moving a light or the camera rebuilds no BVH. Throws Stopped if a stop is
+/// requested, InputError if the scene cannot be traced.
 std::shared_ptr<const World> compile(const CompileRequest& request, const World* previous = nullptr,
                                      std::stop_token stop = {});
 

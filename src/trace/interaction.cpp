@@ -13,15 +13,16 @@ namespace rayscope::trace {
 
 namespace {
 
-/// For vectors that were computed from floats by sums and at most one product: their squares neither overflow
-/// nor vanish in double. Zero stays zero; what is not finite becomes zero.
+/// For vectors computed from floats by sums and at most one product, whose squares neither overflow nor
+/// underflow in double. Zero stays zero; non-finite vectors become zero.
 glm::dvec3 normalizeOfFloats(const glm::dvec3& v) {
     const double square = glm::dot(v, v);
     return square > 0.0 && square < std::numeric_limits<double>::infinity() ? v * (1.0 / std::sqrt(square))
                                                                             : glm::dvec3(0.0);
 }
 
-/// Scaled before it is normalised, so that neither huge nor tiny vectors over- or underflow. Zero stays zero.
+/// Scales before it normalises, so that squares neither overflow nor underflow. Zero stays zero; non-finite
+/// vectors become zero.
 glm::dvec3 safeNormalize(const glm::dvec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (!(largest > 0.0) || !std::isfinite(largest)) return glm::dvec3(0.0);
@@ -30,38 +31,37 @@ glm::dvec3 safeNormalize(const glm::dvec3& v) {
 
 struct Triangle {
     glm::uvec3 index;  ///< of the vertices, within the mesh
-    glm::dvec3 p[3];   ///< in world space at rest
+    glm::dvec3 p[3];   ///< in the rest frame
 };
 
-Triangle triangleOf(const PrimitiveLocation& name) {
-    const AccelInput& input = name.motionGroup->geometry->input;
-    const glm::uvec3 inGroup = input.triangles[name.inGroup];
-    return {name.range->mesh->triangles[name.inObject],
+Triangle triangleOf(const PrimitiveLocation& location) {
+    const AccelInput& input = location.motionGroup->geometry->input;
+    const glm::uvec3 inGroup = input.triangles[location.inGroup];
+    return {location.range->mesh->triangles[location.inObject],
             {glm::dvec3(input.vertices[inGroup.x]), glm::dvec3(input.vertices[inGroup.y]),
              glm::dvec3(input.vertices[inGroup.z])}};
 }
 
-/// Interpolates vertex normals; falls back to the geometric normal where they vanish or are not numbers.
-void interpolateNormal(Interaction& at, const PrimitiveLocation& name, const Triangle& triangle,
+/// Interpolates vertex normals; keeps the geometric normal if the sum vanishes or is not finite.
+void interpolateNormal(Interaction& at, const PrimitiveLocation& location, const Triangle& triangle,
                        const glm::dvec3& weights) {
-    const std::vector<glm::vec3>& normals = name.range->mesh->normals;
+    const std::vector<glm::vec3>& normals = location.range->mesh->normals;
     if (normals.empty()) return;
     glm::dvec3 sum(0.0);
     double largest = 0.0;
     for (int i = 0; i < 3; ++i) {
         glm::dvec3 n(normals[triangle.index[i]]);
-        if (name.range->transformed) n = safeNormalize(name.range->normalMatrix * n);
+        if (location.range->transformed) n = safeNormalize(location.range->normalMatrix * n);
         sum += weights[i] * n;
         largest = std::max(largest, glm::dot(n, n));
     }
-    // Opposite normals cancel to rounding noise, which has no direction worth shading with.
+    // Opposite normals cancel to rounding noise, whose direction is meaningless.
     if (!math::isFinite(sum) || !(glm::dot(sum, sum) > 1e-12 * largest)) return;
     at.normal = safeNormalize(sum);
     at.interpolated = true;
 }
 
-/// Area of the texture, as a fraction of the image, per area of the surface: the square of uv per unit of
-/// length.
+/// Area in texture space per area of the surface, that is, the square of uv per unit of length.
 double textureDensity(const Triangle& triangle, const std::vector<glm::vec2>& uv) {
     const glm::dvec2 a(uv[triangle.index.x]), b(uv[triangle.index.y]), c(uv[triangle.index.z]);
     const double inTexture = std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
@@ -70,28 +70,28 @@ double textureDensity(const Triangle& triangle, const std::vector<glm::vec2>& uv
     return onSurface > 0.0 ? inTexture / onSurface : 0.0;
 }
 
-void lookUpTexture(Interaction& at, const World& world, const PrimitiveLocation& name,
+void lookUpTexture(Interaction& at, const World& world, const PrimitiveLocation& location,
                    const Triangle& triangle, const glm::dvec3& weights) {
     const SurfaceMaterial& material = world.materials[at.material];
-    const std::vector<glm::vec2>& uv = name.range->mesh->texCoords;
+    const std::vector<glm::vec2>& uv = location.range->mesh->texCoords;
     if (!material.texture || uv.empty()) return;
     glm::dvec2 sum(0.0);
     for (int i = 0; i < 3; ++i) sum += weights[i] * glm::dvec2(uv[triangle.index[i]]);
     at.uv = glm::vec2(sum);
     double footprint = 0.0;
     if (world.settings.textureFilter == TextureFilter::Mipmap) {
-        // A slanted surface spreads the cone by the inverse cosine; its long axis decides, so nothing
-        // aliases.
+        // The cone's footprint on the surface is an ellipse; its long axis, larger by the inverse cosine,
+        // is used to avoid aliasing.
         const double cosine = std::abs(glm::dot(at.geometricNormal, at.toViewer));
         footprint = at.coneWidth / std::max(cosine, 1e-9) * std::sqrt(textureDensity(triangle, uv));
     }
     at.kd = material.texture->lookup(at.uv, footprint, world.settings.textureFilter);
 }
 
-void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveLocation& name) {
-    const AccelInput& input = name.motionGroup->geometry->input;
-    const Triangle triangle = triangleOf(name);
-    const glm::uvec3 index = input.triangles[name.inGroup];
+void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveLocation& location) {
+    const AccelInput& input = location.motionGroup->geometry->input;
+    const Triangle triangle = triangleOf(location);
+    const glm::uvec3 index = input.triangles[location.inGroup];
     bvh::TriangleHit exact{static_cast<double>(at.hit.t), static_cast<double>(at.hit.u),
                            static_cast<double>(at.hit.v)};
     bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), input.vertices[index.x],
@@ -104,8 +104,8 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     at.geometricNormal =
         normalizeOfFloats(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]));
     at.normal = at.geometricNormal;
-    if (world.settings.normalInterpolation) interpolateNormal(at, name, triangle, weights);
-    lookUpTexture(at, world, name, triangle, weights);
+    if (world.settings.normalInterpolation) interpolateNormal(at, location, triangle, weights);
+    lookUpTexture(at, world, location, triangle, weights);
 }
 
 void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
@@ -121,7 +121,7 @@ void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
     at.geometricNormal = at.normal = fromCenter;
 }
 
-/// Both normals to the viewer's side: the geometric one decides, the shading normal follows it.
+/// Turns the geometric normal to the viewer's side and the shading normal to the side of the geometric one.
 void faceViewer(Interaction& at) {
     if (glm::dot(at.geometricNormal, at.toViewer) < 0.0) at.geometricNormal = -at.geometricNormal;
     if (glm::dot(at.normal, at.geometricNormal) < 0.0) at.normal = -at.normal;
@@ -140,26 +140,27 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
                           const Hit& hit) {
     Interaction at;
     at.hit = hit;
-    const PrimitiveLocation name = world.nameOf(hit.primitive);
-    at.object = name.range->object;
-    at.material = world.materialOf(name);
+    const PrimitiveLocation location = world.locatePrimitive(hit.primitive);
+    at.object = location.range->object;
+    at.material = world.materialOf(location);
     at.kd = world.materials[at.material].kd;
     const glm::dvec3 direction(ray.direction);
     const double length = glm::length(direction);
     at.toViewer = -direction / length;
     at.coneWidth = cone.width + cone.spread * static_cast<double>(hit.t) * length;
 
-    const Geometry& geometry = *name.motionGroup->geometry;
+    const Geometry& geometry = *location.motionGroup->geometry;
     const Ray atRest = world.moves ? geometry.inRestFrame(ray, time) : ray;
-    if (name.range->mesh)
-        fillTriangle(at, world, atRest, name);
+    if (location.range->mesh)
+        fillTriangle(at, world, atRest, location);
     else
-        fillSphere(at, atRest, geometry.input.spheres[name.inGroup - geometry.input.triangles.size()]);
+        fillSphere(at, atRest, geometry.input.spheres[location.inGroup - geometry.input.triangles.size()]);
     if (world.moves) {
         const glm::dvec3 moved = geometry.displacement(time);
         at.position += moved;
         at.magnitude += glm::abs(moved);
-        // The ray was moved into the rest frame in float: that rounding is part of where the surface is.
+        // The transform of the ray's origin into the rest frame rounds to float, which is an error of the
+        // position.
         at.magnitude += 0x1p20 * (glm::abs(glm::dvec3(ray.origin)) + glm::abs(moved));
     }
     faceViewer(at);

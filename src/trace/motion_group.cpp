@@ -6,7 +6,7 @@ namespace rayscope::trace {
 
 namespace {
 
-/// Collects the objects of one motion; call seal() when all are in.
+/// Collects the objects of one motion; seal() ends it.
 class GeometryBuilder {
   public:
     explicit GeometryBuilder(const glm::vec3& motion) { geometry_->motion = motion; }
@@ -39,12 +39,12 @@ class GeometryBuilder {
     }
 
   private:
-    void placeMesh(std::size_t i, bool asItIs) {
+    void placeMesh(std::size_t i, bool shareData) {
         const MeshInstance& mesh = geometry_->keptMeshes[i];
         const MeshData& data = *mesh.data;
         ObjectRange range{next_, static_cast<std::uint32_t>(data.triangles.size()), meshObjects_[i], &data,
                           &mesh.materials};
-        if (asItIs) {
+        if (shareData) {
             geometry_->input.vertices = data.positions;
             geometry_->input.triangles = data.triangles;
         } else {
@@ -66,7 +66,7 @@ class GeometryBuilder {
             geometry_->ownTriangles.push_back(triangle + base);
         if (identity) return;
         range.transformed = true;
-        // Normals go with the cofactors, which exist even where the inverse does not.
+        // Normals transform with the cofactor matrix, which exists even if the inverse does not.
         const glm::dmat3 linear(matrix);
         range.normalMatrix = glm::dmat3(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                         glm::cross(linear[0], linear[1]));
@@ -100,9 +100,9 @@ std::vector<std::shared_ptr<const Geometry>> makeGeometry(const SceneDescription
     for (const MeshInstance& mesh : scene.meshes) builderFor(mesh.motion).addMesh(mesh, object++);
     for (const SphereInstance& sphere : scene.spheres) builderFor(sphere.motion).addSphere(sphere, object++);
 
-    std::vector<std::shared_ptr<const Geometry>> motionGroups;
-    for (GeometryBuilder& builder : builders) motionGroups.push_back(builder.seal());
-    return motionGroups;
+    std::vector<std::shared_ptr<const Geometry>> geometries;
+    for (GeometryBuilder& builder : builders) geometries.push_back(builder.seal());
+    return geometries;
 }
 
 bool sameGeometry(const SceneDescription& a, const SceneDescription& b) {

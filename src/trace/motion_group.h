@@ -1,5 +1,5 @@
 #pragma once
-// Geometry in the form that rays search: one motionGroup holds everything that moves alike.
+// Geometry in world space, grouped by motion: the input of the BVHs.
 #include <rayscope/accel.h>
 #include <rayscope/scene.h>
 
@@ -9,9 +9,9 @@
 
 namespace rayscope::trace {
 
-/// The primitives of one mesh or sphere within a motionGroup, and where their attributes stand.
+/// The primitives of one mesh or sphere within a motion group, with their attributes.
 struct ObjectRange {
-    std::uint32_t first = 0, count = 0;  ///< primitives of the motionGroup
+    std::uint32_t first = 0, count = 0;  ///< primitives of the motion group
     std::uint32_t object = 0;            ///< number of the mesh, or of the sphere after all meshes
     const MeshData* mesh = nullptr;      ///< null for a sphere
     const std::vector<std::uint32_t>* materials = nullptr;  ///< of a mesh: slot → material
@@ -20,23 +20,23 @@ struct ObjectRange {
     glm::dmat3 normalMatrix{1.0};
 };
 
-/// Positions, triangles and spheres in world space at the start of the shutter. Spans refer to the mesh
-/// itself where it can be used as it is, else to the storage beside them.
+/// Positions, triangles and spheres in world space at the start of the shutter. The spans of `input` refer to
+/// the mesh itself if it is the only one and not transformed, else to the storage of this object.
 struct Geometry {
     AccelInput input;
     std::vector<ObjectRange> objects;  ///< ordered by `first`: meshes, then spheres
-    glm::vec3 motion{0.0f};            ///< displacement over the time of the shutter
+    glm::vec3 motion{0.0f};            ///< displacement from the start to the end of the shutter
 
     std::vector<glm::vec3> ownVertices;
     std::vector<glm::uvec3> ownTriangles;
     std::vector<Sphere> ownSpheres;
-    std::vector<MeshInstance> keptMeshes;  ///< keeps what the spans and ranges refer to alive
+    std::vector<MeshInstance> keptMeshes;  ///< own what the spans and ranges refer to
 
     const ObjectRange& objectOf(std::uint32_t primitive) const;
 
-    /// How far everything has moved at a time of the shutter in [0, 1).
+    /// Displacement at a time of the shutter in [0, 1).
     glm::dvec3 displacement(float time) const { return static_cast<double>(time) * glm::dvec3(motion); }
-    /// The ray at that time, in the frame in which nothing moves.
+    /// The ray at that time in the rest frame, which moves with the geometry.
     Ray inRestFrame(const Ray& ray, float time) const {
         Ray moved = ray;
         moved.origin = glm::vec3(glm::dvec3(ray.origin) - displacement(time));
@@ -44,12 +44,11 @@ struct Geometry {
     }
 };
 
-/// One motionGroup for everything at rest and one for each distinct motion; all at rest if `withMotion` is
+/// One motion group for everything at rest and one for each distinct motion; all at rest if `withMotion` is
 /// false.
 std::vector<std::shared_ptr<const Geometry>> makeGeometry(const SceneDescription& scene, bool withMotion);
 
-/// Whether two descriptions have the same shapes in the same places, so that geometry can be shared between
-/// them.
+/// Whether two descriptions have equal shapes, transforms and motions, so that geometry can be shared.
 bool sameGeometry(const SceneDescription& a, const SceneDescription& b);
 
 }  // namespace rayscope::trace

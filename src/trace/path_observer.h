@@ -1,41 +1,45 @@
 #pragma once
-// What can be watched while a sample is computed. The tracer is a template over its observer: with the silent
-// one nothing of it remains, and every watcher sees the very same computation.
+// The events of a path. The tracer is a template over its observer: hooks of the NullObserver compile to
+// nothing, and the radiance is the same, bit for bit, for every observer.
 #include <rayscope/path.h>
 
 #include "trace/interaction.h"
 
 namespace rayscope::trace {
 
-/// A ray that sets out, and what its radiance will be multiplied with.
+/// One ray of a path.
 struct Segment {
     Ray ray;
     RayKind kind = RayKind::Camera;
-    int depth = 0;  ///< reflections before it
-    glm::dvec3 throughput{1.0};
+    int depth = 0;               ///< number of reflections before it
+    glm::dvec3 throughput{1.0};  ///< factor of its radiance in the radiance of the sample
     RayCone cone;
 };
 
-/// A position on a light as seen from a surface, and the verdict on it.
+/// The segment from a surface to a light sample.
 struct LightConnection {
     int light = 0, sample = 0;
-    glm::vec3 from{0.0f};
+    glm::vec3 from{0.0f};  ///< origin of the shadow ray
     shading::LightSample at;
     Visibility visibility = Visibility::Visible;
 };
 
-/// A hook receives only values that the tracer has anyway. Segments come in depth-first order: a Reflection
-/// or Glossy segment of depth d starts at the surface that the latest segment of depth d − 1 met, a
-/// Transparent one at the surface that the latest segment of its own depth met.
+/// The hooks of an observer; they receive values that the tracer computes in any case. Segments come in
+/// depth-first order: a Reflection or Glossy segment of depth d starts at the latest hit of depth d − 1, a
+/// Transparent one at the latest hit of its own depth.
 template <class O>
 concept PathObserver = requires(O& o, const Segment& segment, const Interaction& at,
-                                const LightConnection& light, const glm::dvec3& value, RayEnd why) {
-    o.segment(segment);  ///< a ray sets out …
-    o.hit(at);           ///< … and meets a surface,
-    o.lightSampled(light,
-                   value);  ///< a light was sampled from there, adding `value` to the radiance of the sample
-    o.added(value);         ///< a term was added to the radiance of the sample; all of them sum up to it
-    o.ended(segment, why);  ///< what became of the path after that segment
+                                const LightConnection& light, const glm::dvec3& value, RayEnd end) {
+    /// Before the ray of a segment is traced.
+    o.segment(segment);
+    /// The segment hit a surface.
+    o.hit(at);
+    /// A light was sampled from the latest hit; `value` is the sample's term, zero if it is occluded.
+    o.lightSampled(light, value);
+    /// A term was added to the radiance of the sample. The radiance is the left fold of all terms.
+    o.added(value);
+    /// The segment is finished, and why the path does or does not go on.
+    o.ended(segment, end);
 };
 
 struct NullObserver {

@@ -1,4 +1,4 @@
-#include "trace/radiance.inl"
+#include "trace/radiance_definition.h"
 
 namespace rayscope::trace {
 

@@ -7,16 +7,15 @@
 
 namespace rayscope::trace {
 
-/// What one sample is worth.
 struct SampleResult {
     RgbSum radiance{0.0};
-    std::uint64_t rays = 0;  ///< traced for it, of all kinds
+    std::uint64_t rays = 0;  ///< traced for the sample, of all kinds
 };
 
-/// The radiance of a sample: a pure function of world, seed and name, whoever watches. Instantiated for the
-/// silent observer in radiance.cpp; other observers include radiance.inl.
+/// The radiance of a sample: a pure function of world, seed and sample, whatever the observer. Instantiated
+/// for NullObserver in radiance.cpp; for other observers include trace/radiance_definition.h.
 template <PathObserver O>
-SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& name, O& observer);
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& sample, O& observer);
 
 extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, NullObserver&);
 

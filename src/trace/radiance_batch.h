@@ -8,17 +8,17 @@
 
 namespace rayscope::trace {
 
-/// Computes the radiance of many samples: for each bit for bit what radiance() finds, in less time, because
-/// the camera rays of all of them are searched together, and so are their shadow rays.
+/// Computes the radiance of many samples, bit for bit as radiance() does, in less time: camera rays and
+/// shadow rays are traced in batches.
 ///
-/// start(), then trace() for each sample in order, then finish().
+/// Usage: start(), then trace() for each sample in order, then finish().
 class RadianceBatch {
   public:
-    static constexpr std::size_t kSize = 256;  ///< samples that are worth a batch
+    static constexpr std::size_t kSize = 256;  ///< samples for which a batch is efficient
 
     RadianceBatch(const World& world, std::uint64_t seed);
 
-    void start(std::span<const SampleId> names);
+    void start(std::span<const SampleId> samples);
     void trace(std::size_t sample);
     /// Valid until the next start().
     std::span<const SampleResult> finish();
@@ -26,9 +26,9 @@ class RadianceBatch {
   private:
     const World& world_;
     std::uint64_t seed_;
-    bool hasSingleRays_;  ///< of the camera, that depend on nothing else
+    bool hasSingleRays_;  ///< hasSingleCameraRays(), and the world does not move
     std::vector<sampling::SampleStream> streams_;
-    std::vector<CameraSample> samples_;
+    std::vector<CameraSample> cameraSamples_;
     std::vector<Ray> rays_;
     std::vector<Hit> hits_;
     std::vector<SampleResult> results_;

@@ -9,24 +9,25 @@
 
 namespace rayscope::trace {
 
-/// The terms of many samples, of which some wait for the answer to a shadow ray, so that many shadow rays can
-/// be asked at once. What a sample sums up to is the left fold of its terms all the same. For worlds at rest.
+/// The terms of many samples, some of which depend on a shadow ray, so that shadow rays are traced as one
+/// batch. The radiance of each sample remains the left fold of its terms. Only for worlds with
+/// canDeferShadowRays().
 class TermQueue {
   public:
     static constexpr bool kDefersShadowRays = true;
 
     explicit TermQueue(const World& world);
 
-    /// From now on terms are added to the radiance of these.
+    /// Sets the results whose radiance the following terms are added to.
     void start(std::span<SampleResult> results) { results_ = results; }
-    /// Terms now belong to this sample.
+    /// Sets the sample, an index into the results, that the following terms belong to.
     void beginSample(std::size_t sample) { sample_ = static_cast<std::uint32_t>(sample); }
     void add(const glm::dvec3& term) { push(term, kNoShadowRay); }
     void addIfVisible(const glm::dvec3& term, const Ray& shadow) {
         shadows_.push_back(shadow);
         push(term, static_cast<std::uint32_t>(shadows_.size() - 1));
     }
-    /// Asks all shadow rays and adds what is visible to the results.
+    /// Traces all shadow rays and adds the terms that are not occluded to the results.
     void fold();
 
   private:

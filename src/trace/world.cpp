@@ -6,13 +6,13 @@ namespace rayscope::trace {
 
 namespace {
 
-bool closestHitInGroup(const MotionGroup& motionGroup, bool useBvh, const Ray& ray, Hit& hit) {
-    return useBvh ? motionGroup.accel->closestHit(ray, hit)
-                  : bvh::closestHitBruteForce(motionGroup.geometry->input, ray, hit);
+bool closestHitInGroup(const MotionGroup& group, bool useBvh, const Ray& ray, Hit& hit) {
+    return useBvh ? group.accel->closestHit(ray, hit)
+                  : bvh::closestHitBruteForce(group.geometry->input, ray, hit);
 }
 
-bool anyHitInGroup(const MotionGroup& motionGroup, bool useBvh, const Ray& ray) {
-    return useBvh ? motionGroup.accel->anyHit(ray) : bvh::anyHitBruteForce(motionGroup.geometry->input, ray);
+bool anyHitInGroup(const MotionGroup& group, bool useBvh, const Ray& ray) {
+    return useBvh ? group.accel->anyHit(ray) : bvh::anyHitBruteForce(group.geometry->input, ray);
 }
 
 }  // namespace
@@ -20,13 +20,12 @@ bool anyHitInGroup(const MotionGroup& motionGroup, bool useBvh, const Ray& ray) 
 bool World::closestHit(const Ray& ray, float time, Hit& hit) const {
     if (!moves && !motionGroups.empty()) return closestHitInGroup(motionGroups[0], settings.bvh, ray, hit);
     hit = Hit{};
-    for (const MotionGroup& motionGroup : motionGroups) {
+    for (const MotionGroup& group : motionGroups) {
         Hit candidate;
-        if (!closestHitInGroup(motionGroup, settings.bvh, motionGroup.geometry->inRestFrame(ray, time),
-                               candidate))
+        if (!closestHitInGroup(group, settings.bvh, group.geometry->inRestFrame(ray, time), candidate))
             continue;
-        candidate.primitive += motionGroup.firstPrimitive;
-        // Bodies come in the order of their primitive numbers, so the first one keeps a tie.
+        candidate.primitive += group.firstPrimitive;
+        // Groups are in the order of their primitive numbers, so the first one wins a tie.
         if (candidate.t < hit.t || hit.primitive == kNoPrimitive) hit = candidate;
     }
     return hit.primitive != kNoPrimitive;
@@ -34,9 +33,8 @@ bool World::closestHit(const Ray& ray, float time, Hit& hit) const {
 
 bool World::anyHit(const Ray& ray, float time) const {
     if (!moves) return !motionGroups.empty() && anyHitInGroup(motionGroups[0], settings.bvh, ray);
-    for (const MotionGroup& motionGroup : motionGroups)
-        if (anyHitInGroup(motionGroup, settings.bvh, motionGroup.geometry->inRestFrame(ray, time)))
-            return true;
+    for (const MotionGroup& group : motionGroups)
+        if (anyHitInGroup(group, settings.bvh, group.geometry->inRestFrame(ray, time))) return true;
     return false;
 }
 
@@ -52,21 +50,22 @@ void World::anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i], time);
 }
 
-PrimitiveLocation World::nameOf(std::uint32_t primitive) const {
+PrimitiveLocation World::locatePrimitive(std::uint32_t primitive) const {
     std::size_t i = motionGroups.size() - 1;
     while (motionGroups[i].firstPrimitive > primitive) --i;
-    PrimitiveLocation name;
-    name.motionGroup = &motionGroups[i];
-    name.inGroup = primitive - motionGroups[i].firstPrimitive;
-    name.range = &motionGroups[i].geometry->objectOf(name.inGroup);
-    name.inObject = name.inGroup - name.range->first;
-    return name;
+    PrimitiveLocation location;
+    location.motionGroup = &motionGroups[i];
+    location.inGroup = primitive - motionGroups[i].firstPrimitive;
+    location.range = &motionGroups[i].geometry->objectOf(location.inGroup);
+    location.inObject = location.inGroup - location.range->first;
+    return location;
 }
 
-std::uint32_t World::materialOf(const PrimitiveLocation& name) const {
-    const ObjectRange& range = *name.range;
+std::uint32_t World::materialOf(const PrimitiveLocation& location) const {
+    const ObjectRange& range = *location.range;
     if (!range.mesh) return range.material;
-    const std::size_t slot = range.mesh->materialSlots.empty() ? 0 : range.mesh->materialSlots[name.inObject];
+    const std::size_t slot =
+        range.mesh->materialSlots.empty() ? 0 : range.mesh->materialSlots[location.inObject];
     return (*range.materials)[slot];
 }
 

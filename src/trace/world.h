@@ -3,9 +3,7 @@
 #include <rayscope/accel.h>
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
-#include <atomic>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,19 +19,18 @@ namespace rayscope::trace {
 struct SurfaceMaterial {
     glm::dvec3 kd, ks;
     double shininess = 1.0, opacity = 1.0;
-    bool reflects = false;                         ///< spawns mirror rays
+    bool reflects = false;                         ///< spawns reflection rays
     const shading::MipTexture* texture = nullptr;  ///< replaces kd
 };
 
-/// Geometry with its search structure.
+/// The primitives of one motion with their BVH.
 struct MotionGroup {
     std::shared_ptr<const Geometry> geometry;
-    std::shared_ptr<const Accel> accel;
-    std::uint32_t firstPrimitive =
-        0;  ///< number of the motionGroup's first primitive among those of the world
+    std::shared_ptr<const Accel> accel;  ///< null with bvh=false
+    std::uint32_t firstPrimitive = 0;    ///< number of the group's first primitive within the world
 };
 
-/// A light and the number of samples that it takes where it is sampled in full.
+/// A light with its sample counts.
 struct CompiledLight {
     Light light;
     shading::LightSampleGrid grid;
@@ -41,15 +38,21 @@ struct CompiledLight {
     bool castsShadows = true;
 };
 
-/// Where a primitive of the world comes from.
+/// The object that a primitive of the world belongs to.
 struct PrimitiveLocation {
     const MotionGroup* motionGroup = nullptr;
     const ObjectRange* range = nullptr;
-    std::uint32_t inGroup = 0;   ///< number within the motionGroup
+    std::uint32_t inGroup = 0;   ///< number of the primitive within the motion group
     std::uint32_t inObject = 0;  ///< number of the triangle within its mesh
 };
 
-/// Everything that radiance is a function of, besides the seed and the name of the sample.
+/// How the BVHs of a world were made.
+struct BuildReport {
+    double seconds = 0.0;        ///< spent on building or refitting BVHs for this world
+    double sahCostGrowth = 1.0;  ///< largest AccelSummary::costGrowth of the motion groups
+};
+
+/// Everything that radiance is a function of, besides the seed and the sample, and a report on the build.
 class World {
   public:
     std::shared_ptr<const SceneDescription> description;
@@ -61,24 +64,24 @@ class World {
     std::shared_ptr<const Environment> environment;  ///< null if the scene has none or it is switched off
     Camera camera;
     int width = 1, height = 1;
-    bool moves = false;              ///< some motionGroup has a motion
-    bool attenuatesShadows = false;  ///< shadow rays must look at what they cross
-    double buildSeconds = 0.0;       ///< time spent in building or refitting hierarchies for this world
-    double sahCostGrowth = 1.0;  ///< what refits cost rays: most AccelSummary::costGrowth of the motionGroups
+    bool moves = false;              ///< some motion group has a motion
+    bool attenuatesShadows = false;  ///< shadow rays need the opacity of the surfaces that they cross
 
-    /// The nearest hit among all motionGroups at the given time in [0, 1); of equal distances the smaller
+    BuildReport buildReport;  ///< no input of the radiance
+
+    /// The closest hit among all motion groups at the given time in [0, 1); of equal distances the smaller
     /// primitive number.
     bool closestHit(const Ray& ray, float time, Hit& hit) const;
     bool anyHit(const Ray& ray, float time) const;
-    /// The same answers for many rays at once; a ray that hits nothing gets a Hit without a primitive.
+    /// The same answers for many rays; a miss gets a default Hit. Both spans have the same length.
     void closestHits(std::span<const Ray> rays, float time, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
 
-    /// Whether a shadow ray is one question of yes or no, the same at all times.
+    /// Whether a shadow ray is a single any-hit query whose answer does not depend on time.
     bool canDeferShadowRays() const { return !attenuatesShadows && !moves; }
 
-    PrimitiveLocation nameOf(std::uint32_t primitive) const;
-    std::uint32_t materialOf(const PrimitiveLocation& name) const;
+    PrimitiveLocation locatePrimitive(std::uint32_t primitive) const;
+    std::uint32_t materialOf(const PrimitiveLocation& location) const;
     std::uint32_t primitiveCount() const;
 };
 

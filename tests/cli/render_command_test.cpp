@@ -142,17 +142,20 @@ TEST(Render, LeavesTheOldFileWhenTheDiskIsFull) {
     EXPECT_EQ(files, 1);
 }
 
+/// A sphere under two lights whose sum overflows.
+constexpr const char* kOverflowingScene =
+    "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n[[sphere]]\ncenter = "
+    "[0, 0, 0]\nradius = 1\nmaterial = "
+    "\"m\"\n[material.m]\nkd = [1, 1, 1]\n[[light]]\ntype = \"point\"\nposition = [0, 0, "
+    "3]\ncolor = [3e38, 0, 0]\n[[light]]\n"
+    "type = \"point\"\nposition = [0, 0, 3]\ncolor = [3e38, 0, 0]\n";
+
 TEST(Render, NamesPixelsThatAreNotNumbers) {
     const TemporaryFolder folder;
-    folder.write("s.toml",
-                 "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n[[sphere]]\ncenter = "
-                 "[0, 0, 0]\nradius = 1\nmaterial = "
-                 "\"m\"\n[material.m]\nkd = [1, 1, 1]\n[[light]]\ntype = \"point\"\nposition = [0, 0, "
-                 "3]\ncolor = [3e38, 0, 0]\n[[light]]\n"
-                 "type = \"point\"\nposition = [0, 0, 3]\ncolor = [3e38, 0, 0]\n");
+    folder.write("s.toml", kOverflowingScene);
     const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
     EXPECT_EQ(result.exitCode, 5) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --spp 1 --pixel "));
+    EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --set spp=1 --pixel "));
     EXPECT_THAT(
         result.err,
         ContainsRegex("in the first, its 2 terms add up to .[3-9].*e.38 0 0., more than a float holds"));
@@ -162,6 +165,24 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
     EXPECT_EQ(probe.exitCode, 0) << probe.err;
     EXPECT_THAT(probe.out, ContainsRegex("radiance .[3-9].*e.38 0 0."));
     EXPECT_TRUE(std::filesystem::exists(folder / "a.exr"));
+}
+
+TEST(Render, NamesAProbeCommandWithTheSettingsOfThePreset) {
+    const TemporaryFolder folder;
+    folder.write("s.toml", kOverflowingScene);
+    const std::string render =
+        "rayscope render s.toml --size 8x8 -o a.exr --preset preview --set exposure=0.5 ";
+    const ProgramResult result = run(folder, render);
+    ASSERT_EQ(result.exitCode, 5) << result.err;
+    std::string command = result.err.substr(result.err.find("rayscope probe"));
+    command = command.substr(0, command.find('\n'));
+    EXPECT_EQ(run(folder, command).exitCode, 0);
+    // Rendered with the options of the command, the settings are the same.
+    command.replace(command.find("probe"), 5, "render");
+    command = command.substr(0, command.find(" --pixel")) + " -o a.exr --dump-settings";
+    const std::string settings = run(folder, render + "--dump-settings").out;
+    EXPECT_THAT(settings, HasSubstr("exposure = 0.5"));
+    EXPECT_EQ(run(folder, command).out, settings);
 }
 
 TEST(Render, WritesExtraImages) {

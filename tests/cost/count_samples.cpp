@@ -1,15 +1,16 @@
-// Traces the same samples with the silent observer and with none, each between the same gate, so that
-// callgrind can say what it costs that the tracer can be watched. usage: count_samples SCENE…        prints
-// what was counted, in order
+// Traces the same samples, one by one and in batches, each within a function that callgrind knows by name.
+// usage: count_samples SCENE…   prints for each scene the number of samples
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include <rayscope/diagnostics.h>
 #include <rayscope/scene.h>
-#include "cost/no_observer.h"
 #include "trace/compile.h"
+#include "trace/radiance.h"
+#include "trace/radiance_batch.h"
 
 namespace {
 
@@ -29,39 +30,45 @@ std::shared_ptr<const trace::World> worldOf(const char* scene) {
     return trace::compile(request);
 }
 
-template <class Observer>
-glm::dvec3 sumOf(const trace::World& world) {
-    glm::dvec3 sum(0.0);
-    Observer observer;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x)
-            sum += glm::dvec3(trace::radiance(world, 1, SampleId{x, y, 0}, observer).radiance);
-    return sum;
-}
-
 }  // namespace
 
-// The gates: callgrind knows them by name.
 extern "C" {
-[[gnu::noipa]] void countedSilent(const trace::World& world, glm::dvec3& sum) {
-    sum = sumOf<trace::NullObserver>(world);
+[[gnu::noipa]] void countedSingle(const trace::World& world, std::span<const SampleId> samples,
+                                  std::vector<RgbSum>& radiance) {
+    trace::NullObserver observer;
+    for (const SampleId& sample : samples)
+        radiance.push_back(trace::radiance(world, 1, sample, observer).radiance);
 }
-[[gnu::noipa]] void countedUnwatched(const trace::World& world, glm::dvec3& sum) {
-    sum = sumOf<trace::NoObserver>(world);
+
+[[gnu::noipa]] void countedBatched(const trace::World& world, std::span<const SampleId> samples,
+                                   std::vector<RgbSum>& radiance) {
+    trace::RadianceBatch batch(world, 1);
+    for (std::size_t first = 0; first < samples.size(); first += trace::RadianceBatch::kSize) {
+        batch.start(samples.subspan(first, trace::RadianceBatch::kSize));
+        for (std::size_t i = 0; i < trace::RadianceBatch::kSize; ++i) batch.trace(i);
+        for (const trace::SampleResult& result : batch.finish()) radiance.push_back(result.radiance);
+    }
 }
 }
 
 int main(int count, char** arguments) try {
+    std::vector<SampleId> samples;
+    for (int y = 0; y < kSize; ++y)
+        for (int x = 0; x < kSize; ++x) samples.push_back({x, y, 0});
     for (int i = 1; i < count; ++i) {
         const std::shared_ptr<const trace::World> world = worldOf(arguments[i]);
-        glm::dvec3 warmUp, silent, unwatched;
-        countedSilent(*world, warmUp);
-        countedUnwatched(*world, warmUp);
-        countedSilent(*world, silent);
-        countedUnwatched(*world, unwatched);
-        if (silent != unwatched)
-            throw std::runtime_error(fmt::format("{}: two tracers, two results", arguments[i]));
-        fmt::print("{}\n", arguments[i]);
+        // The first round pays for lazy initialisation.
+        for (int round = 0; round < 2; ++round) {
+            std::vector<RgbSum> single, batched;
+            single.reserve(samples.size());
+            batched.reserve(samples.size());
+            countedSingle(*world, samples, single);
+            countedBatched(*world, samples, batched);
+            if (single != batched)
+                throw std::runtime_error(
+                    fmt::format("{}: radiance() and RadianceBatch differ", arguments[i]));
+        }
+        fmt::print("{} {}\n", arguments[i], samples.size());
     }
 } catch (const std::exception& error) {
     std::fputs(error.what(), stderr);

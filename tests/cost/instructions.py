@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Counts instructions, which are the same on a busy machine and a quiet one.
+"""Counts instructions, which do not depend on the load of the machine.
 
-usage: instructions.py rays COUNT_RAYS [--record]   what a ray costs, against tests/cost/rays.json
-       instructions.py samples COUNT_SAMPLES        what it costs that the tracer can be watched
-       instructions.py unused RAYSCOPE              what features cost that a scene has no use for
-Exits with 77 where valgrind is missing or nothing was recorded for this compiler.
+usage: instructions.py rays COUNT_RAYS [--record]        per ray, against tests/cost/rays.json
+       instructions.py samples COUNT_SAMPLES [--record]  per sample, against tests/cost/samples.json
+       instructions.py unused RAYSCOPE                   what settings cost that the scene has no use for
+Exits with 77 if valgrind is missing or nothing is recorded for this compiler.
 """
 import json
 import re
@@ -14,15 +14,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-RECORD = Path(__file__).with_name("rays.json")
-TOLERANCE = 0.03  # of the recorded figure, in either direction: a gain has to be recorded as well
+TOLERANCE = 0.03  # relative to the recorded value, in both directions: a gain has to be recorded as well
 LARGEST_COST = 0.01
-LARGEST_HOOK = 0.001
-INSTRUCTION_SETS = "scalar", "sse2", "avx2"  # valgrind knows no AVX-512
+INSTRUCTION_SETS = "scalar", "sse2", "avx2"  # valgrind does not support AVX-512
+SAMPLED_SCENES = "builtin:cornell", "builtin:cornell-area", "builtin:monkey", "builtin:cornell-transparent"
 
-WATCHED_SCENES = "builtin:cornell", "builtin:cornell-area", "builtin:monkey", "builtin:cornell-transparent"
-
-# What the scene of the last test has no use for: it is a mesh of one opaque material, two point lights, a pinhole.
+# Settings without effect on the scene of the last test: a mesh of one opaque material, two point lights, a pinhole camera.
 UNUSED = (
     "segment_samples=400", "parallelogram_samples=20", "transparent_shadows=true", "transparency=false",
     "texture_mapping=false", "texture_filter=mipmap", "environment=false", "reflection_map=true", "depth_of_field=false",
@@ -30,8 +27,8 @@ UNUSED = (
 )
 
 
-def skip(words):
-    print(words)
+def skip(reason):
+    print(reason)
     sys.exit(77)
 
 
@@ -45,66 +42,73 @@ def callgrind(folder, command, *options):
                           capture_output=True, text=True, cwd=folder)
 
 
-def between_gates(command, *gates):
-    """What a program prints, and the instructions of each call of its gates in order; None if it fails."""
+def counted_calls(command, *functions):
+    """What a program prints, and the instructions of each call of the functions in order; None if it fails."""
     with tempfile.TemporaryDirectory() as folder:
         run = callgrind(folder, command, "--collect-atstart=no", "--toggle-collect=counted*",
-                        *(f"--dump-after={gate}" for gate in gates))
+                        *(f"--dump-after={function}" for function in functions))
         if run.returncode != 0:
+            print(run.stderr)
             return None
         parts = sorted(Path(folder).glob("out.*"), key=lambda path: int(path.suffix[1:]))
         totals = [int(re.search(r"^totals: (\d+)", part.read_text(), re.M).group(1)) for part in parts]
     return run.stdout.splitlines(), totals
 
 
-def rays_of(program, instruction_set):
-    """Instructions per ray by kind and query; None where the instruction set is missing."""
-    found = between_gates([program, instruction_set], "countedSingle", "countedBatched")
+def instructions_per_ray(program, instruction_set):
+    """By kind of ray and query; None if this machine lacks the instruction set."""
+    found = counted_calls([program, instruction_set], "countedSingle", "countedBatched")
     if not found:
         return None
     lines, totals = [line.split() for line in found[0]], found[1]
-    # The first gate of each kind is the one that warms up.
+    # The first of three calls per kind warms up.
     counted = [total for i, total in enumerate(totals) if i % 3]
     return {f"{instruction_set} {kind} {query}": round(total / int(rays))
             for (kind, query, rays), total in zip(lines, counted, strict=True)}
 
 
-def check_rays(program, record):
-    figures = {}
-    for instruction_set in INSTRUCTION_SETS:
-        found = rays_of(program, instruction_set)
-        print("\n".join(f"{key}: {value}" for key, value in found.items()) if found else f"no {instruction_set} here")
-        figures |= found or {}
-    recorded = json.loads(RECORD.read_text()) if RECORD.exists() else {}
+def check_record(name, program, values, record):
+    """Compares values with those recorded for this compiler, or records them."""
+    print("\n".join(f"{key}: {value}" for key, value in values.items()))
+    path = Path(__file__).with_name(f"{name}.json")
+    recorded = json.loads(path.read_text()) if path.exists() else {}
     if record:
-        recorded[compiler()] = figures
-        RECORD.write_text(json.dumps(recorded, indent=2) + "\n")
+        recorded[compiler()] = values
+        path.write_text(json.dumps(recorded, indent=2) + "\n")
         return 0
     if compiler() not in recorded:
         skip(f"nothing is recorded for {compiler()}")
-    wrong = 0
-    for key, value in figures.items():
+    failed = 0
+    for key, value in values.items():
         before = recorded[compiler()][key]
         if abs(value - before) > TOLERANCE * before:
-            print(f"{key}: {value} instructions per ray, {before} are recorded; if that is intended: "
-                  f"tests/cost/instructions.py rays {program} --record")
-            wrong = 1
-    return wrong
+            print(f"{key}: {value} instructions, {before} are recorded; if the change is intended, run "
+                  f"tests/cost/instructions.py {name} {program} --record")
+            failed = 1
+    return failed
 
 
-def check_samples(program):
-    found = between_gates([program, *WATCHED_SCENES], "countedSilent", "countedUnwatched")
+def check_rays(program, record):
+    values = {}
+    for instruction_set in INSTRUCTION_SETS:
+        found = instructions_per_ray(program, instruction_set)
+        if not found:
+            print(f"no {instruction_set} on this machine")
+        values |= found or {}
+    return check_record("rays", program, values, record)
+
+
+def check_samples(program, record):
+    found = counted_calls([program, *SAMPLED_SCENES], "countedSingle", "countedBatched")
     if not found:
-        sys.exit("the two tracers differ, or do not run")
-    lines, totals = found
-    wrong = 0
-    for i, scene in enumerate(lines):
-        # The first pair of each scene warms up.
-        silent, unwatched = totals[4 * i + 2:4 * i + 4]
-        print(f"{scene}: {silent} instructions with the silent observer, {unwatched} without one")
-        if abs(silent / unwatched - 1.0) > LARGEST_HOOK:
-            wrong = 1
-    return wrong
+        sys.exit(f"{program} failed")
+    lines, totals = [line.split() for line in found[0]], found[1]
+    values = {}
+    for i, (scene, samples) in enumerate(lines):
+        # The first two of four calls per scene warm up.
+        for query, total in zip(("single", "batched"), totals[4 * i + 2:4 * i + 4], strict=True):
+            values[f"{scene} {query}"] = round(total / int(samples))
+    return check_record("samples", program, values, record)
 
 
 def check_unused(program):
@@ -119,13 +123,13 @@ def check_unused(program):
                 sys.exit(run.stderr)
             return int(re.search(r"Collected : (\d+)", run.stderr).group(1))
 
-    plain, wrong = instructions(), 0
+    plain, failed = instructions(), 0
     for setting in UNUSED:
         cost = instructions(setting) / plain - 1.0
         print(f"{setting}: {100 * cost:+.3f} %")
         if abs(cost) > LARGEST_COST:
-            wrong = 1
-    return wrong
+            failed = 1
+    return failed
 
 
 def main():
@@ -136,8 +140,8 @@ def main():
     match arguments:
         case ["rays", program, *options] if options in ([], ["--record"]):
             sys.exit(check_rays(program, bool(options)))
-        case ["samples", program]:
-            sys.exit(check_samples(program))
+        case ["samples", program, *options] if options in ([], ["--record"]):
+            sys.exit(check_samples(program, bool(options)))
         case ["unused", program]:
             sys.exit(check_unused(program))
     sys.exit(__doc__)

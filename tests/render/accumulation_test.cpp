@@ -1,4 +1,4 @@
-// Sums over very many samples lose nothing that shows.
+// Rounding of sums over very many samples.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr std::uint64_t kSamples = 100'000'000;
 constexpr std::uint64_t kSamples = 10'000'000;
 #endif
 
-TEST(Accumulation, OfAHundredMillionSamplesIsExactToTheLastPlace) {
+TEST(Accumulation, OfAHundredMillionSamplesIsExactToFloatPrecision) {
     render::Film film(1, 1, {0, 1, 0, 1});
     render::Film::TileCopy copy;
     film.read(0, copy);
@@ -37,7 +37,7 @@ TEST(Accumulation, OfAHundredMillionSamplesIsExactToTheLastPlace) {
     EXPECT_NEAR(static_cast<double>(mean.x), truth, ulp(mean.x));
     EXPECT_NEAR(static_cast<double>(mean.y), 0.1, ulp(0.1f));
     EXPECT_EQ(mean.z, 1e9f);
-    // The mean of uniform numbers, whose standard deviation is the root of 1/12.
+    // Uniform numbers have a standard deviation of sqrt(1/12).
     EXPECT_NEAR(static_cast<double>(mean.x), 0.5, 4.0 * std::sqrt(1.0 / 12.0 / n) + ulp(0.5f));
 }
 

@@ -21,7 +21,7 @@ TEST(Film, TilesCoverTheRegionOnce) {
             EXPECT_EQ(count.at(x, y), x >= 5 && x < 105 && y >= 7 && y < 64 ? 1 : 0);
 }
 
-TEST(Film, GivesBackWhatWasCommitted) {
+TEST(Film, ReturnsTheCommittedTile) {
     render::Film film(40, 40, {0, 40, 0, 40});
     render::Film::TileCopy copy;
     film.read(1, copy);

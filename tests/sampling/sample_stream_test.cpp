@@ -12,10 +12,11 @@ namespace {
 constexpr SamplePattern kPatterns[] = {SamplePattern::Independent, SamplePattern::Jittered,
                                        SamplePattern::Sobol};
 
-TEST(SampleStream, IsAPureFunctionOfItsName) {
+TEST(SampleStream, IsAPureFunctionOfItsArguments) {
     for (const SamplePattern pattern : kPatterns) {
         const sampling::SampleStream a(pattern, 7, 3, 4, 5, 16), b(pattern, 7, 3, 4, 5, 16);
-        a.get2D(sampling::Dim::Light, sampling::PathKey{}.child(3), 2, 1, 16);  // drawing changes nothing
+        a.get2D(sampling::Dim::Light, sampling::PathKey{}.child(3), 2, 1,
+                16);  // without effect on later calls
         EXPECT_EQ(a.get2D(sampling::Dim::Pixel), b.get2D(sampling::Dim::Pixel));
         EXPECT_NE(a.get2D(sampling::Dim::Pixel), a.get2D(sampling::Dim::Lens));
         EXPECT_NE(a.get2D(sampling::Dim::Pixel),
@@ -69,7 +70,7 @@ TEST(SampleStream, NeighbouringPixelsAreNotCorrelated) {
     }
 }
 
-/// How many of the n cells of a rows × columns grid hold exactly one point.
+/// Number of cells of a rows × columns grid that contain exactly one point.
 int filledCells(const std::vector<glm::vec2>& points, int columns, int rows) {
     std::set<int> cells;
     for (const glm::vec2& p : points)
@@ -91,7 +92,7 @@ TEST(SampleStream, JitteredAndSobolSamplesOfAPixelAreStratified) {
     }
 }
 
-TEST(SampleStream, JitteredCountsThatAreNoSquaresFillTheirGrid) {
+TEST(SampleStream, JitteredNonSquareCountsFillTheirGrid) {
     for (const auto& [n, columns, rows] : {std::tuple{12, 4, 3}, {7, 7, 1}, {18, 6, 3}, {1, 1, 1}}) {
         std::vector<glm::vec2> points;
         for (int i = 0; i < n; ++i)

@@ -28,7 +28,7 @@ bool isNet(int m, int dimX, int dimY, std::uint32_t seedX, std::uint32_t seedY) 
     return true;
 }
 
-TEST(Sobol, FirstPointsAreTheKnownOnes) {
+TEST(Sobol, HasTheKnownFirstPoints) {
     const double expected[4][4] = {
         {0, 0, 0, 0}, {.5, .5, .5, .5}, {.25, .75, .25, .75}, {.75, .25, .75, .25}};
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -53,7 +53,7 @@ TEST(Sobol, EachDimensionIsStratified) {
     }
 }
 
-TEST(Sobol, TheNetTestFindsAPatternThatIsNone) { EXPECT_FALSE(isNet(4, 0, 0, 0, 0)); }
+TEST(Sobol, ControlTheNetTestRejectsOtherPatterns) { EXPECT_FALSE(isNet(4, 0, 0, 0, 0)); }
 
 TEST(Hash, UnitFloatsAreBelowOne) {
     EXPECT_LT(sampling::toUnitFloat(0xffffffffu), 1.0f);

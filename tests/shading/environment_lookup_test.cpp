@@ -16,7 +16,7 @@ glm::dvec3 anyDirection(std::mt19937& random) {
     return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
 }
 
-TEST(CubePoint, AndBackGivesTheDirection) {
+TEST(CubePoint, InvertsCubeDirection) {
     std::mt19937 random(1);
     std::vector<glm::dvec3> directions;
     for (int i = 0; i < 20000; ++i) directions.push_back(anyDirection(random));
@@ -45,16 +45,16 @@ TEST(EnvironmentLookup, OfAGradientIsTheGradient) {
         test::updateWorst(worstCube, std::abs(shading::lookup(*cube, d).x - exact));
         test::updateWorst(worstEquirect, std::abs(shading::lookup(*equirect, d).x - exact));
     }
-    // Bilinear inside a face is of the second order; across an edge texels of two faces mix, half a texel
-    // apart.
+    // The error of the interpolation is of second order within a face; across an edge, where texels of two
+    // faces are interpolated, up to half a texel.
     EXPECT_LT(worstCube, 1.5e-3);
     EXPECT_LT(worstEquirect, 1.5e-4);
     test::reportDeviation("environment look-up, cube of 128", worstCube, "absolute");
     test::reportDeviation("environment look-up, equirectangular 512 x 256", worstEquirect, "absolute");
 }
 
-/// The jump of the map over a path that crosses edges and corners in small steps: less than a quarter of what
-/// clamping at the edges would give, which is a texel's change.
+/// Along a path across edges and corners in small steps the map changes by less than a quarter of a texel's
+/// change per step; clamping at the edges would give a whole one.
 TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
     constexpr int kSize = 128;
     const auto cube = test::cubeOf(kSize, gradient);

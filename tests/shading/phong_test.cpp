@@ -13,14 +13,14 @@ glm::dvec3 onHemisphere(std::mt19937& random) {
     return {d.x, d.y, std::abs(d.z)};
 }
 
-/// Against long double, for every shininess between the limits.
+/// Against long double, over the range of shininess.
 TEST(Phong, IsAccurateForEveryShininess) {
     std::mt19937 random(1);
     const glm::dvec3 n(0, 0, 1);
     for (const double shininess : {0.0, 1e-3, 1.0, 32.0, 1e3, 1e6}) {
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 l = onHemisphere(random);
-            // Near the mirror direction as well, where high powers live.
+            // Also near the mirror direction, where high powers are not negligible.
             glm::dvec3 v = i % 2 ? onHemisphere(random)
                                  : glm::normalize(glm::dvec3(-l.x, -l.y, l.z) + 1e-3 * onHemisphere(random));
             const long double along = -static_cast<long double>(l.x) * static_cast<long double>(v.x) -
@@ -42,7 +42,7 @@ TEST(Phong, IsZeroForLightBelowTheSurface) {
     EXPECT_GT(shading::phong(surface, n, glm::normalize(glm::dvec3(1, 0, 1e-9)), v).x, 0.99);
 }
 
-TEST(Phong, IsTheSameWithLightAndViewerExchangedUpToTheCosine) {
+TEST(Phong, IsReciprocalUpToTheCosine) {
     std::mt19937 random(2);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 l = onHemisphere(random), v = onHemisphere(random);
@@ -52,7 +52,7 @@ TEST(Phong, IsTheSameWithLightAndViewerExchangedUpToTheCosine) {
     }
 }
 
-TEST(Mirror, KeepsLengthAndSwapsTheSide) {
+TEST(Mirror, KeepsLengthAndChangesTheSide) {
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 n = onHemisphere(random), d = onHemisphere(random), r = shading::mirror(d, n);

@@ -24,7 +24,7 @@ glm::dvec3 meanOf(const RgbImage& image) {
     return sum / static_cast<double>(image.pixels.size());
 }
 
-TEST(MipTexture, EndsInTheMeanOfTheImageWhateverItsSize) {
+TEST(MipTexture, EndsInTheMeanOfTheImageForEverySize) {
     for (const auto& [width, height] : {std::pair{8, 8}, {16, 4}, {5, 5}, {7, 3}, {1, 9}, {100, 37}}) {
         const auto texture = noise(width, height);
         const shading::MipTexture mip(texture, true);
@@ -40,7 +40,7 @@ TEST(MipTexture, WithASmallFootprintIsBilinear) {
                   mip.lookup({u, 0.3f}, 0.0, TextureFilter::Bilinear));
 }
 
-TEST(MipTexture, GrowsBlurredWithoutSteps) {
+TEST(MipTexture, BlursContinuously) {
     const shading::MipTexture mip(noise(64, 64), true);
     glm::dvec3 before = mip.lookup({0.31f, 0.77f}, 0.005, TextureFilter::Mipmap);
     for (double footprint = 0.005; footprint < 2.0; footprint *= 1.01) {
@@ -50,7 +50,7 @@ TEST(MipTexture, GrowsBlurredWithoutSteps) {
     }
 }
 
-TEST(TextureLookup, StaysInsideForEveryCoordinate) {
+TEST(TextureLookup, IsDefinedForEveryCoordinate) {
     const float infinity = std::numeric_limits<float>::infinity();
     for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp}) {
         const shading::MipTexture mip(noise(3, 5, wrap), true);
@@ -65,9 +65,9 @@ TEST(TextureLookup, StaysInsideForEveryCoordinate) {
     }
 }
 
-TEST(BilinearTap, WeighsTexelCentresAtHalfIntegers) {
-    const shading::BilinearTap tap =
-        shading::bilinearTap(4, 4, {0.375, 0.625}, TextureWrap::Clamp);  // the centre of (1, 1) from above
+TEST(BilinearTap, HasTexelCentresAtHalfIntegers) {
+    const shading::BilinearTap tap = shading::bilinearTap(
+        4, 4, {0.375, 0.625}, TextureWrap::Clamp);  // the centre of texel (1, 1), counted from the top
     EXPECT_EQ(tap.x[0], 1);
     EXPECT_EQ(tap.y[0], 1);
     EXPECT_EQ(tap.weightX, 0.0);

@@ -1,5 +1,5 @@
 #pragma once
-// One scene that uses every effect at once.
+// A scene that uses all effects.
 #include <cmath>
 #include <numbers>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Exact answers, written independently of the tracer.
+// Closed forms, independent of the tracer.
 #include <rayscope/vector.h>
 
 #include <cmath>

@@ -6,7 +6,7 @@
 
 namespace rayscope::test {
 
-/// What `action` says in the InputError that it throws; fails the test if it throws none.
+/// The text of the InputError that `action` throws; fails the test if it throws none.
 template <class Action>
 std::string inputErrorOf(Action&& action) {
     try {

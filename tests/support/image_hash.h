@@ -6,7 +6,7 @@
 
 namespace rayscope::test {
 
-/// One number of all bits of all sums: equal films have equal hashes.
+/// A hash of all bits of all sums and sample counts.
 inline std::uint64_t hashOf(const render::Film& film) {
     std::uint64_t hash = 0;
     render::Film::TileCopy copy;

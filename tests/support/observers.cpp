@@ -1,5 +1,5 @@
 #include "support/tracing.h"
-#include "trace/radiance.inl"
+#include "trace/radiance_definition.h"
 
 namespace rayscope::trace {
 

@@ -8,7 +8,7 @@
 
 namespace rayscope::test {
 
-/// An empty folder that disappears, with all that is in it, at the end of the test.
+/// An empty folder that is deleted with its contents at the end of its scope.
 class TemporaryFolder {
   public:
     TemporaryFolder() {

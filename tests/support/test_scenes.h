@@ -1,5 +1,5 @@
 #pragma once
-// Small scenes made in code, for tests that need an exact answer.
+// Small scenes for tests with an exact answer.
 #include <rayscope/scene.h>
 
 #include <memory>
@@ -34,7 +34,7 @@ inline Light pointLight(const glm::vec3& position, const Rgb& color = Rgb(1.0f))
     return {PointLight{position, color}, Falloff::None};
 }
 
-/// Looks from (0, 0, distance) at the origin.
+/// A camera at (0, 0, distance) that looks at the origin.
 inline CameraDescription frontCamera(float distance, float fov = 50.0f) {
     CameraDescription camera;
     camera.lookFrom = {0.0f, 0.0f, distance};

@@ -1,5 +1,5 @@
 #pragma once
-// Tracing single samples of a world, and counting what they draw.
+// Traces single samples and records their events.
 #include <array>
 
 #include "support/test_scenes.h"
@@ -8,7 +8,7 @@
 
 namespace rayscope::test {
 
-/// Looks at one point: the whole image is 2e-7 radians wide, so its extent is below the rounding of floats.
+/// A camera whose whole image is one point: 2e-7 radians wide, below the rounding of floats.
 inline CameraDescription pointCamera(const glm::vec3& from, const glm::vec3& at) {
     CameraDescription camera;
     camera.lookFrom = from;
@@ -32,7 +32,7 @@ struct EventCounter {
         ++lights[static_cast<std::size_t>(c.visibility)];
     }
     void added(const glm::dvec3&) { ++terms; }
-    void ended(const trace::Segment&, RayEnd why) { ++ends[static_cast<std::size_t>(why)]; }
+    void ended(const trace::Segment&, RayEnd end) { ++ends[static_cast<std::size_t>(end)]; }
 
     int count(RayKind kind) const { return segments[static_cast<std::size_t>(kind)]; }
     int count(RayEnd end) const { return ends[static_cast<std::size_t>(end)]; }
@@ -40,11 +40,11 @@ struct EventCounter {
     bool operator==(const EventCounter&) const = default;
 };
 
-/// Keeps the values themselves.
+/// Stores the values of the events.
 struct RecordingObserver {
     std::vector<trace::Segment> segments;
     std::vector<trace::Interaction> hits;
-    std::vector<Ray> hitRays;  ///< that made the hits
+    std::vector<Ray> hitRays;  ///< rays of the hits, in the same order
     std::vector<trace::LightConnection> lights;
     std::vector<glm::dvec3> lightValues;
 
@@ -79,11 +79,11 @@ RgbSum pixelMean(const trace::World& world, std::uint64_t seed, int x, int y, in
     return sum / static_cast<double>(count);
 }
 inline RgbSum pixelMean(const trace::World& world, std::uint64_t seed, int x, int y, int count) {
-    trace::NullObserver silent;
-    return pixelMean(world, seed, x, y, count, silent);
+    trace::NullObserver observer;
+    return pixelMean(world, seed, x, y, count, observer);
 }
 
-/// One sample of the pixel (0, 0), for scenes without chance.
+/// One sample of the pixel (0, 0), for scenes whose radiance does not depend on random numbers.
 inline RgbSum firstSample(const trace::World& world) { return pixelMean(world, 0, 0, 0, 1); }
 
 }  // namespace rayscope::test

@@ -27,7 +27,7 @@ Settings withSamples(SamplePattern pattern, int perSegment, int perSide) {
     return settings;
 }
 
-/// Unbiased for every pattern, whether the light's samples or the pixel's are many.
+/// Unbiased for every pattern, with many samples of the light or of the pixel.
 void expectUnbiasedForAll(const std::string& what, const SceneDescription& scene, double exact,
                           int perSegment, int perSide, int channel = 0) {
     for (const SamplePattern pattern : kPatterns) {
@@ -47,7 +47,7 @@ void expectUnbiasedForAll(const std::string& what, const SceneDescription& scene
 const SegmentLight kSegment{{glm::vec3(-1, 0.5f, 0.3f), glm::vec3(2, 1.5f, -0.5f)},
                             {Rgb(1, 0, 0.5f), Rgb(1, 1, 0)}};
 
-TEST(SegmentLight, GivesTheAnalyticMean) {
+TEST(SegmentLight, HasTheAnalyticMean) {
     const SceneDescription scene = underLight({kSegment, Falloff::None});
     const glm::dvec3 n(0, 1, 0), a(kSegment.endpoints[0]), b(kSegment.endpoints[1]);
     expectUnbiasedForAll("segment light", scene, segmentMean(n, a, b, 1, 1), 1024, 1, 0);
@@ -55,7 +55,7 @@ TEST(SegmentLight, GivesTheAnalyticMean) {
     expectUnbiasedForAll("segment light, colour falling", scene, segmentMean(n, a, b, 0.5, 0), 2048, 1, 2);
 }
 
-TEST(SegmentLight, WithFalloffGivesTheAnalyticMean) {
+TEST(SegmentLight, WithFalloffHasTheAnalyticMean) {
     const SceneDescription scene = underLight({kSegment, Falloff::InverseSquare});
     const double exact = segmentMeanInverseSquare({0, 1, 0}, glm::dvec3(kSegment.endpoints[0]),
                                                   glm::dvec3(kSegment.endpoints[1]));
@@ -68,19 +68,19 @@ ParallelogramLight rectangle(float x0, float x1, float z0, float z1, float heigh
             {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}};
 }
 
-TEST(ParallelogramLight, ParallelToTheReceiverGivesTheAnalyticMean) {
+TEST(ParallelogramLight, ParallelToTheReceiverHasTheAnalyticMean) {
     const SceneDescription scene = underLight({rectangle(-0.5f, 1.5f, -0.25f, 0.75f, 0.5f), Falloff::None});
     expectUnbiasedForAll("parallelogram light", scene, rectangleMean(-0.5, 1.5, -0.25, 0.75, 0.5), 1024, 32);
 }
 
-TEST(ParallelogramLight, WithFalloffGivesItsSolidAngle) {
+TEST(ParallelogramLight, WithFalloffHasItsSolidAngle) {
     const SceneDescription scene =
         underLight({rectangle(-0.5f, 1.5f, -0.25f, 0.75f, 0.5f), Falloff::InverseSquare});
     expectUnbiasedForAll("parallelogram light, inverse square", scene,
                          rectangleSolidAngle(-0.5, 1.5, -0.25, 0.75, 0.5) / 2.0, 2048, 46);
 }
 
-TEST(ParallelogramLight, SlantedWithFourColoursGivesItsIntegral) {
+TEST(ParallelogramLight, SlantedWithFourColoursHasItsIntegral) {
     const ParallelogramLight light{{-1, 0.75f, -0.5f},
                                    {glm::vec3(2, 0.5f, 0.5f), glm::vec3(0.5f, 1, 1.5f)},
                                    {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(0, 1, 1)}};
@@ -108,10 +108,10 @@ double slopeOf(const Light& light, double exact, SamplePattern pattern) {
     });
 }
 
-TEST(SegmentLight, ConvergesAsItsSamplerShould) {
+TEST(SegmentLight, ConvergesAtTheRateOfItsSampler) {
     const double exact =
         segmentMean({0, 1, 0}, glm::dvec3(kSegment.endpoints[0]), glm::dvec3(kSegment.endpoints[1]), 1, 1);
-    // One-dimensional and smooth: strata of width 1/n leave n^-3/2. Scrambling by hashing is not quite as
+    // One-dimensional and smooth: strata of width 1/n leave n^-3/2. Hash-based scrambling is not quite as
     // random as Owen's: over 2,000 runs its slope is -1.41.
     const double theory[] = {-0.5, -1.5, -1.41};
     for (const SamplePattern pattern : kPatterns)
@@ -119,9 +119,9 @@ TEST(SegmentLight, ConvergesAsItsSamplerShould) {
                     slopeOf({kSegment, Falloff::None}, exact, pattern), theory[static_cast<int>(pattern)]);
 }
 
-TEST(ParallelogramLight, ConvergesAsItsSamplerShould) {
+TEST(ParallelogramLight, ConvergesAtTheRateOfItsSampler) {
     const double exact = rectangleMean(-0.5, 1.5, -0.25, 0.75, 0.5);
-    const double theory[] = {-0.5, -1.0, -1.39};  // the last one as measured over 2,000 runs
+    const double theory[] = {-0.5, -1.0, -1.39};  // the last one measured over 2,000 runs
     for (const SamplePattern pattern : kPatterns)
         expectSlope(fmt::format("parallelogram light, {}", nameOf(pattern)),
                     slopeOf({rectangle(-0.5f, 1.5f, -0.25f, 0.75f, 0.5f), Falloff::None}, exact, pattern),
@@ -144,7 +144,7 @@ TEST(ParallelogramLight, HasAPenumbraThatIsALinearRamp) {
             const auto world = compileScene(scene, settings, 1, 1);
             settings.softShadows = false;
             const auto lit = compileScene(scene, settings, 1, 1);
-            // The light's points to the right of the line through x and the edge are seen.
+            // Visible are the points of the light to the right of the line through x and the edge.
             const double ramp = kWidth * kBlocker / (kHeight - kBlocker);
             const double exact = std::clamp(x / ramp + 0.5, 0.0, 1.0);
             const Estimate estimate =
@@ -154,7 +154,7 @@ TEST(ParallelogramLight, HasAPenumbraThatIsALinearRamp) {
                 EXPECT_NEAR(estimate.mean, exact, 4.0 * estimate.standardError + 1e-6) << x;
                 updateWorst(worst, std::abs(estimate.mean - exact));
             } else {
-                // The part of the light that is seen is a rectangle of its own.
+                // The visible part of the light is a rectangle.
                 const double seen = 0.5 - exact;
                 const double part =
                     exact > 0.0 ? exact * rectangleMean(seen - x, 0.5 - x, -0.5, 0.5, 4.0) : 0.0;
@@ -166,7 +166,7 @@ TEST(ParallelogramLight, HasAPenumbraThatIsALinearRamp) {
     reportDeviation("penumbra of a half-plane", worst, "absolute");
 }
 
-TEST(AreaLight, HardAndSoftShadowsAreSeparateSwitches) {
+TEST(AreaLight, HardAndSoftShadowsAreIndependentSettings) {
     SceneDescription scene = underLight({rectangle(-0.5f, 0.5f, -0.5f, 0.5f, 4.0f), Falloff::None});
     scene.lights.push_back(pointLight({0, 4, 0}));
     scene.meshes.push_back(quad({-9, 1, 9}, {18, 0, 0}, {0, 0, -18}));
@@ -186,7 +186,7 @@ int lightSamples(const Light& light, const Settings& settings) {
     return counter.lightSamples();
 }
 
-TEST(AreaLight, TakesAsManySamplesAsTheSettingSays) {
+TEST(AreaLight, TakesTheNumberOfSamplesOfTheSettings) {
     const SegmentLight segment{{glm::vec3(0, 1, 0), glm::vec3(0, 1, 2.5f)}, {Rgb(1), Rgb(1)}};
     const Light wide{rectangle(0, 1.5f, 0, 0.3f, 1), Falloff::None};
     for (const int n : {1, 2, 7, 64}) {

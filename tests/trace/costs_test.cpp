@@ -1,4 +1,4 @@
-// What a scene does not use costs nothing: the same bits and the same events, whatever its settings say.
+// Settings of effects that the scene does not use change neither bits nor events.
 #include <gtest/gtest.h>
 
 #include "support/all_effects_scene.h"
@@ -26,7 +26,8 @@ Trace traceAll(const SceneDescription& scene, const Settings& settings, int size
     return trace;
 }
 
-/// One matt, opaque, untextured floor with facets, at rest, under one light of the given kind; a pinhole.
+/// A diffuse, opaque, untextured, static floor without vertex normals under one light, seen by a pinhole
+/// camera.
 SceneDescription bareScene(const Light& light) {
     SceneDescription scene;
     scene.materials = {material({0.2f, 0.4f, 0.6f})};
@@ -39,20 +40,20 @@ SceneDescription bareScene(const Light& light) {
     return scene;
 }
 
-struct Turn {
+struct Change {
     const char *key, *from, *to;
 };
-void expectNoDifference(const SceneDescription& scene, std::initializer_list<Turn> turns) {
-    for (const Turn& turn : turns) {
+void expectNoDifference(const SceneDescription& scene, std::initializer_list<Change> changes) {
+    for (const Change& change : changes) {
         Settings a, b;
-        for (Settings* s : {&a, &b}) s->glossy = true;  // what glossy_sigma and others depend on
-        assign(a, turn.key, turn.from);
-        assign(b, turn.key, turn.to);
-        EXPECT_EQ(traceAll(scene, a, 16, 4), traceAll(scene, b, 16, 4)) << turn.key;
+        for (Settings* s : {&a, &b}) s->glossy = true;  // a prerequisite of glossy_sigma and others
+        assign(a, change.key, change.from);
+        assign(b, change.key, change.to);
+        EXPECT_EQ(traceAll(scene, a, 16, 4), traceAll(scene, b, 16, 4)) << change.key;
     }
 }
 
-TEST(Unused, EffectsCostNothing) {
+TEST(UnusedSettings, OfEffectsCostNothing) {
     expectNoDifference(bareScene(pointLight({1, 3, 1})), {{"recursion", "false", "true"},
                                                           {"max_depth", "0", "16"},
                                                           {"reflect_when", "ks", "illum"},
@@ -77,14 +78,14 @@ TEST(Unused, EffectsCostNothing) {
                                                           {"motion_blur", "false", "true"}});
 }
 
-TEST(Unused, HardShadowsOfASceneWithoutPointLightsCostNothing) {
+TEST(UnusedSettings, OfHardShadowsCostNothingWithoutPointLights) {
     const ParallelogramLight area{
         {-1, 3, -1}, {glm::vec3(1, 0, 0), glm::vec3(0, 0, 1)}, {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}};
     expectNoDifference(bareScene({area, Falloff::None}),
                        {{"hard_shadows", "false", "true"}, {"segment_samples", "1", "64"}});
 }
 
-TEST(Unused, TheComparisonWouldSeeADifference) {
+TEST(UnusedSettings, ControlDetectsADifference) {
     const SceneDescription scene = bareScene(pointLight({1, 3, 1}));
     Settings off;
     off.hardShadows = false;
@@ -94,7 +95,7 @@ TEST(Unused, TheComparisonWouldSeeADifference) {
     EXPECT_GT(with.rays, without.rays);
 }
 
-TEST(Everything, AtOnceGivesNumbers) {
+TEST(AllEffects, TogetherAreFinite) {
     for (const bool reflectionMap : {false, true})
         for (const SamplePattern pattern :
              {SamplePattern::Independent, SamplePattern::Jittered, SamplePattern::Sobol}) {

@@ -1,4 +1,4 @@
-// The environment as the tracer shows it: behind everything, in mirrors, and as a reflection map.
+// The environment map behind all geometry, in mirrors, and as a reflection map.
 #include "shading/environment_lookup.h"
 #include "support/environments.h"
 #include "support/statistics.h"
@@ -15,7 +15,7 @@ SceneDescription skyOnly(std::shared_ptr<const Environment> environment) {
 
 const glm::dvec3 kAxis = glm::normalize(glm::dvec3(0.3, 0.7, -0.4));
 
-TEST(EnvironmentMap, ThatIsConstantGivesTheConstantEverywhere) {
+TEST(EnvironmentMap, OfAConstantIsTheConstantEverywhere) {
     const Rgb color(0.25f, 0.5f, 2.0f);
     for (const auto& environment : {cubeOf(8, [&](const glm::dvec3&) { return color; }),
                                     equirectOf(16, 8, [&](const glm::dvec3&) { return color; })}) {
@@ -31,8 +31,8 @@ TEST(EnvironmentMap, ThatIsConstantGivesTheConstantEverywhere) {
     }
 }
 
-/// A furnace: with ks = 1 and nothing else a surface is as bright as the environment around it.
-TEST(EnvironmentMap, MakesAMirrorInvisibleIfItIsConstant) {
+/// White furnace test: a surface with ks = 1 has the radiance of the constant environment around it.
+TEST(EnvironmentMap, PassesTheFurnaceTest) {
     SceneDescription scene = skyOnly(cubeOf(4, [](const glm::dvec3&) { return Rgb(0.5f); }));
     scene.materials = {material(Rgb(0.0f), Rgb(1.0f), 8.0f, 0.6f)};
     scene.spheres = {{"s", {{0, 0, 0}, 1.0f}, 0, glm::vec3(0)},
@@ -45,14 +45,14 @@ TEST(EnvironmentMap, MakesAMirrorInvisibleIfItIsConstant) {
         for (int x = 0; x < 24; ++x) {
             EventCounter counter;
             const RgbSum value = pixelMean(*world, 0, x, y, 1, counter);
-            if (counter.count(RayEnd::DepthLimit) > 0) continue;  // energy is left out there on purpose
+            if (counter.count(RayEnd::DepthLimit) > 0) continue;  // loses energy by design
             EXPECT_NEAR(value.x, 0.5, 1e-12);
             ++checked;
         }
     EXPECT_GT(checked, 200);
 }
 
-TEST(EnvironmentMap, IsSeenInTheDirectionOfTheRay) {
+TEST(EnvironmentMap, IsLookedUpInTheDirectionOfTheRay) {
     const auto gradient = [](const glm::dvec3& d) {
         return Rgb(static_cast<float>(0.5 + 0.5 * glm::dot(d, kAxis)));
     };
@@ -87,14 +87,14 @@ TEST(EnvironmentMap, ReflectsAlongTheMirroredDirection) {
         const glm::dvec3 in(0, 0, -1), out = in - 2.0 * glm::dot(in, n) * n;
         const double value = firstSample(*compileScene(scene, settings, 1, 1)).x;
         EXPECT_NEAR(value, 0.5 + 0.5 * glm::dot(out, kAxis), 1e-4);
-        // A mirror of ks = 1 shows the same.
+        // A mirror with ks = 1 gives the same.
         SceneDescription mirrored = scene;
         mirrored.materials = {material(Rgb(0.0f), Rgb(1.0f))};
         EXPECT_NEAR(firstSample(*compileScene(mirrored, {}, 1, 1)).x, value, 1e-6);
     }
 }
 
-TEST(EnvironmentMap, WithoutOneTheReflectionMapHasNothingToShow) {
+TEST(EnvironmentMap, IfMissingDisablesTheReflectionMap) {
     SceneDescription scene;
     scene.materials = {material(Rgb(0.5f))};
     scene.spheres = {{"s", {{0, 0, 0}, 1.0f}, 0, glm::vec3(0)}};

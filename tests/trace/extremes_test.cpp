@@ -1,4 +1,4 @@
-// At the ends of what can be asked for: finite, and with the right limits.
+// Extreme parameters: finite results with the right limits.
 #include <limits>
 
 #include "math/vectors.h"
@@ -21,7 +21,7 @@ SceneDescription floorUnder(const Light& light, const Material& m = material(Rgb
     return scene;
 }
 
-TEST(Extremes, LightsWithoutExtentArePointLights) {
+TEST(Extremes, LightsOfZeroSizeArePointLights) {
     const glm::vec3 at(0.5f, 2, 0.3f);
     const RgbSum point = firstSample(*compileScene(floorUnder(pointLight(at)), {}, 1, 1));
     const SegmentLight segment{{at, at}, {Rgb(1), Rgb(1)}};
@@ -33,7 +33,7 @@ TEST(Extremes, LightsWithoutExtentArePointLights) {
             EXPECT_LT(glm::distance(firstSample(*compileScene(floorUnder(light), settings, 1, 1)), point),
                       1e-12);
         }
-    // One edge of no length leaves a segment: its mean is the segment's.
+    // With one edge of zero length a parallelogram is a segment, with the same mean.
     const ParallelogramLight thin{at, {glm::vec3(1, 0, 0), glm::vec3(0)}, {Rgb(1), Rgb(1), Rgb(1), Rgb(1)}};
     const SegmentLight same{{at, at + glm::vec3(1, 0, 0)}, {Rgb(1), Rgb(1)}};
     Settings many;
@@ -43,7 +43,7 @@ TEST(Extremes, LightsWithoutExtentArePointLights) {
                 firstSample(*compileScene(floorUnder({same, Falloff::None}), many, 1, 1)).x, 1e-3);
 }
 
-TEST(Extremes, ALightOnTheSurfaceGivesNumbers) {
+TEST(Extremes, ALightOnTheSurfaceIsFinite) {
     for (const Falloff falloff : {Falloff::None, Falloff::InverseSquare})
         for (const float height : {0.0f, 1e-45f, 1e-30f, 1e-20f, 1e-7f, 1e20f, 1e38f})
             for (const bool shading : {true, false}) {
@@ -69,7 +69,7 @@ std::vector<MeshInstance> boxAround(const glm::vec3& center, float half) {
     return faces;
 }
 
-TEST(Extremes, LightsInsideGeometryLightItsInsideOnly) {
+TEST(Extremes, LightsInsideABoxIlluminateOnlyItsInside) {
     const glm::vec3 inside(0.25f, 2, -0.125f);
     const glm::vec3 u(0.25f, 0, 0), v(0, 0.125f, 0.25f);
     const Rgb white(1.0f);
@@ -85,11 +85,11 @@ TEST(Extremes, LightsInsideGeometryLightItsInsideOnly) {
                 for (const MeshInstance& face : boxAround(inside, 1.0f)) scene.meshes.push_back(face);
             else
                 scene.spheres = {{"s", {inside, 1.0f}, 0, glm::vec3(0)}};
-            for (int x = -8; x <= 8; ++x) {  // no light leaves, not even through an edge
+            for (int x = -8; x <= 8; ++x) {  // no light leaks, not even through an edge
                 scene.cameras = {pointCamera({0.5f * static_cast<float>(x), 0.5f, 3}, {x, 0, 0})};
                 EXPECT_EQ(firstSample(*compileScene(scene, {}, 1, 1)), RgbSum(0.0)) << x << ' ' << box;
             }
-            // Seen from where the light is, along the normal: kd + ks.
+            // Seen from the light along the normal: kd + ks.
             scene.cameras = {pointCamera(inside, inside - glm::vec3(0, 1, 0))};
             Settings settings;
             settings.maxDepth = 0;
@@ -98,8 +98,8 @@ TEST(Extremes, LightsInsideGeometryLightItsInsideOnly) {
         }
 }
 
-TEST(Extremes, ShininessFromZeroToInfinityHasItsLimits) {
-    // The light stands where the mirror image of the eye does: the highlight is ks whatever the shininess.
+TEST(Extremes, ShininessHasTheRightLimits) {
+    // The light is at the mirror image of the eye: the highlight is ks for every shininess.
     const Light mirrored = pointLight({-1, 3, -2});
     for (const float shininess : {0.0f, 1e-30f, 1.0f, 1e6f})
         EXPECT_NEAR(firstSample(*compileScene(floorUnder(mirrored, material(Rgb(0.0f), Rgb(0.3f), shininess)),
@@ -119,7 +119,7 @@ TEST(Extremes, ShininessFromZeroToInfinityHasItsLimits) {
         0.0);
 }
 
-/// Glossy reflection in a floor inside a white sphere: the fraction of rays above ground.
+/// Glossy reflection in a floor inside a white sphere: the fraction of rays above the surface.
 double glossyValue(float sigma, float shininess) {
     SceneDescription scene = floorUnder(pointLight({0, 1, 0}), material(Rgb(0.0f), Rgb(1.0f), shininess));
     scene.lights.clear();
@@ -136,19 +136,19 @@ double glossyValue(float sigma, float shininess) {
     return value.x;
 }
 
-TEST(Extremes, GlossTendsToTheMirrorAndToNoise) {
+TEST(Extremes, GlossyReflectionHasTheRightLimits) {
     const double mirror = glossyValue(0.0f, 10.0f);
     EXPECT_EQ(mirror, 1.0);
     for (const float sigma : {1e-45f, 1e-30f, 1e-10f, 1e-4f})
         EXPECT_NEAR(glossyValue(sigma, 10.0f), mirror, 1e-12);
     EXPECT_NEAR(glossyValue(100.0f, 1e6f), mirror, 1e-12);
     for (const float shininess : {0.0f, 1e-30f}) {
-        // As wide as a lobe can be: half of the rays go below ground.
+        // The widest lobe: half of the rays are below the surface.
         EXPECT_NEAR(glossyValue(100.0f, shininess), 0.5, 0.02);
     }
 }
 
-TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
+TEST(Extremes, ApertureSizesAreFinite) {
     SceneDescription scene = allEffectsScene();
     Settings settings;
     settings.lensSamples = 2;
@@ -160,7 +160,7 @@ TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
                 for (int i = 0; i < 16; ++i)
                     EXPECT_TRUE(math::isFinite(pixelMean(*world, 0, i % 4, i / 4, 1)));
             }
-    // Stopped down far enough the lens is a pinhole.
+    // A small enough aperture is a pinhole.
     scene.cameras[0].lens = Lens{1e30f, 0.05f, 2.0f};
     settings.lensSamples = 1;
     const auto closed = compileScene(scene, settings, 4, 4);
@@ -172,7 +172,7 @@ TEST(Extremes, LensesFromWideOpenToClosedGiveNumbers) {
             1e-3);
 }
 
-TEST(Extremes, TextureCoordinatesThatAreNoNumbersReadATexel) {
+TEST(Extremes, NonFiniteTextureCoordinatesReadATexel) {
     for (const float odd : {kNan, kInfinity, -kInfinity, 1e30f, -1e-9f, 1.0f - 0x1p-24f})
         for (const TextureFilter filter :
              {TextureFilter::Nearest, TextureFilter::Bilinear, TextureFilter::Mipmap}) {
@@ -188,7 +188,7 @@ TEST(Extremes, TextureCoordinatesThatAreNoNumbersReadATexel) {
         }
 }
 
-TEST(Extremes, EmptyAndDegenerateScenesGiveNumbers) {
+TEST(Extremes, EmptyAndDegenerateScenesAreFinite) {
     SceneDescription empty;
     empty.cameras = {frontCamera(1.0f)};
     EXPECT_EQ(firstSample(*compileScene(empty, {}, 1, 1)), RgbSum(0.0));
@@ -205,8 +205,8 @@ TEST(Extremes, EmptyAndDegenerateScenesGiveNumbers) {
     for (int i = 0; i < 144; ++i) ASSERT_TRUE(math::isFinite(pixelMean(*world, 0, i % 12, i / 12, 2)));
 }
 
-TEST(Extremes, TheSameSceneAtAnyScaleGivesTheSamePicture) {
-    // Everything is scaled by a power of two, so all roundings but those near the least number are the same.
+TEST(Extremes, TheImageIsInvariantUnderScaling) {
+    // Everything is scaled by a power of two, so all roundings are the same except near the denormal numbers.
     std::vector<RgbSum> reference;
     for (const int exponent : {0, -20, 20}) {
         const float s = std::ldexp(1.0f, exponent);

@@ -8,10 +8,10 @@ namespace rayscope::test {
 namespace {
 
 constexpr float kSigma = 1.0f, kShininess = 4.0f;
-/// Standard deviation of the tangent plane's coordinates at distance 1: the square stands at 0.3.
+/// Standard deviation of the tangent plane's coordinates at distance 1: the deviates apply at distance 0.3.
 double spread(double sigma, double shininess) { return sigma / (3.0 * shininess) / 0.3; }
 
-/// A mirror in the plane z = 0, seen along the direction that is reflected straight up the z axis, under a
+/// A mirror in the plane z = 0, seen along the direction that is reflected along the z axis, under a
 /// bright half-plane x > edge at height 2.
 SceneDescription underStep(float edge, float shininess = kShininess) {
     SceneDescription scene;
@@ -37,7 +37,7 @@ double stepBrightness(double edge, double sigma = kSigma, double shininess = kSh
     return normalCdf(-edge / 2.0 / spread(sigma, shininess));
 }
 
-TEST(GlossyReflection, OfAStepEdgeIsAnErrorFunction) {
+TEST(GlossyReflection, BlursAStepEdgeToAnErrorFunction) {
     for (const float edge : {-0.6f, 0.25f, 0.6f})
         for (const SamplePattern pattern : kPatterns) {
             const auto world = compileScene(underStep(edge), glossySettings(pattern, 1024), 1, 1);
@@ -49,7 +49,7 @@ TEST(GlossyReflection, OfAStepEdgeIsAnErrorFunction) {
         }
 }
 
-TEST(GlossyReflection, IsUnbiasedWithOneRayPerSampleToo) {
+TEST(GlossyReflection, IsUnbiasedWithOneRayPerSample) {
     for (const SamplePattern pattern : kPatterns) {
         Settings settings = glossySettings(pattern, 1);
         settings.spp = 1024;
@@ -77,7 +77,8 @@ TEST(GlossyReflection, WidensWithSigmaAndNarrowsWithShininess) {
 }
 
 TEST(GlossyReflection, CountsRaysBelowTheSurfaceAsZero) {
-    // Everything above the mirror is white. At a grazing angle the accepted fraction is the one above ground.
+    // Everything above the mirror is white. At a grazing angle the result is the fraction of rays above the
+    // surface.
     SceneDescription scene;
     scene.materials = {material(Rgb(0.0f), Rgb(1.0f), kShininess), material(Rgb(1.0f))};
     scene.meshes = {quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
@@ -96,7 +97,7 @@ TEST(GlossyReflection, CountsRaysBelowTheSurfaceAsZero) {
     EXPECT_EQ(counter.count(RayKind::Glossy), 1024);
 }
 
-TEST(GlossyReflection, ConvergesAsItsSamplerShould) {
+TEST(GlossyReflection, ConvergesAtTheRateOfItsSampler) {
     const double theory[] = {-0.5, -0.75, -0.75};
     static constexpr float kEdges[] = {-0.35f, -0.1f, 0.07f, 0.25f, 0.45f};
     for (const SamplePattern pattern : kPatterns) {
@@ -111,7 +112,7 @@ TEST(GlossyReflection, ConvergesAsItsSamplerShould) {
     }
 }
 
-TEST(GlossyReflection, WithoutWidthIsTheMirrorBitForBit) {
+TEST(GlossyReflection, OfZeroWidthIsSpecularBitForBit) {
     const SceneDescription scene = underStep(-0.6f);
     Settings mirror = glossySettings(SamplePattern::Sobol, 64),
              sharp = glossySettings(SamplePattern::Sobol, 64, 0.0f);
@@ -122,7 +123,7 @@ TEST(GlossyReflection, WithoutWidthIsTheMirrorBitForBit) {
     EXPECT_EQ(a, b);
 }
 
-TEST(GlossyReflection, TakesAsManyRaysAsTheSettingSaysAndOneOfEverythingBehind) {
+TEST(GlossyReflection, TracesGlossySamplesRaysAndSamplesOnceBehindThem) {
     SceneDescription scene = underStep(-50.0f);
     scene.materials[1] = material(Rgb(0.5f), Rgb(0.5f), kShininess);
     scene.lights = {
@@ -137,8 +138,8 @@ TEST(GlossyReflection, TakesAsManyRaysAsTheSettingSaysAndOneOfEverythingBehind) 
         EventCounter counter;
         pixelMean(*compileScene(scene, settings, 1, 1), 0, 0, 0, 1, counter);
         EXPECT_EQ(counter.count(RayKind::Camera), 1);
-        // The first reflection splits into n, each hits the upper plane and goes on as one (or, unsplit, n)
-        // rays.
+        // The first reflection splits into n, each hits the upper plane and continues as one ray (n
+        // without the split).
         EXPECT_EQ(counter.count(RayKind::Glossy), 2 * n);
         // The mirror itself takes 16 light samples; behind a split every vertex takes one.
         EXPECT_LE(counter.lightSamples(), n > 1 ? 16 + 2 * n : 48);

@@ -1,4 +1,4 @@
-// Depth of field: the circle of confusion of a thin lens.
+// Depth of field against the circle of confusion of a thin lens.
 #include "support/closed_forms.h"
 #include "support/patterns.h"
 #include "support/statistics.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kFocal = 0.5, kFocus = 4.0, kNumber = 2.0, kAperture = kFocal / kNumber;
 
-/// A camera at the origin that looks along −z, at a white half-plane at the given depth whose edge is `x` to
+/// A camera at the origin, looking along −z at a white half-plane at the given depth whose edge is `x` to
 /// the left of the central ray, through a lens that is focused on kFocus.
 SceneDescription edgeAtDepth(float depth, float x) {
     SceneDescription scene;
@@ -78,7 +78,8 @@ TEST(DepthOfField, HasTheCircleOfConfusionOfAThinLens) {
         const double measured = 2.0 * radius / d * sensor;
         const double expected = kAperture * std::abs(d - kFocus) / d * kFocal / (kFocus - kFocal);
         EXPECT_LE(measured, expected + 1e-6);
-        EXPECT_NEAR(measured, expected, 2e-3 * expected + 1e-6);  // 4096 points come this near to the rim
+        EXPECT_NEAR(measured, expected,
+                    2e-3 * expected + 1e-6);  // distance of the outermost of 4096 points from the rim
         const double variance = blurRadius(d) * blurRadius(d) / 4.0;
         EXPECT_NEAR(squares.x, variance, 2e-3 * variance + 1e-12);
         EXPECT_NEAR(squares.y, variance, 2e-3 * variance + 1e-12);
@@ -88,8 +89,8 @@ TEST(DepthOfField, HasTheCircleOfConfusionOfAThinLens) {
     reportDeviation("circle of confusion", worst, "relative");
 }
 
-TEST(DepthOfField, IsSharpOnThePlaneOfFocus) {
-    // A plane, not a sphere: off the axis as well.
+TEST(DepthOfField, IsSharpInThePlaneOfFocus) {
+    // Also off the axis: a plane, not a sphere.
     SceneDescription scene = edgeAtDepth(static_cast<float>(kFocus), 50.0f);
     scene.cameras[0].fov = 60.0f;
     const auto world = compileScene(scene, lensSettings(SamplePattern::Sobol, 64), 9, 9);
@@ -106,7 +107,7 @@ TEST(DepthOfField, IsSharpOnThePlaneOfFocus) {
     reportDeviation("spread on the plane of focus", worst, "scene units");
 }
 
-TEST(DepthOfField, ConvergesAsItsSamplerShould) {
+TEST(DepthOfField, ConvergesAtTheRateOfItsSampler) {
     const double theory[] = {-0.5, -0.75, -0.75};
     static constexpr double kEdges[] = {-0.55, -0.2, 0.1, 0.35, 0.7};
     for (const SamplePattern pattern : kPatterns) {
@@ -120,7 +121,7 @@ TEST(DepthOfField, ConvergesAsItsSamplerShould) {
     }
 }
 
-TEST(DepthOfField, OneRayPerSampleIsUnbiasedToo) {
+TEST(DepthOfField, IsUnbiasedWithOneRayPerSample) {
     const double t = 0.35;
     for (const SamplePattern pattern : kPatterns) {
         Settings settings = lensSettings(pattern, 1);
@@ -134,7 +135,7 @@ TEST(DepthOfField, OneRayPerSampleIsUnbiasedToo) {
     }
 }
 
-TEST(DepthOfField, TakesAsManyRaysAsTheSettingSays) {
+TEST(DepthOfField, TracesLensSamplesRays) {
     for (const int n : {1, 2, 7, 512}) {
         EventCounter counter;
         pixelMean(*compileScene(edgeAtDepth(10.0f, 0.0f), lensSettings(SamplePattern::Sobol, n), 1, 1), 0, 0,
@@ -143,7 +144,7 @@ TEST(DepthOfField, TakesAsManyRaysAsTheSettingSays) {
     }
 }
 
-TEST(DepthOfField, WithAPointForAnApertureIsThePinholeBitForBit) {
+TEST(DepthOfField, OfAPointApertureIsThePinholeBitForBit) {
     SceneDescription scene = edgeAtDepth(10.0f, 0.01f);
     scene.cameras[0].fov = 40.0f;
     const auto image = [&](const SceneDescription& s, const Settings& settings) {
@@ -163,7 +164,7 @@ TEST(DepthOfField, WithAPointForAnApertureIsThePinholeBitForBit) {
     EXPECT_EQ(image(scene, lensSettings(SamplePattern::Sobol, 64)), pinhole);
 }
 
-TEST(DepthOfField, LeavesTheSharpZoneToTheCentralRay) {
+TEST(DepthOfField, TracesThePinholeRayInTheSharpZone) {
     Settings settings = lensSettings(SamplePattern::Sobol, 16);
     for (const float zone : {0.0f, 0.9f, 1.1f}) {
         settings.sharpZone = zone;

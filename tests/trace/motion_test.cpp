@@ -6,7 +6,7 @@
 namespace rayscope::test {
 namespace {
 
-/// A white half-plane with its edge at x at the start, on its way to the left by 1; and a sphere beside it.
+/// A white half-plane with its edge at x at the start, moving to the left by 1; and a sphere beside it.
 SceneDescription movingEdge(float x) {
     SceneDescription scene;
     scene.materials = {material(Rgb(1.0f))};
@@ -40,10 +40,10 @@ TEST(MotionBlur, OfAnEdgeIsABoxFilter) {
         }
 }
 
-TEST(MotionBlur, OfASphereIsTheTimeItCoversThePoint) {
+TEST(MotionBlur, OfASphereIsTheTimeForWhichItCoversThePoint) {
     SceneDescription scene;
     scene.materials = {material(Rgb(1.0f))};
-    // Passes with its centre 0.3 above the line of sight: the chord is 0.8 of a way of 2.
+    // Passes with its centre 0.3 above the line of sight: the chord is 0.8 of a displacement of 2.
     scene.spheres = {{"s", {{-1, 0.3f, 0}, 0.5f}, 0, glm::vec3(2, 0, 0)}};
     scene.cameras = {pointCamera({0, 0, 3}, glm::vec3(0))};
     const auto world = compileScene(scene, motionSettings(SamplePattern::Sobol, 1024), 1, 1);
@@ -55,7 +55,7 @@ TEST(MotionBlur, OfASphereIsTheTimeItCoversThePoint) {
     expectUnbiased("moving sphere", estimate, chord / 2.0);
 }
 
-TEST(MotionBlur, ConvergesAsItsSamplerShould) {
+TEST(MotionBlur, ConvergesAtTheRateOfItsSampler) {
     // A step in one dimension: strata of width 1/n leave an error of at most one of them.
     const double theory[] = {-0.5, -1.0, -1.0};
     static constexpr float kEdges[] = {0.2347f, 0.3333f, 0.4142f, 0.618f, 0.7101f};
@@ -72,7 +72,7 @@ TEST(MotionBlur, ConvergesAsItsSamplerShould) {
 }
 
 TEST(MotionBlur, CastsMovingShadowsAndReflections) {
-    // A blocker passes between the floor and the light during a quarter of the time.
+    // An occluder passes between the floor and the light during a quarter of the time.
     SceneDescription scene;
     scene.materials = {material(Rgb(1.0f)), material(Rgb(0.0f))};
     scene.meshes = {quad({-9, 0, 9}, {18, 0, 0}, {0, 0, -18}),
@@ -95,7 +95,7 @@ TEST(MotionBlur, OffShowsTheStartOfTheShutter) {
     }
 }
 
-TEST(MotionBlur, KeepsSurfacesFromShadowingThemselves) {
+TEST(MotionBlur, CausesNoSelfIntersection) {
     SceneDescription scene;
     scene.materials = {material(Rgb(1.0f))};
     scene.meshes = {quad({-900, 0, 900}, {1800, 0, 0}, {0, 0, -1800})};
@@ -109,7 +109,7 @@ TEST(MotionBlur, KeepsSurfacesFromShadowingThemselves) {
     EventCounter counter;
     for (int i = 0; i < 1024; ++i) pixelMean(*world, 0, i % 32, i / 32, 4, counter);
     const int blocked = counter.lights[static_cast<int>(Visibility::Occluded)];
-    EXPECT_LT(blocked, counter.lightSamples() / 20);  // what the small sphere may hide, and no more
+    EXPECT_LT(blocked, counter.lightSamples() / 20);  // the fraction that the small sphere may occlude
     EXPECT_GT(counter.lightSamples(), 2000);
 }
 

@@ -41,9 +41,9 @@ constexpr int kSize = 48;
 
 struct FirstHit {
     trace::Interaction at;
-    glm::dvec3 point;  ///< on the ray, found without the weights that the normal was interpolated with
+    glm::dvec3 point;  ///< on the ray, computed independently of the weights of the normal
 };
-/// All first hits of an image.
+/// The first hits of all pixels.
 std::vector<FirstHit> hitsOf(const trace::World& world) {
     RecordingObserver record;
     for (int y = 0; y < kSize; ++y)
@@ -55,7 +55,7 @@ std::vector<FirstHit> hitsOf(const trace::World& world) {
     return hits;
 }
 
-TEST(NormalInterpolation, GivesTheNormalsOfASphere) {
+TEST(NormalInterpolation, ReproducesTheNormalsOfASphere) {
     const std::vector<FirstHit> hits = hitsOf(*compileScene(sphereScene(true), {}, kSize, kSize));
     ASSERT_GT(hits.size(), 800u);
     double worst = 0.0, worstFlat = 0.0;
@@ -65,7 +65,7 @@ TEST(NormalInterpolation, GivesTheNormalsOfASphere) {
         updateWorst(worstFlat, glm::distance(at.geometricNormal, glm::normalize(point)));
     }
     EXPECT_LT(worst, 1e-6);
-    EXPECT_GT(worstFlat, 0.05);  // the facets' own normals would not do
+    EXPECT_GT(worstFlat, 0.05);  // control: the geometric normals deviate
     reportDeviation("normal interpolation on a sphere", worst, "radians");
 }
 
@@ -100,20 +100,20 @@ TEST(NormalInterpolation, OfAnEllipsoidIsNearItsGradient) {
     EXPECT_LT(worst, 0.01);
 }
 
-TEST(NormalInterpolation, FallsBackToTheFacetsWithoutNormals) {
+TEST(NormalInterpolation, FallsBackToGeometricNormals) {
     Settings off;
     off.normalInterpolation = false;
     const auto without = compileScene(sphereScene(false), {}, kSize, kSize);
     const auto switchedOff = compileScene(sphereScene(true), off, kSize, kSize);
     for (const auto& [at, point] : hitsOf(*without)) {
-        EXPECT_FALSE(at.interpolated);  // what it says so with
+        EXPECT_FALSE(at.interpolated);
         EXPECT_EQ(at.normal, at.geometricNormal);
     }
     for (int y = 0; y < kSize; ++y)
         EXPECT_EQ(pixelMean(*without, 0, kSize / 2, y, 1), pixelMean(*switchedOff, 0, kSize / 2, y, 1));
 }
 
-TEST(NormalInterpolation, SurvivesNormalsThatAreNone) {
+TEST(NormalInterpolation, SurvivesInvalidNormals) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const glm::vec3 up(0, 0, 1);
     const std::vector<std::vector<glm::vec3>> cases = {

@@ -1,4 +1,4 @@
-// Many samples per pixel: the mean over a box that is exactly one pixel wide.
+// Pixel samples: the mean over a box of exactly one pixel.
 #include "support/closed_forms.h"
 #include "support/patterns.h"
 #include "support/statistics.h"
@@ -41,7 +41,7 @@ Settings edgeSettings(SamplePattern pattern, int spp) {
     return settings;
 }
 
-TEST(PixelSamples, OfASlantedEdgeGiveItsExactCoverage) {
+TEST(PixelSamples, OfASlantedEdgeHaveItsExactCoverage) {
     const SlantedEdge edge;
     for (const SamplePattern pattern : kPatterns) {
         constexpr int kSpp = 64, kRuns = 256;
@@ -57,7 +57,7 @@ TEST(PixelSamples, OfASlantedEdgeGiveItsExactCoverage) {
                 }
                 const Estimate estimate = estimateOver(
                     kRuns, [&](std::uint64_t seed) { return pixelMean(*world, seed, x, y, kSpp).x; });
-                // Some 20 pixels by three patterns: 5 standard errors keep the family of tests honest.
+                // About 20 pixels times three patterns: 5 standard errors allow for multiple testing.
                 EXPECT_NEAR(estimate.mean, exact, 5.0 * estimate.standardError + 1e-5) << x << " " << y;
                 updateWorst(worst, std::abs(estimate.mean - exact));
                 ++partial;
@@ -77,13 +77,13 @@ TEST(PixelSamples, OfASlantedEdgeGiveItsExactCoverage) {
     }
 }
 
-TEST(PixelSamples, ConvergeAsTheirSamplerShould) {
+TEST(PixelSamples, ConvergeAtTheRateOfTheirSampler) {
     const SlantedEdge edge;
     const double theory[] = {-0.5, -0.75, -0.75};
     for (const SamplePattern pattern : kPatterns) {
         const double slope = convergenceSlope(100, [&](int run, int n) {
             const auto world = compileScene(edge.scene, edgeSettings(pattern, n), kSize, kSize);
-            // Pixels along the edge differ in how it cuts them.
+            // The edge cuts each pixel differently.
             const int x = 7 + run % 5,
                       y = static_cast<int>((edge.offset - (x + 0.5) * edge.normal.x) / edge.normal.y);
             return pixelMean(*world, static_cast<std::uint64_t>(run), x, y, n).x - edge.coverage(x, y);
@@ -100,7 +100,7 @@ TEST(PixelSamples, FillExactlyOnePixel) {
         const auto world = compileScene(edge.scene, edgeSettings(pattern, kSpp), kSize, kSize);
         RecordingObserver record;
         pixelMean(*world, 5, 3, 11, kSpp, record);
-        ASSERT_EQ(record.segments.size(), std::size_t{kSpp});  // as many as the setting says
+        ASSERT_EQ(record.segments.size(), std::size_t{kSpp});
         glm::dvec2 lowest(99.0), highest(0.0), mean(0.0), squares(0.0);
         for (const trace::Segment& s : record.segments) {
             const glm::dvec2 p =

@@ -9,6 +9,7 @@
 
 #include "support/tracing.h"
 #include "trace/compile.h"
+#include "trace/radiance_definition.h"
 
 namespace rayscope::test {
 namespace {
@@ -19,12 +20,12 @@ struct Case {
     void (*change)(Settings&);
 };
 
-/// Whatever decides how the rays of a sample depend on one another.
+/// Settings that change which rays of a sample depend on others.
 const Case kCases[] = {
     {"Plain", "builtin:cornell", [](Settings&) {}},
     {"NoTree", "builtin:cornell", [](Settings& s) { s.bvh = false; }},
     {"BinaryTree", "builtin:cornell", [](Settings& s) { s.bvhLayout = BvhLayout::Binary; }},
-    {"MoreTermsThanWaitAtOnce", "builtin:cornell-area", [](Settings& s) { s.parallelogramSamples = 40; }},
+    {"MoreTermsThanTheQueueHolds", "builtin:cornell-area", [](Settings& s) { s.parallelogramSamples = 40; }},
     {"OneTermPerLight", "builtin:cornell-area", [](Settings& s) { s.parallelogramSamples = 1; }},
     {"Gloss", "builtin:cornell-glossy", [](Settings& s) { s.glossy = true, s.glossySamples = 70; }},
     {"GlossBelowTheSurface", "builtin:cornell-glossy",
@@ -59,26 +60,26 @@ std::array<std::uint64_t, 3> bitsOf(const RgbSum& c) {
 
 class RadianceBatchOf : public testing::TestWithParam<Case> {};
 
-TEST_P(RadianceBatchOf, IsThatOfEachSample) {
+TEST_P(RadianceBatchOf, EqualsRadianceOfEachSample) {
     for (const bool moving : {false, true}) {
         const auto world = worldOf(GetParam(), moving);
-        std::vector<SampleId> names;
+        std::vector<SampleId> samples;
         for (int y = 0; y < world->height; ++y)
             for (int x = 0; x < world->width; ++x)
-                for (int index = 0; index < 2; ++index) names.push_back({x, y, index});
+                for (int index = 0; index < 2; ++index) samples.push_back({x, y, index});
         trace::RadianceBatch batch(*world, 7);
         double sum = 0.0;
-        // Batches of different sizes, the same object again and again.
-        for (std::size_t begin = 0, size = 1; begin < names.size();
+        // Batches of different sizes with the same object.
+        for (std::size_t begin = 0, size = 1; begin < samples.size();
              begin += size, size = size * 3 % 200 + 1) {
-            const auto some = std::span(names).subspan(begin, std::min(size, names.size() - begin));
+            const auto some = std::span(samples).subspan(begin, std::min(size, samples.size() - begin));
             batch.start(some);
             for (std::size_t i = 0; i < some.size(); ++i) batch.trace(i);
             const auto results = batch.finish();
             ASSERT_EQ(results.size(), some.size());
             for (std::size_t i = 0; i < some.size(); ++i) {
-                trace::NullObserver silent;
-                const trace::SampleResult alone = trace::radiance(*world, 7, some[i], silent);
+                trace::NullObserver observer;
+                const trace::SampleResult alone = trace::radiance(*world, 7, some[i], observer);
                 ASSERT_EQ(bitsOf(results[i].radiance), bitsOf(alone.radiance))
                     << some[i].x << ' ' << some[i].y;
                 ASSERT_EQ(results[i].rays, alone.rays);
@@ -92,12 +93,24 @@ TEST_P(RadianceBatchOf, IsThatOfEachSample) {
 INSTANTIATE_TEST_SUITE_P(Settings, RadianceBatchOf, testing::ValuesIn(kCases),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(RadianceBatch, OfNothingIsEmpty) {
+TEST(RadianceBatch, OfNoSamplesIsEmpty) {
     const auto world = worldOf(kCases[0], false);
     trace::RadianceBatch batch(*world, 0);
     batch.start({});
     EXPECT_TRUE(batch.finish().empty());
 }
+
+template <class Observer, class Terms>
+concept CanTrace = requires {
+    typename trace::Tracer<Observer, Terms>;
+};
+
+// A queue that defers shadow rays would hide light samples from an observer: that must not compile.
+static_assert(CanTrace<trace::NullObserver, trace::TermQueue>);
+static_assert(CanTrace<trace::NullObserver, trace::TermSum>);
+static_assert(CanTrace<EventCounter, trace::TermSum>);
+static_assert(!CanTrace<EventCounter, trace::TermQueue>);
+static_assert(!CanTrace<RecordingObserver, trace::TermQueue>);
 
 }  // namespace
 }  // namespace rayscope::test

@@ -5,7 +5,7 @@
 namespace rayscope::test {
 namespace {
 
-/// The camera stands between mirrors at z = ±1 and looks straight into one.
+/// A camera between mirrors at z = ±1, looking along the normal of one.
 SceneDescription facingMirrors(const Rgb& kd, const Rgb& ks) {
     SceneDescription scene;
     scene.materials = {material(kd, ks, 10.0f)};
@@ -18,7 +18,7 @@ double geometricSum(double first, double ratio, int terms) {
     return first * (1.0 - std::pow(ratio, terms)) / (1.0 - ratio);
 }
 
-TEST(Recursion, BetweenTwoMirrorsIsAGeometricSeries) {
+TEST(Recursion, BetweenTwoMirrorsSumsAGeometricSeries) {
     const SceneDescription scene = facingMirrors(Rgb(0.25f), {0.5f, 0.75f, 0.875f});
     double worst = 0.0;
     for (int depth = 0; depth <= 16; ++depth) {
@@ -39,7 +39,7 @@ TEST(Recursion, BetweenTwoMirrorsIsAGeometricSeries) {
 }
 
 TEST(Recursion, AddsTheLocalColourOfEveryMirror) {
-    // A light half-way between the mirrors lights both in the same way, so the series stays geometric.
+    // A light half-way between the mirrors illuminates both equally, so the series stays geometric.
     SceneDescription scene = facingMirrors(Rgb(0.5f), Rgb(0.75f));
     scene.lights = {pointLight({1, 0, 0})};
     const double cosine = 1.0 / std::sqrt(2.0);
@@ -52,7 +52,7 @@ TEST(Recursion, AddsTheLocalColourOfEveryMirror) {
                     "relative");
 }
 
-TEST(Recursion, EndsWhereNothingIsReflected) {
+TEST(Recursion, EndsAtSurfacesThatDoNotReflect) {
     SceneDescription scene = facingMirrors(Rgb(0.25f), Rgb(0.5f));
     scene.materials.push_back(material(Rgb(1.0f)));
     scene.meshes[1].materials = {1};
@@ -68,7 +68,7 @@ TEST(Recursion, EndsWhereNothingIsReflected) {
     EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)), RgbSum(0.25));
 }
 
-TEST(Recursion, ByIlluminationModelMirrorsFromThreeOn) {
+TEST(Recursion, ByIlluminationModelReflectsFromThreeOn) {
     Settings settings;
     settings.shading = false;
     settings.reflectWhen = ReflectWhen::Illum;
@@ -85,7 +85,7 @@ TEST(Recursion, MirrorsAtTheAngleOfIncidence) {
     SceneDescription scene;
     scene.materials = {material(Rgb(0.0f), Rgb(1.0f)), material(Rgb(1.0f))};
     scene.meshes = {quad({-5, 0, 5}, {10, 0, 0}, {0, 0, -10})};
-    // Seen by way of the floor: from (−3, 2, 0) over the origin to (3, 2, 0), a small target.
+    // Via the floor: from (−3, 2, 0) over the origin to (3, 2, 0), a small target.
     scene.spheres = {{"target", {{3, 2, 0}, 1e-3f}, 1, glm::vec3(0)}};
     scene.cameras = {pointCamera({-3, 2, 0}, glm::vec3(0))};
     Settings settings;

@@ -1,4 +1,4 @@
-// A scene whose objects moved keeps its trees, as long as rays do not pay too much for it.
+// A scene whose objects moved keeps its BVHs, refitted, until their SAH cost has grown too much.
 #include <gtest/gtest.h>
 
 #include "trace/compile.h"
@@ -6,7 +6,7 @@
 namespace rayscope::test {
 namespace {
 
-/// The monkey, or what became of it, and a sphere beside it.
+/// The monkey, possibly transformed, and a sphere beside it.
 std::shared_ptr<const SceneDescription> monkey(const Transform& transform) {
     Diagnostics notes;
     SceneDescription scene = loadScene("builtin:monkey", notes);
@@ -46,42 +46,46 @@ void expectSameHits(const trace::World& a, const trace::World& b) {
     EXPECT_GT(hits, 500);
 }
 
-TEST(RefitWorld, WhenAnObjectTurned) {
+TEST(RefitWorld, RefitsAfterARotation) {
     const Settings settings;
     const auto before = compiled(monkey({}), settings, nullptr);
-    EXPECT_EQ(before->sahCostGrowth, 1.0);
+    EXPECT_EQ(before->buildReport.sahCostGrowth, 1.0);
     const auto scene = monkey(turned(1.1f, {0, 10, 3}));
     const auto moved = compiled(scene, settings, before.get()), fresh = compiled(scene, settings, nullptr);
-    EXPECT_NE(moved->sahCostGrowth, 1.0);
-    EXPECT_LE(moved->sahCostGrowth, static_cast<double>(settings.bvhRefit));
-    EXPECT_EQ(fresh->sahCostGrowth, 1.0);
+    EXPECT_NE(moved->buildReport.sahCostGrowth, 1.0);
+    EXPECT_LE(moved->buildReport.sahCostGrowth, static_cast<double>(settings.bvhRefit));
+    EXPECT_EQ(fresh->buildReport.sahCostGrowth, 1.0);
     expectSameHits(*moved, *fresh);
     const auto again = compiled(scene, settings, moved.get());
     EXPECT_EQ(again->motionGroups[0].accel, moved->motionGroups[0].accel);
-    EXPECT_EQ(again->sahCostGrowth, moved->sahCostGrowth);
+    EXPECT_EQ(again->buildReport.sahCostGrowth, moved->buildReport.sahCostGrowth);
 }
 
-TEST(RefitWorld, BuildsAnewWhenRaysWouldPayTooMuchOrTheUserWantsIt) {
+TEST(RefitWorld, BuildsIfTheCostGrowsTooMuchOrBvhRefitIsZero) {
     Settings settings;
     const auto scene = monkey(turned(1.0f, {40, 30, 20}));
     for (const float most : {0.0f, 1.0f, 1000.0f}) {
         settings.bvhRefit = most;
         const auto before = compiled(monkey({}), settings, nullptr);
         const auto moved = compiled(scene, settings, before.get());
-        EXPECT_EQ(moved->sahCostGrowth > 1.0, most > 1.0f) << most;
+        EXPECT_EQ(moved->buildReport.sahCostGrowth > 1.0, most > 1.0f) << most;
         expectSameHits(*moved, *compiled(scene, settings, nullptr));
     }
 }
 
-TEST(RefitWorld, BuildsAnewForOtherTriangles) {
+TEST(RefitWorld, BuildsForOtherTriangles) {
     const auto before = compiled(monkey({}), {}, nullptr);
     SceneDescription other = *monkey({});
     auto mesh = std::make_shared<MeshData>(*other.meshes[0].data);
     std::swap(mesh->triangles.front(), mesh->triangles.back());
     other.meshes[0].data = mesh;
-    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->sahCostGrowth, 1.0);
+    EXPECT_EQ(
+        compiled(std::make_shared<SceneDescription>(other), {}, before.get())->buildReport.sahCostGrowth,
+        1.0);
     other.meshes.clear();
-    EXPECT_EQ(compiled(std::make_shared<SceneDescription>(other), {}, before.get())->sahCostGrowth, 1.0);
+    EXPECT_EQ(
+        compiled(std::make_shared<SceneDescription>(other), {}, before.get())->buildReport.sahCostGrowth,
+        1.0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every knob turned: the picture of a scene that uses everything must change, or the reason stands here.
+// Every setting changes the picture of a scene that uses all effects, or has a reason not to.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 20, kHeight = 14;
 
-/// The bytes that a user sees.
+/// The image as 8-bit values.
 std::vector<std::uint8_t> pictureOf(const Settings& settings) {
     const auto world = compileScene(allEffectsScene(), settings, kWidth, kHeight);
     RgbImage mean(kWidth, kHeight);
@@ -29,7 +29,7 @@ std::vector<std::uint8_t> pictureOf(const Settings& settings) {
     return bytes;
 }
 
-/// Everything on that other settings depend on.
+/// Settings on which the setting `key` depends.
 Settings baseFor(std::string_view key) {
     Settings settings;
     settings.spp = 2;
@@ -40,10 +40,10 @@ Settings baseFor(std::string_view key) {
     return settings;
 }
 
-/// Both ends of a setting; sample counts beyond 64 would only take time.
+/// The ends of the range of a setting; sample counts are limited to 64 to save time.
 std::array<std::string, 2> endsOf(const SettingInfo& info) {
     if (info.kind == "boolean") return {"false", "true"};
-    if (info.key == "isa") return {"scalar", "auto"};  // not every machine has the others
+    if (info.key == "isa") return {"scalar", "auto"};  // the others depend on the machine
     if (info.kind == "choice") return {std::string(info.choices.front()), std::string(info.choices.back())};
     const bool samples = info.unit.starts_with("samples") || info.unit == "rays";
     const double highest =
@@ -51,11 +51,10 @@ std::array<std::string, 2> endsOf(const SettingInfo& info) {
     return {fmt::format("{}", info.lowest), fmt::format("{}", highest)};
 }
 
-/// Settings that decide how an image is found, not what it is.
+/// Settings that affect how an image is computed, not its values.
 bool onlyShapesTheTree(std::string_view key) { return key.starts_with("bvh") || key == "isa"; }
 
-/// What the tree of the first motionGroup looks like, and how it is walked, after the motionGroup has been
-/// turned.
+/// A fingerprint of the BVH of the first motion group, after the group has been rotated.
 std::vector<std::uint32_t> treeOf(const Settings& settings) {
     SceneDescription turned = allEffectsScene();
     for (MeshInstance& mesh : turned.meshes) mesh.transform.rotate += glm::vec3(20, 30, 40);
@@ -75,7 +74,7 @@ std::vector<std::uint32_t> treeOf(const Settings& settings) {
     return shape;
 }
 
-TEST(EverySetting, ChangesThePictureOrSaysWhyNot) {
+TEST(EverySetting, ChangesThePictureOrOnlyTheBvh) {
     for (const SettingInfo& info : describeSettings()) {
         Settings low = baseFor(info.key), high = low;
         const auto [lowest, highest] = endsOf(info);
@@ -91,8 +90,8 @@ TEST(EverySetting, ChangesThePictureOrSaysWhyNot) {
     }
 }
 
-/// Where the table says that a setting has no effect, it has none.
-TEST(EverySetting, HasNoEffectWhereTheTableSaysSo) {
+/// A setting that the table calls inactive has no effect.
+TEST(EverySetting, HasNoEffectIfInactive) {
     Settings off;
     off.spp = 1;
     off.recursion = off.softShadows = off.hardShadows = off.textureMapping = off.environment =

@@ -1,4 +1,4 @@
-// Phong shading at chosen points, computed once more by hand.
+// Phong shading at chosen points against an independent evaluation.
 #include "support/statistics.h"
 #include "support/tracing.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 const glm::vec3 kEye{1.0f, 2.0f, 4.0f};
 
-/// Phong's formula with the reflected direction written as in the books, R = 2 (N·L) N − L.
+/// Phong's formula with the reflected direction in textbook form, R = 2 (N·L) N − L.
 glm::dvec3 byHand(const Material& m, const glm::dvec3& n, const glm::dvec3& l, const glm::dvec3& v) {
     const double nl = glm::dot(n, l);
     if (nl <= 0.0) return glm::dvec3(0.0);
@@ -24,7 +24,7 @@ SceneDescription floorScene(const Material& m) {
 
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-TEST(Shading, OfPointLightsIsPhongsFormula) {
+TEST(Shading, OfPointLightsIsPhongsModel) {
     double worst = 0.0;
     Settings settings;
     settings.recursion = false;
@@ -45,11 +45,11 @@ TEST(Shading, OfPointLightsIsPhongsFormula) {
             updateWorst(worst, largest((measured - expected) / expected));
         }
     }
-    EXPECT_LT(worst, 256 * kFloatRounding);  // the lobe multiplies an error of the direction by its shininess
+    EXPECT_LT(worst, 256 * kFloatRounding);  // the lobe amplifies direction errors by the shininess
     reportDeviation("shading, point lights", worst, "relative");
 }
 
-TEST(Shading, FadesWithTheInverseSquareIfTheLightSaysSo) {
+TEST(Shading, HasInverseSquareFalloffIfTheLightHas) {
     SceneDescription scene = floorScene(material(Rgb(1.0f)));
     scene.lights = {{PointLight{{0, 4, 0}, Rgb(1.0f)}, Falloff::InverseSquare}};
     scene.cameras = {pointCamera(kEye, glm::vec3(0))};
@@ -73,7 +73,7 @@ TEST(Shading, OfSegmentAndParallelogramLightsIsTheMeanOfPhongOverTheSamples) {
     glm::dvec3 expected(0.0);
     const glm::dvec3 viewer = glm::normalize(glm::dvec3(kEye));
     for (const trace::LightConnection& c : record.lights) {
-        // Where the sample lies on its light decides its colour.
+        // The position of the sample on its light determines its colour.
         glm::dvec3 color;
         if (c.light == 0) {
             const double s = (c.at.position.x + 1.0) / 2.0;
@@ -105,7 +105,7 @@ TEST(Shading, OnASphereFollowsItsNormal) {
     EXPECT_NEAR(firstSample(*compileScene(scene, {}, 1, 1)).x, expected, 4 * kFloatRounding);
 }
 
-TEST(Shading, SeenFromBehindIsTheSame) {
+TEST(Shading, IsTheSameFromBehind) {
     SceneDescription scene = floorScene(material(Rgb(1.0f)));
     scene.lights = {pointLight({0, -4, 0})};
     scene.cameras = {pointCamera({1, -2, 1}, glm::vec3(0))};
@@ -114,7 +114,7 @@ TEST(Shading, SeenFromBehindIsTheSame) {
     EXPECT_EQ(firstSample(*compileScene(scene, {}, 1, 1)), RgbSum(0.0));
 }
 
-TEST(Shading, OffShowsTheDiffuseColourWhereLightGets) {
+TEST(Shading, OffIsTheDiffuseColourOfVisibleLights) {
     const Rgb kd(0.2f, 0.5f, 0.7f);
     SceneDescription scene = floorScene(material(kd, Rgb(0.0f)));
     scene.cameras = {pointCamera(kEye, glm::vec3(0))};
@@ -124,7 +124,7 @@ TEST(Shading, OffShowsTheDiffuseColourWhereLightGets) {
 
     scene.lights = {pointLight({0, 3, 0}), pointLight({3, 3, 0}, Rgb(9.0f))};
     EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)), RgbSum(kd));
-    scene.meshes.push_back(quad({0.5f, 1, -1}, {1, 0, 0}, {0, 0, 2}));  // shades the second light
+    scene.meshes.push_back(quad({0.5f, 1, -1}, {1, 0, 0}, {0, 0, 2}));  // occludes the second light
     EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)), 0.5 * RgbSum(kd));
     settings.hardShadows = false;
     EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)), RgbSum(kd));

@@ -1,5 +1,5 @@
-// Rays that leave spheres: outward they hit nothing, inward they come to the other side. (Triangles are the
-// business of the laboratory; see tests/measure.)
+// Rays spawned on spheres: outward they miss, inward they hit the far side. Triangles are tested by
+// `rayscope lab`; see tests/measure.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ class SphereRays {
         center_ = glm::dvec3(scene.spheres[0].sphere.center);
     }
 
-    /// A ray from so many radii away from the surface that hits it; what leaves the point must behave.
+    /// Shoots a ray from `distance` radii above the surface and checks the rays spawned at its hit.
     void traceSpawnedRay(double distance) {
         Ray first;
         const glm::dvec3 outward = onSphere();
@@ -41,7 +41,7 @@ class SphereRays {
             const glm::dvec3 normal = through ? -at.geometricNormal : at.geometricNormal;
             const double sine = std::pow(10.0, -4.0 * real());
             const bool inward = through != inside;
-            if (inward && sine < 0.05) continue;  // the chord would be as short as the offset
+            if (inward && sine < 0.05) continue;  // a chord as short as the offset
             const math::Frame frame = math::frameAround(normal);
             const double phi = 6.283185307179586 * real(), cosine = std::sqrt(1.0 - sine * sine);
             const Ray next{
@@ -71,7 +71,7 @@ class SphereRays {
     std::shared_ptr<const trace::World> world_;
 };
 
-TEST(LeavingSpheres, OfAnySizeSeenFromAnywhere) {
+TEST(SpawnedRays, OnSpheresOfAnySizeAreRight) {
     int left = 0;
     for (const double radius : {1e-6, 1e-3, 1.0, 1e3, 1e6})
         for (const double offset : {0.0, 1.0, 1e3}) {

@@ -1,4 +1,4 @@
-// Textures as the camera sees them: texel by texel, and to the horizon.
+// Texture mapping in the image: texel by texel, and towards the horizon.
 #include "support/statistics.h"
 #include "support/tracing.h"
 
@@ -37,7 +37,7 @@ RgbSum colorAt(SceneDescription scene, const glm::vec2& p, TextureFilter filter)
     return firstSample(*compileScene(scene, settings, 1, 1));
 }
 
-TEST(TextureMapping, ShowsFourTexelsTheRightWayUp) {
+TEST(TextureMapping, ShowsFourTexelsUpright) {
     for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp}) {
         const SceneDescription scene = texturedQuad(twoByTwo(wrap));
         for (const float u : {0.01f, 0.25f, 0.49f})
@@ -51,7 +51,7 @@ TEST(TextureMapping, ShowsFourTexelsTheRightWayUp) {
     reportDeviation("texture mapping, 2 x 2 texels, nearest", 0.0);
 }
 
-TEST(TextureMapping, MixesTexelsBilinearly) {
+TEST(TextureMapping, InterpolatesTexelsBilinearly) {
     double worst = 0.0;
     for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp}) {
         const SceneDescription scene = texturedQuad(twoByTwo(wrap));
@@ -68,7 +68,7 @@ TEST(TextureMapping, MixesTexelsBilinearly) {
     reportDeviation("texture mapping, bilinear", worst, "absolute");
     EXPECT_NEAR(colorAt(texturedQuad(twoByTwo(TextureWrap::Clamp)), {0.1f, 0.1f}, TextureFilter::Bilinear).z,
                 1.0, 1e-12);
-    // Repeated, the left edge is half-way to the right texel.
+    // With Repeat, the left edge is half-way to the right texel.
     EXPECT_NEAR(
         colorAt(texturedQuad(twoByTwo(TextureWrap::Repeat)), {1e-4f, 0.25f}, TextureFilter::Bilinear).x, 0.5,
         1e-3);
@@ -86,7 +86,7 @@ TEST(TextureMapping, RepeatsOrClampsBeyondItsEdges) {
               RgbSum(kTopRight));  // (−0.25, −0.25)
 }
 
-TEST(TextureMapping, OffOrWithoutATextureShowsTheMaterial) {
+TEST(TextureMapping, OffOrWithoutATextureUsesTheMaterial) {
     SceneDescription scene = texturedQuad(twoByTwo(TextureWrap::Repeat));
     scene.cameras = {pointCamera({0.2f, 0.2f, 2}, {0.2f, 0.2f, 0})};
     Settings settings;
@@ -143,21 +143,21 @@ Brightness rowsBelowHorizon(TextureFilter filter, int spp, int first, int last) 
 }
 
 TEST(TextureMapping, OfACheckerboardFadesToTheMeanGreyAtTheHorizon) {
-    // The first rows below the horizon see thousands of squares per pixel.
+    // Pixels of the first rows below the horizon cover thousands of squares.
     const Brightness mipmap = rowsBelowHorizon(TextureFilter::Mipmap, 1, 1, 4);
     EXPECT_NEAR(mipmap.mean, 0.5, 1e-3);
     EXPECT_LT(mipmap.deviation, 2e-3);
     reportDeviation("checkerboard at the horizon, mipmap", std::abs(mipmap.mean - 0.5), "absolute");
     const Brightness nearest = rowsBelowHorizon(TextureFilter::Nearest, 1, 1, 4);
-    EXPECT_GT(nearest.deviation, 0.45);  // what the mipmap is for
-    // Many samples come to the same mean with every filter.
+    EXPECT_GT(nearest.deviation, 0.45);  // control: aliasing without the mipmap
+    // With many samples all filters have the same mean.
     for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Bilinear}) {
         const Brightness filtered = rowsBelowHorizon(filter, 256, 1, 4);
         EXPECT_NEAR(filtered.mean, 0.5, 4.0 * 0.5 / std::sqrt(256.0 * 3 * 128));
     }
 }
 
-TEST(TextureMapping, MipmapsAreSharpNearby) {
+TEST(TextureMapping, MipmapsAreSharpUpClose) {
     const Brightness near = rowsBelowHorizon(TextureFilter::Mipmap, 1, 50, 64);
     EXPECT_GT(near.deviation, 0.4);
 }

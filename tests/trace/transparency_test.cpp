@@ -1,4 +1,4 @@
-// Layers over layers: the product formula.
+// Transparent layers against the product formula.
 #include "support/statistics.h"
 #include "support/tracing.h"
 
@@ -44,7 +44,7 @@ TEST(Transparency, BlendsLayersByTheProductFormula) {
     reportDeviation("transparency, product of layers", worst, "relative");
 }
 
-TEST(Transparency, GoesThroughTenThousandLayers) {
+TEST(Transparency, TracesThroughTenThousandLayers) {
     constexpr int kLayers = 10000;
     SceneDescription scene;
     scene.materials = {material(Rgb(1.0f), Rgb(0.0f), 1.0f, 1e-4f)};
@@ -65,7 +65,7 @@ TEST(Transparency, GoesThroughTenThousandLayers) {
     reportDeviation("transparency, 10000 layers", std::abs(measured / expected - 1.0), "relative");
 }
 
-TEST(Transparency, ZeroShowsOnlyWhatIsBehindAndOneOnlyItself) {
+TEST(Transparency, OfOpacityZeroShowsTheBackgroundAndOfOneTheSurface) {
     EXPECT_EQ(firstSample(*compileScene(stack({0.0f, 1.0f}, {0.3f, 0.7f}), flat(), 1, 1)), RgbSum(Rgb(0.7f)));
     EXPECT_EQ(firstSample(*compileScene(stack({1.0f, 1.0f}, {0.3f, 0.7f}), flat(), 1, 1)), RgbSum(Rgb(0.3f)));
     Settings off = flat();
@@ -73,12 +73,12 @@ TEST(Transparency, ZeroShowsOnlyWhatIsBehindAndOneOnlyItself) {
     EXPECT_EQ(firstSample(*compileScene(stack({0.1f, 1.0f}, {0.3f, 0.7f}), off, 1, 1)), RgbSum(Rgb(0.3f)));
 }
 
-TEST(Transparency, StopsWhereNothingCouldBeSeenAnyMore) {
+TEST(Transparency, StopsAtNegligibleThroughput) {
     EventCounter counter;
     pixelMean(
         *compileScene(stack(std::vector<float>(200, 0.5f), std::vector<float>(200, 1.0f)), flat(), 1, 1), 0,
         0, 0, 1, counter);
-    EXPECT_EQ(counter.hits, 65);  // until 2^-65 of the light is left
+    EXPECT_EQ(counter.hits, 65);  // until the throughput is 2^-65
     EXPECT_EQ(counter.count(RayEnd::Vanished), 1);
 }
 
@@ -94,7 +94,7 @@ SceneDescription panes(float opacity) {
     return scene;
 }
 
-TEST(Transparency, AttenuatesShadowsIfAskedTo) {
+TEST(Transparency, AttenuatesShadowsWithTransparentShadows) {
     Settings settings = flat();
     EXPECT_EQ(firstSample(*compileScene(panes(0.25f), settings, 1, 1)).x, 0.0);
     settings.transparentShadows = true;
@@ -104,17 +104,17 @@ TEST(Transparency, AttenuatesShadowsIfAskedTo) {
     reportDeviation("attenuated shadow through three panes",
                     std::abs(firstSample(*compileScene(panes(0.25f), settings, 1, 1)).x / 0.421875 - 1.0),
                     "relative");
-    // What lies behind the light does not dim it.
+    // A pane behind the light does not attenuate it.
     SceneDescription scene = panes(0.25f);
     scene.lights = {pointLight({0, 2.5f, 0})};
     EXPECT_NEAR(firstSample(*compileScene(scene, settings, 1, 1)).x, 0.5625, 1e-12);
 }
 
-TEST(Transparency, MixesWithReflection) {
+TEST(Transparency, CombinesWithReflection) {
     SceneDescription scene = stack({0.5f, 1.0f}, {0.0f, 1.0f});
     scene.materials[0].ks = Rgb(0.5f);
     scene.materials.push_back(material(Rgb(0.25f)));
-    scene.meshes.push_back(quad({-1, -1, 5}, {2, 0, 0}, {0, 2, 0}, 2));  // seen in the mirror
+    scene.meshes.push_back(quad({-1, -1, 5}, {2, 0, 0}, {0, 2, 0}, 2));  // visible in the mirror
     EXPECT_EQ(firstSample(*compileScene(scene, flat(), 1, 1)).x, 0.5 * 0.5 * 0.25 + 0.5 * 1.0);
 }
 

@@ -1,8 +1,4 @@
 #pragma once
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -11,28 +7,12 @@
 #include <stop_token>
 #include <thread>
 
+#include "render/thread_arena.h"
+
 namespace rayscope::measure {
 
-/// The task arena of a measurement; 0 threads: one per core.
-class Workers {
-  public:
-    explicit Workers(int threads = 0)
-        : count_(threads > 0 ? threads : oneapi::tbb::info::default_concurrency()),
-          parallelism_(oneapi::tbb::global_control::max_allowed_parallelism,
-                       static_cast<std::size_t>(std::max(count_, oneapi::tbb::info::default_concurrency()))),
-          arena_(count_) {}
-
-    int count() const { return count_; }
-    template <class Work>
-    auto run(Work&& work) {
-        return arena_.execute(std::forward<Work>(work));
-    }
-
-  private:
-    int count_;
-    oneapi::tbb::global_control parallelism_;
-    oneapi::tbb::task_arena arena_;
-};
+/// The threads of a measurement.
+using Workers = render::ThreadArena;
 
 /// Requests a stop after some seconds, or when one is requested through `outer`.
 class Deadline {

@@ -9,10 +9,11 @@
 #include "measure/target/error_trend.h"
 #include "measure/target/half_films.h"
 #include "measure/target/sample_allocation.h"
-#include "render/crash_report.h"
 #include "render/pass_plan.h"
+#include "render/probe_command.h"
 #include "render/render_pass.h"
 #include "sampling/hash.h"
+#include "sampling/sample_stream.h"
 #include "trace/compile.h"
 
 namespace rayscope {
@@ -78,12 +79,11 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
     if (pixels < kMinPixels)
         throw InputError(fmt::format("--target-error needs at least {} pixels, not {}; use --spp instead",
                                      kMinPixels, pixels));
-    render::describeForCrashReport(render);
+    render::setCrashContext(render::crashContextOf(render));
     limit_ =
         std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
     trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
-    // A jittered pattern needs the final number of samples, which is unknown here.
-    if (compiled.settings.sampler == SamplePattern::Jittered)
+    if (sampling::dependsOnSampleCount(compiled.settings.sampler))
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with --target-error");
     result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "sampling/hash.h"
+#include "sampling/sample_stream.h"
 #include "settings/table.h"
 #include "trace/radiance.h"
 
@@ -132,9 +133,9 @@ std::string filmContentHash(const trace::CompileRequest& request, const trace::W
     add(hash, request.camera);
     add(hash, *request.scene);
     settings::forEachSetting([&](const auto& row) {
-        // Only a jittered pattern depends on the number of samples that will be taken.
-        const bool onlyCount = row.text.key == "spp" && request.settings.sampler != SamplePattern::Jittered;
-        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !onlyCount)
+        const bool counts =
+            row.text.key == "spp" && !sampling::dependsOnSampleCount(request.settings.sampler);
+        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !counts)
             hash.text(textOf(request.settings, row.text.key));
     });
     addSamples(hash, world);

@@ -21,7 +21,7 @@ std::optional<TimedRender> renderTimed(Workers& workers, const trace::CompileReq
             return std::nullopt;
         }
         TimedRender timed;
-        timed.buildSeconds = world->buildSeconds;
+        timed.buildSeconds = world->buildReport.seconds;
         render::Film film(request.width, request.height, {0, request.width, 0, request.height});
         render::RenderCounters counters;
         const int wanted = request.settings.spp;

@@ -175,7 +175,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
     if (const auto world = worldOf(workspace)) {
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
-            const trace::PrimitiveLocation name = world->nameOf(surface->hit.primitive);
+            const trace::PrimitiveLocation name = world->locatePrimitive(surface->hit.primitive);
             info.primitive = surface->hit.primitive;
             info.object = probe::objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);

@@ -5,6 +5,7 @@
 
 #include "probe/names.h"
 #include "render/film.h"
+#include "sampling/sample_stream.h"
 #include "trace/world.h"
 #include "viewer/model/viewer_seed.h"
 
@@ -57,10 +58,9 @@ std::vector<RayTree> recordTrees(const trace::World& world, SampleId id, int sam
 void DebugRays::recordPixel(std::shared_ptr<const trace::World> world, const EditState& state,
                             glm::ivec2 imageSize, SampleId id, std::shared_ptr<const render::Film> film) {
     PixelRecording recording;
-    // While the rasterised view is shown, the world is compiled for one sample, which matters to a jittered
-    // pattern only.
-    const bool dependsOnCount = world->settings.sampler == SamplePattern::Jittered;
-    recording.samples = dependsOnCount ? world->settings.spp : state.settings.spp;
+    // Beside the rasterised view the world is compiled for one sample per pixel.
+    recording.samples =
+        sampling::dependsOnSampleCount(world->settings.sampler) ? world->settings.spp : state.settings.spp;
     recording.state = state;
     recording.imageSize = imageSize;
     recording.trees = {RayTree{}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "sampling/sample_stream.h"
 #include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
@@ -42,8 +43,7 @@ RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divi
     request.seed = kViewerSeed;
     request.width = std::max(1, viewRequest.width / divisor);
     request.height = std::max(1, viewRequest.height / divisor);
-    // A jittered pattern depends on the number of samples, which must be known in advance.
-    if (viewRequest.stopCriteria.byError && request.settings.sampler != SamplePattern::Jittered)
+    if (viewRequest.stopCriteria.byError && !sampling::dependsOnSampleCount(request.settings.sampler))
         request.settings.spp = kMaxSamples;
     if (divisor > 1 || viewRequest.moving || !viewRequest.traced) request.settings.spp = 1;
     return request;

@@ -49,7 +49,7 @@ void drawNode(const trace::World& world, const RayNode& node) {
     valueRow("Origin", vectorText(node.ray.origin));
     valueRow("Direction", vectorText(node.ray.direction));
     if (node.hit) {
-        const trace::PrimitiveLocation name = world.nameOf(node.primitiveHit.primitive);
+        const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
         valueRow("Hit", probe::objectName(world, node.object));
         valueRow(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
         valueRow("t", fmt::format("{:.9g}", node.primitiveHit.t));

@@ -1,30 +1,31 @@
 #pragma once
-// The tracer: Whitted's recursion with distributed light, gloss and lens sampling (Whitted 1980; Cook, Porter
-// and Carpenter 1984). Every term carries its throughput, and the radiance of a sample is the left fold of
-// its terms, in the order in which they are found: at once in a TermSum, or in a TermQueue when the shadow
-// rays of many samples have been answered together.
+// Whitted's recursion with distributed light, glossy and lens sampling (Whitted 1980; Cook, Porter and
+// Carpenter 1984). Every term carries its throughput, and the radiance of a sample is the left fold of its
+// terms, in the order in which the path produces them.
+//
+// Members are defined in this file (camera rays, the path), direct_lighting.h and reflection.h;
+// radiance_definition.h includes all of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
-#include "math/frame.h"
 #include "sampling/sample_stream.h"
 #include "sampling/warp.h"
 #include "shading/environment_lookup.h"
 #include "trace/camera_sample.h"
-#include "trace/radiance.h"
-#include "trace/shadow_ray.h"
+#include "trace/path_observer.h"
 #include "trace/term_sum.h"
+#include "trace/world.h"
 
 namespace rayscope::trace {
 
-constexpr int kRayGroup = 64;  ///< most rays from one point that are searched at once
+constexpr int kRayGroup = 64;  ///< most rays from one point that are traced as a batch
 
 struct LightTerm;
 
-template <PathObserver O, class Terms>
+/// Traces one sample. `Terms` receives the terms: TermSum, or TermQueue for many samples.
+template <PathObserver O, TermsFor<O> Terms>
 class Tracer {
   public:
     Tracer(const World& world, const sampling::SampleStream& stream, const CameraSample& sample, O& observer,
@@ -36,25 +37,28 @@ class Tracer {
           observer_(observer),
           terms_(terms) {}
 
-    /// Each returns the number of rays. The second knows the camera ray and what it meets.
+    /// Returns the number of rays.
     std::uint64_t traceSample();
+    /// The same for the sample's only camera ray and its closest hit, where hasSingleCameraRays().
     std::uint64_t traceSample(const Ray& camera, const Hit& hit);
 
   private:
-    /// Position in the path tree beside the segment itself.
+    /// A vertex of the path tree.
     struct Branch {
         sampling::PathKey key;
-        bool split =
-            false;  ///< an earlier vertex split into several rays: take one sample of everything from here
+        /// An earlier vertex split into several rays: every choice takes one sample from here on.
+        bool split = false;
     };
 
     void traceLens();
+    bool inSharpZone();
     void traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known = nullptr);
     void trace(Segment& segment, Branch branch, const Hit* known = nullptr);
     bool closestHit(const Ray& ray, Hit& hit);
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits);
     void shade(const Segment& segment, const Interaction& at, const Branch& branch,
                const glm::dvec3& throughput);
+
     void reflect(const Segment& segment, const Interaction& at, const Branch& branch,
                  const glm::dvec3& throughput);
     void reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
@@ -62,21 +66,20 @@ class Tracer {
     template <int kGroup>
     void reflectGlossy(int n, const Segment& mirrored, const Interaction& at, const Branch& branch,
                        const glm::dvec3& direction);
-    bool inSharpZone();
     glm::dvec3 mirrorDirection(const Interaction& at) const;
 
     void addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                         const glm::dvec3& throughput);
-    template <int kGroup>
+    template <int kGroup, bool kDefers>
     void addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
                         const glm::dvec3& throughput);
-    void deferDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
-                          const glm::dvec3& throughput);
     sampling::SamplePoints lightSamplePoints(std::size_t light, const Branch& branch, int n) const;
-    LightTerm connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
-                      const sampling::SamplePoints& points) const;
+    void connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+                 const sampling::SamplePoints& points, LightTerm& term) const;
+    void addLightTerm(LightTerm& term, const glm::dvec3& weight, double visible);
+    void deferLightTerm(const LightTerm& term, const glm::dvec3& weight);
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
-    double transmittance(const Ray& ray);
+    double transmittance(const Ray& shadow);
 
     void add(const glm::dvec3& term) {
         terms_.add(term);
@@ -92,7 +95,7 @@ class Tracer {
     std::uint64_t rays_ = 0;
 };
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 std::uint64_t Tracer<O, Terms>::traceSample() {
     if (hasSingleCameraRays(world_))
         traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, sampling::PathKey{});
@@ -103,15 +106,16 @@ std::uint64_t Tracer<O, Terms>::traceSample() {
     return rays_;
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 std::uint64_t Tracer<O, Terms>::traceSample(const Ray& camera, const Hit& hit) {
     ++rays_;
     traceCamera(camera, 1.0, sampling::PathKey{}, &hit);
     return rays_;
 }
 
-/// Splits the sample into rays through the lens; a single one keeps the root's key and its joint pattern.
-template <PathObserver O, class Terms>
+/// Splits the sample into rays through the lens. A single ray keeps the key of the root, so that its lens
+/// point stays stratified over the samples of the pixel.
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::traceLens() {
     const int n = settings_.lensSamples;
     std::array<Ray, kRayGroup> rays;
@@ -134,8 +138,8 @@ void Tracer<O, Terms>::traceLens() {
     }
 }
 
-/// Whether the central ray of the pixel meets a surface near enough to the plane of focus to be left sharp.
-template <PathObserver O, class Terms>
+/// Whether the pinhole ray hits a surface within `sharp_zone` of the plane of focus.
+template <PathObserver O, TermsFor<O> Terms>
 bool Tracer<O, Terms>::inSharpZone() {
     if (!(settings_.sharpZone > 0.0f)) return false;
     const Ray ray = world_.camera.pinholeRay(sample_.pixel);
@@ -146,19 +150,19 @@ bool Tracer<O, Terms>::inSharpZone() {
            static_cast<double>(settings_.sharpZone);
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 bool Tracer<O, Terms>::closestHit(const Ray& ray, Hit& hit) {
     ++rays_;
     return world_.closestHit(ray, sample_.time, hit);
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::closestHits(std::span<const Ray> rays, std::span<Hit> hits) {
     rays_ += rays.size();
     world_.closestHits(rays, sample_.time, hits.first(rays.size()));
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known) {
     Segment segment;
     segment.ray = ray;
@@ -167,9 +171,9 @@ void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, sampling::Path
     trace(segment, {key, false}, known);
 }
 
-/// Follows a ray through any number of transparent layers; reflections branch off by recursion. What the ray
-/// meets first may be known. The segment ends as the last one.
-template <PathObserver O, class Terms>
+/// Follows a ray through any number of transparent layers; reflections recurse. `known` is the first closest
+/// hit if it has been computed. On return `segment` is the last one.
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) {
     for (std::uint32_t layer = 0;; ++layer) {
         observer_.segment(segment);
@@ -191,7 +195,7 @@ void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) 
         if (opacity > 0.0) shade(segment, at, branch, opacity * segment.throughput);
         if (opacity >= 1.0) return;
 
-        // Go on behind the surface with what it lets through, unless nothing of it could be seen any more.
+        // Continue behind the surface unless the remaining throughput is negligible.
         segment.throughput *= 1.0 - opacity;
         if (std::max({segment.throughput.x, segment.throughput.y, segment.throughput.z}) < 0x1p-64)
             return observer_.ended(segment, RayEnd::Vanished);
@@ -203,8 +207,9 @@ void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) 
     }
 }
 
-/// The colour of a surface: its lights or its plain colour, or the reflection map, and its mirror image.
-template <PathObserver O, class Terms>
+/// Adds direct lighting and reflections; with `reflection_map`, the environment in the mirror direction
+/// instead.
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, const Branch& branch,
                              const glm::dvec3& throughput) {
     if (settings_.reflectionMap && world_.environment) {
@@ -217,17 +222,4 @@ void Tracer<O, Terms>::shade(const Segment& segment, const Interaction& at, cons
     reflect(segment, at, branch, throughput);
 }
 
-template <PathObserver O>
-SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& name, O& observer) {
-    const sampling::SampleStream stream(world.settings.sampler, seed, name.x, name.y, name.index,
-                                        world.settings.spp);
-    const CameraSample sample(world, stream, name);
-    TermSum terms;
-    const std::uint64_t rays = Tracer<O, TermSum>(world, stream, sample, observer, terms).traceSample();
-    return {terms.sum, rays};
-}
-
 }  // namespace rayscope::trace
-
-#include "trace/direct_light.inl"
-#include "trace/reflection.inl"

@@ -1,19 +1,21 @@
 #pragma once
-// How surfaces reflect one another. An end of radiance.inl.
-#include "trace/radiance.inl"
+// Specular and glossy reflection: members of Tracer.
+#include "math/frame.h"
+#include "shading/phong.h"
+#include "trace/tracer.h"
 
 namespace rayscope::trace {
 
 /// The mirrored viewing direction; about the geometric normal where the shading normal would send it below
-/// ground.
-template <PathObserver O, class Terms>
+/// the surface.
+template <PathObserver O, TermsFor<O> Terms>
 glm::dvec3 Tracer<O, Terms>::mirrorDirection(const Interaction& at) const {
     const glm::dvec3 direction = shading::mirror(-at.toViewer, at.normal);
     if (glm::dot(direction, at.geometricNormal) > 0.0) return glm::normalize(direction);
     return glm::normalize(shading::mirror(-at.toViewer, at.geometricNormal));
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::reflect(const Segment& segment, const Interaction& at, const Branch& branch,
                                const glm::dvec3& throughput) {
     const SurfaceMaterial& material = world_.materials[at.material];
@@ -33,9 +35,9 @@ void Tracer<O, Terms>::reflect(const Segment& segment, const Interaction& at, co
     trace(mirrored, {branch.key.child(1), branch.split});
 }
 
-/// Rays through a square that stands at distance 0.3 along the reflection, displaced in its plane by normal
+/// Rays through a plane at distance 0.3 along the mirror direction, displaced in that plane by normal
 /// deviates of standard deviation sigma / (3 shininess). Rays below the surface count as zero.
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
                                      const glm::dvec3& direction) {
     const int n = branch.split ? 1 : settings_.glossySamples;
@@ -45,7 +47,7 @@ void Tracer<O, Terms>::reflectGlossy(const Segment& mirrored, const Interaction&
         reflectGlossy<kRayGroup>(n, mirrored, at, branch, direction);
 }
 
-template <PathObserver O, class Terms>
+template <PathObserver O, TermsFor<O> Terms>
 template <int kGroup>
 void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Interaction& at,
                                      const Branch& branch, const glm::dvec3& direction) {
@@ -61,23 +63,23 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     std::array<bool, kGroup> isAbove;
     for (int first = 0; first < n; first += kGroup) {
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
-        std::size_t searched = 0;
+        std::size_t aboveCount = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const glm::vec2 u = points.get2D(first + static_cast<int>(k));
             const glm::dvec3 displaced = 0.3 * direction + side * (sampling::normalDeviate(u.x) * frame.u +
                                                                    sampling::normalDeviate(u.y) * frame.v);
             rays[k] = {mirrored.ray.origin, glm::vec3(glm::normalize(displaced))};
             isAbove[k] = glm::dot(displaced, at.geometricNormal) > 0.0;
-            if (isAbove[k]) above[searched++] = rays[k];
+            if (isAbove[k]) above[aboveCount++] = rays[k];
         }
-        closestHits({above.data(), searched}, hits);
-        searched = 0;
+        closestHits({above.data(), aboveCount}, hits);
+        std::size_t nextHit = 0;
         for (std::size_t k = 0; k < count; ++k) {
             Segment glossy = part;
             glossy.ray = rays[k];
             const auto number = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(k);
             if (isAbove[k]) {
-                trace(glossy, {branch.key.child(number + 2), branch.split || n > 1}, &hits[searched++]);
+                trace(glossy, {branch.key.child(number + 2), branch.split || n > 1}, &hits[nextHit++]);
             } else {
                 observer_.segment(glossy);
                 observer_.ended(glossy, RayEnd::BelowSurface);

@@ -1,0 +1,37 @@
+#pragma once
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace rayscope::render {
+
+/// The TBB threads of a computation, the calling thread included. There may be more of them than cores.
+class ThreadArena {
+  public:
+    /// 0 takes one thread per core.
+    explicit ThreadArena(int threads = 0)
+        : count_(threads > 0 ? threads : oneapi::tbb::info::default_concurrency()),
+          parallelism_(oneapi::tbb::global_control::max_allowed_parallelism,
+                       static_cast<std::size_t>(std::max(count_, oneapi::tbb::info::default_concurrency()))),
+          arena_(count_) {}
+
+    int count() const { return count_; }
+
+    /// Runs `work` within the arena: parallel algorithms in it use these threads.
+    template <class Work>
+    auto run(Work&& work) {
+        return arena_.execute(std::forward<Work>(work));
+    }
+
+  private:
+    int count_;
+    // TBB starts no more threads than one per core unless it is told to.
+    oneapi::tbb::global_control parallelism_;
+    oneapi::tbb::task_arena arena_;
+};
+
+}  // namespace rayscope::render

@@ -1,0 +1,161 @@
+#pragma once
+// Direct lighting: members of Tracer that sample lights and trace shadow rays.
+#include "shading/light_sample.h"
+#include "shading/phong.h"
+#include "trace/shadow_ray.h"
+#include "trace/tracer.h"
+
+namespace rayscope::trace {
+
+/// A light sample and the radiance that the surface reflects of it if it is not occluded.
+struct LightTerm {
+    LightConnection connection;
+    glm::dvec3 toLight{0.0};
+    double distance = 0.0;  ///< length of `toLight`
+    glm::dvec3 reflected{0.0};
+    bool needsShadow = false;
+};
+
+inline Ray shadowRay(const LightTerm& term) {
+    return shadowRay(term.connection.from, term.connection.at.position, term.toLight, term.distance);
+}
+
+/// Adds the mean of visibility · phong over the samples of a light; without shading, the mean of
+/// visibility · kd over the samples of all lights.
+template <PathObserver O, TermsFor<O> Terms>
+void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
+                                      const glm::dvec3& throughput) {
+    const int n = branch.split ? 1 : world_.lights[light].grid.count();
+    if constexpr (Terms::kDefersShadowRays)
+        if (world_.canDeferShadowRays()) return addDirectLight<1, true>(light, n, at, branch, throughput);
+    if (n == 1)
+        addDirectLight<1, false>(light, n, at, branch, throughput);
+    else
+        addDirectLight<kRayGroup, false>(light, n, at, branch, throughput);
+}
+
+/// Traces the shadow rays of kGroup samples as a batch or, if it defers them, leaves them to the TermQueue,
+/// which makes batches of its own. Terms are added in the order of the samples.
+template <PathObserver O, TermsFor<O> Terms>
+template <int kGroup, bool kDefers>
+void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
+                                      const glm::dvec3& throughput) {
+    const sampling::SamplePoints points = lightSamplePoints(light, branch, n);
+    const glm::dvec3 weight = throughput / static_cast<double>(n);
+    const glm::vec3 from = at.originOutside();
+    std::array<LightTerm, kGroup> terms;
+    std::array<Ray, kGroup> shadows;
+    std::array<double, kGroup> visible;
+    for (int first = 0; first < n; first += kGroup) {
+        const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
+        std::size_t shadowCount = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            connect(light, first + static_cast<int>(k), at, from, points, terms[k]);
+            if constexpr (kDefers)
+                deferLightTerm(terms[k], weight);
+            else if (terms[k].needsShadow)
+                shadows[shadowCount++] = shadowRay(terms[k]);
+        }
+        if constexpr (kDefers) continue;
+        transmittances({shadows.data(), shadowCount}, {visible.data(), shadowCount});
+        std::size_t nextShadow = 0;
+        for (std::size_t k = 0; k < count; ++k)
+            addLightTerm(terms[k], weight, terms[k].needsShadow ? visible[nextShadow++] : 1.0);
+    }
+}
+
+template <PathObserver O, TermsFor<O> Terms>
+void Tracer<O, Terms>::addLightTerm(LightTerm& term, const glm::dvec3& weight, double visible) {
+    if (term.needsShadow)
+        term.connection.visibility = visible == 1.0  ? Visibility::Visible
+                                     : visible > 0.0 ? Visibility::Attenuated
+                                                     : Visibility::Occluded;
+    const glm::dvec3 value = visible > 0.0 ? weight * term.reflected * visible : glm::dvec3(0.0);
+    observer_.lightSampled(term.connection, value);
+    if (value != glm::dvec3(0.0)) add(value);
+}
+
+/// Queues the term with its shadow ray, which counts as traced. The observer is the NullObserver (see
+/// TermsFor).
+template <PathObserver O, TermsFor<O> Terms>
+void Tracer<O, Terms>::deferLightTerm(const LightTerm& term, const glm::dvec3& weight) {
+    const glm::dvec3 value = weight * term.reflected;
+    rays_ += term.needsShadow ? 1 : 0;
+    if (value == glm::dvec3(0.0)) return;
+    if (term.needsShadow)
+        terms_.addIfVisible(value, shadowRay(term));
+    else
+        terms_.add(value);
+}
+
+/// The points of the unit square that the n light samples are mapped from; unused by point lights.
+template <PathObserver O, TermsFor<O> Terms>
+sampling::SamplePoints Tracer<O, Terms>::lightSamplePoints(std::size_t light, const Branch& branch,
+                                                           int n) const {
+    if (world_.lights[light].dimensions == 0) return {};
+    return stream_.points(sampling::Dim::Light, branch.key, static_cast<std::uint32_t>(light), n);
+}
+
+/// Connects `from`, the spawned origin of the surface, with sample k of a light. Sets every member of `term`.
+template <PathObserver O, TermsFor<O> Terms>
+void Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+                               const sampling::SamplePoints& points, LightTerm& term) const {
+    const CompiledLight& compiled = world_.lights[light];
+    glm::vec2 u(0.0f);
+    if (compiled.dimensions == 1) u.x = points.get1D(k);
+    if (compiled.dimensions == 2) u = points.get2D(k);
+    term.connection = {static_cast<int>(light), k, from, shading::sampleLight(compiled.light, u)};
+    term.toLight = term.connection.at.position - glm::dvec3(from);
+    term.distance = glm::length(term.toLight);
+    term.reflected = glm::dvec3(0.0);
+    if (settings_.shading) {
+        const SurfaceMaterial& material = world_.materials[at.material];
+        if (term.distance > 0.0)
+            term.reflected =
+                term.connection.at.color * shading::phong({at.kd, material.ks, material.shininess}, at.normal,
+                                                          term.toLight * (1.0 / term.distance), at.toViewer);
+        if (compiled.light.falloff == Falloff::InverseSquare)
+            term.reflected /= std::max(term.distance * term.distance, 0x1p-126);
+    } else {
+        term.reflected = at.kd / static_cast<double>(world_.lights.size());
+    }
+    const bool facesAway = term.reflected == glm::dvec3(0.0);
+    if (facesAway) term.connection.visibility = Visibility::FacingAway;
+    term.needsShadow = compiled.castsShadows && !facesAway;
+}
+
+template <PathObserver O, TermsFor<O> Terms>
+void Tracer<O, Terms>::transmittances(std::span<const Ray> shadows, std::span<double> visible) {
+    if (world_.attenuatesShadows) {
+        for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = transmittance(shadows[i]);
+        return;
+    }
+    std::array<std::uint8_t, kRayGroup> occluded;
+    world_.anyHits(shadows, sample_.time, {occluded.data(), shadows.size()});
+    rays_ += shadows.size();
+    for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = occluded[i] ? 0.0 : 1.0;
+}
+
+/// The product of 1 − opacity over all surfaces between a point and a light.
+template <PathObserver O, TermsFor<O> Terms>
+double Tracer<O, Terms>::transmittance(const Ray& shadow) {
+    double passed = 1.0;
+    Ray ray = shadow;
+    const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);
+    Hit hit;
+    while (passed >= 0x1p-64) {
+        if (!closestHit(ray, hit)) return passed;
+        const Interaction at = interactionAt(world_, ray, sample_.time, {}, hit);
+        passed *= 1.0 - world_.materials[at.material].opacity;
+        // Continue behind the surface to the same end; the direction and its unit of t stay.
+        ray.origin = at.originBehind();
+        const glm::dvec3 rest = end - glm::dvec3(ray.origin);
+        const double done = 1.0 - glm::dot(rest, glm::dvec3(shadow.direction)) /
+                                      glm::dot(glm::dvec3(shadow.direction), glm::dvec3(shadow.direction));
+        if (!(done < static_cast<double>(shadow.tMax))) return passed;
+        ray.tMax = static_cast<float>(static_cast<double>(shadow.tMax) - done);
+    }
+    return 0.0;
+}
+
+}  // namespace rayscope::trace
