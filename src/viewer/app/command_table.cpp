@@ -35,7 +35,7 @@ void resetCamera(Workspace& workspace) {
 void selectLeafUnderCursor(Workspace& workspace) {
     const auto world = workspace.render.session().world();
     if (!world || !workspace.cursor || workspace.cursor->primitive == kNoPrimitive) return;
-    workspace.bvh.selectLeafOf(world->nameOf(workspace.cursor->primitive).inGroup);
+    workspace.bvh.selectLeafOf(world->locatePrimitive(workspace.cursor->primitive).inGroup);
 }
 
 /// The first that applies: close the list of keys, leave fly mode, end the live ray, clear the rays.
