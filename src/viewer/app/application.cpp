@@ -65,6 +65,7 @@ void Application::frame(double seconds) {
     if (workspace_.job) workspace_.job->update();
 
     window_.beginFrame();
+    ui::beginFrame();
     takeKeys();
     drawMenuBar(workspace_);
     const Layout parts = layout();
@@ -76,6 +77,7 @@ void Application::frame(double seconds) {
     renderDialog_.draw(workspace_);
     drawErrorDialog(workspace_);
     workspace_.closeDialogs = false;
+    ui::writeItemMap();
     for (const Command command : std::exchange(workspace_.commands, {})) execute(command);
     drawPicture(parts, seconds);
     executeAtCursor();
