@@ -43,7 +43,7 @@ void beginFrame() {
 
 const std::vector<Item>& items() { return recorded; }
 
-void note(const char* label, bool isText) {
+void note(const char* label, bool isText, bool enabled) {
     if (!recording) return;
     const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
     const ImVec2 clipLower = ImGui::GetWindowDrawList()->GetClipRectMin(),
@@ -52,7 +52,7 @@ void note(const char* label, bool isText) {
               {std::max(lower.x, clipLower.x), std::max(lower.y, clipLower.y)},
               {std::min(upper.x, clipUpper.x), std::min(upper.y, clipUpper.y)}};
     item.isText = isText;
-    item.enabled = ImGui::GetStyle().Alpha > 0.9f;
+    item.enabled = enabled && ImGui::GetStyle().Alpha > 0.9f;  // BeginDisabled() fades
     item.visible = item.upper.x > item.lower.x && item.upper.y > item.lower.y;
     recorded.push_back(std::move(item));
 }

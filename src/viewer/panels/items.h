@@ -34,7 +34,7 @@ std::string toText(const std::vector<Item>& items);
 void writeItemMap();
 
 /// Reports the last item of Dear ImGui under a label.
-void note(const char* label, bool isText = false);
+void note(const char* label, bool isText = false, bool enabled = true);
 void noteText(std::string_view text);
 /// The label of the row that the following unlabelled controls ("##value") belong to.
 void noteRow(std::string_view label);
@@ -63,7 +63,9 @@ inline bool selectable(const char* label, bool selected = false, ImGuiSelectable
 }
 inline bool menuItem(const char* label, const char* shortcut = nullptr, bool ticked = false,
                      bool enabled = true) {
-    return noted(label, ImGui::MenuItem(label, shortcut, ticked, enabled));
+    const bool pressed = ImGui::MenuItem(label, shortcut, ticked, enabled);
+    note(label, false, enabled);
+    return pressed;
 }
 inline bool menuItem(const char* label, const char* shortcut, bool* ticked) {
     return noted(label, ImGui::MenuItem(label, shortcut, ticked));

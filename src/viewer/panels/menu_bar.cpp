@@ -109,6 +109,7 @@ void drawRasterChoices(Workspace& workspace) {
 
 void drawMenuBar(Workspace& workspace) {
     if (!ImGui::BeginMainMenuBar()) return;
+    const ui::Scope scope("Menu");
     for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "BVH", "Help"}) {
         ui::menu(menu, [&] {
             drawCommands(workspace, menu);
