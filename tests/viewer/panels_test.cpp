@@ -428,7 +428,7 @@ TEST(ComparisonPanel, ComparesTheKeptPicture) {
     EXPECT_EQ(comparison.view.mode, CompareMode::Difference);
     driver.type("Scale", "10");
     EXPECT_FLOAT_EQ(comparison.view.brightness, 10.0f);
-    driver.click("Restore settings of A");
+    driver.click("Restore settings");
     EXPECT_EQ(driver.workspace.edit.settings, kept);
     driver.click("Discard A");
     EXPECT_EQ(comparison.a(), nullptr);

@@ -109,7 +109,7 @@ void drawNode(BvhInspector& bvh, const InspectedTree& seen, std::uint32_t number
 }
 
 void drawSelected(const InspectedTree& seen, std::uint32_t number) {
-    if (number >= seen.tree().nodes.size()) return dimText("Click a node to highlight it in the picture.");
+    if (number >= seen.tree().nodes.size()) return dimText("Click a node to highlight it.");
     const bvh::BinaryNode& node = seen.tree().nodes[number];
     const double rootArea = bvh::halfArea(seen.tree().nodes[0]);
     valueRow("Node", fmt::format("{}, level {}", number, seen.index.level[number]));

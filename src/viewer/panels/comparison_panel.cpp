@@ -61,7 +61,7 @@ void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
     if (differences.empty()) dimText("B has the same settings as A: change some.");
     for (const std::string& difference : differences) text(difference);
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-    if (ui::button("Restore settings of A", {half, 0.0f})) workspace.edit.settings = a.state.settings;
+    if (ui::button("Restore settings", {half, 0.0f})) workspace.edit.settings = a.state.settings;
     tooltip("Set B to the settings of A; can be undone.");
     ImGui::SameLine();
     if (ui::button("Discard A", {half, 0.0f})) workspace.comparison.discard();

@@ -140,7 +140,7 @@ void drawTradePanel(Workspace& workspace) {
         const std::optional<std::size_t> here = measuredPoint(*result, workspace.edit.settings);
         drawChart(*result, here);
         drawPosition(*result, here);
-        dimText(fmt::format("{} x {} pixels, {} threads;\ntime differences below {:.0f} % are noise",
+        dimText(fmt::format("{} x {} pixels, threads: {};\ntime differences below {:.0f} % are noise",
                             result->width, result->height, result->threads, 100.0 * result->smallestRatio));
     }
     for (const std::string& remark : result->remarks) wrappedText(remark);
