@@ -52,15 +52,16 @@ void drawTable(const BvhInspector& bvh, const InspectedTree& seen, const Inspect
     row("nodes", fmt::format("{}", a.nodes), fmt::format("{}", b.nodes));
     row("levels", fmt::format("{}", a.levels), fmt::format("{}", b.levels));
     row("boxes on the level", fmt::format("{}", c.boxes[0]), fmt::format("{}", c.boxes[1]));
-    pair("of them met by a line", "{:.3f}", c.met[0], c.met[1]);
+    pair("of them met by a line", "{:.3f}", c.expectedHits[0], c.expectedHits[1]);
     if (const BvhInspector::Costs* costs = bvh.costs()) {
         pair("boxes entered per ray", "{:.2f}", costs->own.nodes, costs->referenceTree.nodes);
         pair("tests per ray", "{:.2f}", costs->own.tests, costs->referenceTree.tests);
     }
     ImGui::EndTable();
-    if (c.met[1] > 0.0)
+    if (c.expectedHits[1] > 0.0)
         text(fmt::format("saved on this level: {:.1f} %, in all: {:.1f} %",
-                         100.0 * (1.0 - c.met[0] / c.met[1]), 100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
+                         100.0 * (1.0 - c.expectedHits[0] / c.expectedHits[1]),
+                         100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
     if (const BvhInspector::Costs* costs = bvh.costs())
         dimText(fmt::format("counted for {} rays of this view", costs->rays));
 }
