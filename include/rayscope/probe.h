@@ -10,13 +10,13 @@
 
 namespace rayscope {
 
-/// A segment of the path tree and the surface that it met.
+/// A segment of a path and the surface that it hit.
 struct RayNode {
     int parent = -1;  ///< index into RayTree::nodes; -1 for camera rays
     RayKind kind = RayKind::Camera;
     int depth = 0;  ///< reflections before this segment
     Ray ray;
-    glm::dvec3 throughput{1.0};  ///< what the radiance along this segment is multiplied with
+    glm::dvec3 throughput{1.0};  ///< factor of the radiance along this segment
     bool hit = false;
     Hit primitiveHit;  ///< t, primitive, u, v
     int object = -1;   ///< mesh or sphere number: meshes first
@@ -25,46 +25,46 @@ struct RayNode {
     glm::vec2 uv{0.0f};    ///< texture coordinates; 0 where the surface has no texture
     glm::vec3 position{0.0f}, geometricNormal{0.0f}, normal{0.0f};
     Rgb kd{0.0f};
-    RgbSum contribution{0.0};  ///< sum of what this vertex added to the sample's radiance
+    RgbSum contribution{0.0};  ///< of this vertex to the radiance of the sample
     RayEnd end = RayEnd::Missed;
 };
 
-/// A ray from a surface to a position on a light.
+/// A ray from a surface to a light sample.
 struct ShadowRay {
-    int node = 0;  ///< the vertex it belongs to
+    int node = 0;  ///< index of the vertex in RayTree::nodes
     int light = 0, sample = 0;
     glm::vec3 from{0.0f}, to{0.0f};
-    Ray ray;          ///< as it was traced; t = 1 is the light
-    Rgb color{0.0f};  ///< of the light there
+    Ray ray;          ///< as traced; t = 1 is the light
+    Rgb color{0.0f};  ///< of the light sample
     Visibility visibility = Visibility::Visible;
     RgbSum contribution{0.0};
 };
 
-/// All rays of one sample, in the order in which they were traced.
+/// All rays of one sample in tracing order.
 struct RayTree {
     SampleId name;
     float time = 0.0f;  ///< of the shutter, 0 … 1
     std::vector<RayNode> nodes;
     std::vector<ShadowRay> shadowRays;
-    std::vector<RgbSum> addends;  ///< their left fold is `radiance`, bit for bit
+    std::vector<RgbSum> addends;  ///< their sum from left to right is `radiance`, bit for bit
     RgbSum radiance{0.0};
 };
 
-/// Traces one sample again with a recorder. Same code, same bits as the render.
+/// Traces one sample again with a recorder: the code of the render, with the same bits.
 RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name);
 
-/// The radiance that arrives along each segment of the tree: what it and everything after it adds to the
-/// sample, divided by its throughput (0 where that is 0). Indexed like `nodes`.
+/// The radiance along each segment of the tree: the contributions of its vertex and all later ones, divided
+/// by its throughput (0 where that is 0). Indexed like `nodes`.
 std::vector<RgbSum> radianceAlong(const RayTree& tree);
 
-/// What the surface at the end of a segment shows of its own, undimmed by its opacity; where nothing was hit,
-/// what the environment shows.
+/// The radiance of the surface at the end of a segment without its opacity, or of the environment on a miss.
 RgbSum surfaceColor(const RayNode& node);
 
-/// Where in the image a sample lies: pixel coordinates, x to the right, y downwards.
+/// The position of a sample in the image: pixel coordinates, x to the right, y downwards.
 glm::dvec2 samplePosition(const trace::World& world, std::uint64_t seed, SampleId name);
 
-/// Whether replaying a pixel gives what the film holds, and whether each tree adds up.
+/// Whether the replay of a pixel equals the film bit for bit, and whether the addends of each tree sum up to
+/// its radiance.
 struct ReplayResult {
     bool matchesFilm = false, sumMatches = false;
     RgbSum film{0.0}, replayed{0.0};
@@ -76,7 +76,7 @@ struct ReplayResult {
 ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
                           int y, const std::function<void()>& beforeSample = {});
 
-/// The tree as an indented text for people, and as JSON for programs.
+/// The tree as indented text and as JSON.
 std::string toText(const RayTree& tree, const trace::World& world);
 std::string toJson(const RayTree& tree, const trace::World& world);
 

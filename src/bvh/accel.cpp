@@ -20,10 +20,10 @@ struct Accel::State {
     bvh::PackedPrimitives primitives;
     bvh::WideTree wide;
     bvh::kernel::WideTreeView view{};               ///< of `wide`, for every ray
-    const bvh::kernel::Kernels* kernels = nullptr;  ///< null: queries walk the binary tree
+    const bvh::kernel::Kernels* kernels = nullptr;  ///< null: queries traverse the binary tree
     AccelSummary summary;
     BuildSettings settings;
-    double costAtBuild = 0.0;  ///< 0: refitted never
+    double costAtBuild = 0.0;  ///< 0: never refitted
 
     void setWide(bvh::WideTree&& layout) {
         wide = std::move(layout);
@@ -65,17 +65,17 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
 Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     const AccelInput& before = input();
     if (moved.triangles.size() != before.triangles.size() || moved.spheres.size() != before.spheres.size())
-        throw std::invalid_argument("only as many triangles and spheres as before can be refitted");
+        throw std::invalid_argument("refit needs as many triangles and spheres as the tree was built for");
     Accel accel;
     if (!state_) return accel;
-    const auto buildAnew = [&] {
+    const auto rebuild = [&] {
         BuildSettings settings = state_->settings;
         settings.stop = stop;
         return build(moved, settings);
     };
     bvh::checkIndices(moved, stop);
     const std::uint32_t dropped = state_->summary.droppedPrimitives;
-    if (dropped > 0 && bvh::countNonFinitePrimitives(moved, stop) != dropped) return buildAnew();
+    if (dropped > 0 && bvh::countNonFinitePrimitives(moved, stop) != dropped) return rebuild();
     accel.state_ = std::make_unique<State>();
     State& state = *accel.state_;
     state.input = moved;
@@ -85,12 +85,12 @@ Accel Accel::refit(const AccelInput& moved, std::stop_token stop) const {
     state.costAtBuild = state_->costAtBuild > 0.0 ? state_->costAtBuild : state_->cost();
     if (!state_->tree.nodes.empty()) {
         std::optional<bvh::BinaryTree> tree = bvh::refitted(state_->tree, moved, stop);
-        if (!tree) return buildAnew();
+        if (!tree) return rebuild();
         state.tree = std::move(*tree);
     }
     if (state.kernels) {
         std::optional<bvh::WideTree> wide = bvh::refitted(state_->wide, moved, stop);
-        if (!wide) return buildAnew();
+        if (!wide) return rebuild();
         state.setWide(std::move(*wide));
     } else {
         state.primitives = bvh::PackedPrimitives(moved, state.tree, stop);
@@ -109,13 +109,13 @@ bool Accel::closestHit(const Ray& ray, Hit& hit) const {
         if (!isHit) hit = Hit{};
         return isHit;
     }
-    bvh::NullTraversalObserver nobody;
-    return bvh::traverseClosest(state_->tree, state_->primitives, ray, hit, nobody);
+    return bvh::traverse<bvh::QueryKind::Closest>(state_->tree, state_->primitives, ray, hit);
 }
 
 bool Accel::anyHit(const Ray& ray) const {
     if (state_ && state_->kernels) return state_->kernels->anyHit(state_->view, bvh::rayData(ray));
-    return state_ && bvh::traverseAny(state_->tree, state_->primitives, ray);
+    Hit hit;
+    return state_ && bvh::traverse<bvh::QueryKind::Any>(state_->tree, state_->primitives, ray, hit);
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {

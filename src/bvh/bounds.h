@@ -1,5 +1,5 @@
 #pragma once
-// Boxes for the builders: four floats at a time, of which the fourth is never looked at.
+// Boxes of the builders, in vectors of four floats of which the fourth has no meaning.
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -14,11 +14,17 @@ inline Float4 maximum(Float4 a, Float4 b) { return a > b ? a : b; }
 inline Float4 broadcast(float x) { return Float4{x, x, x, x}; }
 inline Int4 broadcast(std::int32_t x) { return Int4{x, x, x, x}; }
 
+/// Half the surface area of a box with these edge lengths: a vector of float or double.
+template <class Size>
+auto halfAreaOf(const Size& size) {
+    return size[0] * (size[1] + size[2]) + size[1] * size[2];
+}
+
 struct Bounds4 {
     Float4 lower = broadcast(std::numeric_limits<float>::infinity());
     Float4 upper = broadcast(-std::numeric_limits<float>::infinity());
 
-    /// Passes over NaN.
+    /// Ignores NaN.
     void extend(Float4 point) {
         lower = minimum(point, lower);
         upper = maximum(point, upper);
@@ -27,14 +33,11 @@ struct Bounds4 {
         lower = minimum(lower, box.lower);
         upper = maximum(upper, box.upper);
     }
-    /// Half the surface area of a box that is not empty, in units of 1 / scale².
-    float halfArea(float scale) const {
-        const Float4 size = (upper - lower) * broadcast(scale);
-        return size[0] * (size[1] + size[2]) + size[1] * size[2];
-    }
+    /// Of a box that is not empty, in units of 1 / scale².
+    float halfArea(float scale) const { return halfAreaOf((upper - lower) * broadcast(scale)); }
 };
 
-/// A primitive to be sorted into the tree.
+/// The bounding box of a primitive, while the tree is built.
 struct PrimitiveRef {
     float lower[3];
     std::uint32_t primitive;
@@ -45,7 +48,7 @@ struct PrimitiveRef {
         Bounds4 box;
         std::memcpy(&box.lower, lower, sizeof box.lower);
         std::memcpy(&box.upper, upper, sizeof box.upper);
-        // A number read as a float is denormal, and slows down arithmetic a hundredfold.
+        // The primitive number as a float is denormal, which makes arithmetic a hundred times slower.
         box.lower = reinterpret_cast<Float4>(reinterpret_cast<Int4>(box.lower) & Int4{-1, -1, -1, 0});
         return box;
     }

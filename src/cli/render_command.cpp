@@ -202,7 +202,7 @@ int runRender(const RenderOptions& options) {
         checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(aov).name));
     if (!aovs.empty() && options.target.wanted())
         throw CLI::ValidationError("--aov", "needs a fixed number of samples: leave out --target-error");
-    request.keepBinaryTrees = !aovs.empty();
+    request.keepBinaryTrees = false;
 
     const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
                                                       : renderSamples(request, options, interrupt);

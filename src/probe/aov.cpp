@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "base/nearest_name.h"
 #include "math/vectors.h"
-#include "probe/counting_observer.h"
+#include "probe/sample_cost.h"
 #include "render/film.h"
 #include "render/thread_arena.h"
 #include "sampling/sample_stream.h"
-#include "trace/radiance_definition.h"
+#include "trace/interaction.h"
+#include "trace/world.h"
 
 namespace rayscope::probe {
 
@@ -25,8 +25,8 @@ constexpr AovInfo kTable[] = {
     {Aov::Uv, "uv", "texture coordinates, in red and green", true},
     {Aov::Primitive, "primitive", "number of the triangle or sphere; -1: none", false},
     {Aov::Material, "material", "number of the material; -1: none", false},
-    {Aov::Nodes, "nodes", "boxes of the binary tree entered, per sample", false},
-    {Aov::Triangles, "triangles", "triangles and spheres tested, per sample", false},
+    {Aov::Nodes, "nodes", "BVH nodes visited, leaves included, in the layout of the settings; per sample", false},
+    {Aov::Triangles, "triangles", "triangles and spheres tested in these leaves; per sample", false},
     {Aov::Rays, "rays", "rays traced, per sample", false},
     {Aov::Time, "time", "microseconds per sample, as measured", false},
     {Aov::NonFinite, "nan", "samples that are NaN or infinite", false},
@@ -37,36 +37,6 @@ constexpr AovInfo kTable[] = {
 // clang-format on
 
 Rgb grey(double value) { return Rgb(static_cast<float>(value)); }
-
-/// What the pixel's samples cost, as means over them.
-struct Costs {
-    double nodes = 0.0, tests = 0.0, rays = 0.0, microseconds = 0.0;
-    int nonFinite = 0;
-};
-
-Costs costsOf(const AovRequest& request, int x, int y, bool counted) {
-    using Clock = std::chrono::steady_clock;
-    const trace::World& world = request.world;
-    Costs costs;
-    const Clock::time_point start = Clock::now();
-    trace::NullObserver silent;
-    for (int index = 0; index < request.samples; ++index) {
-        const trace::SampleResult result = trace::radiance(world, request.seed, {x, y, index}, silent);
-        costs.rays += static_cast<double>(result.rays);
-        costs.nonFinite += math::isFinite(result.radiance) ? 0 : 1;
-    }
-    costs.microseconds = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-    for (int index = 0; counted && index < request.samples; ++index) {
-        const sampling::SampleStream stream(world.settings.sampler, request.seed, x, y, index,
-                                            world.settings.spp);
-        CountingObserver observer(world, world.moves ? stream.get1D(sampling::Dim::Time) : 0.0f);
-        trace::radiance(world, request.seed, {x, y, index}, observer);
-        costs.nodes += static_cast<double>(observer.counted().nodes);
-        costs.tests += static_cast<double>(observer.counted().tests);
-    }
-    const double n = std::max(request.samples, 1);
-    return {costs.nodes / n, costs.tests / n, costs.rays / n, costs.microseconds / n, costs.nonFinite};
-}
 
 /// The surface behind the centre of a pixel, through the centre of the lens, at the start of the shutter.
 std::optional<trace::Interaction> surfaceAt(const trace::World& world, int x, int y) {
@@ -104,18 +74,18 @@ Rgb filmValue(const render::Film* film, int x, int y, Aov aov) {
     return grey(aov == Aov::Variance ? variance : std::sqrt(variance / n));
 }
 
-Rgb costValue(const Costs& costs, Aov aov) {
+Rgb costValue(const SampleCost& cost, Aov aov) {
     switch (aov) {
         case Aov::Nodes:
-            return grey(costs.nodes);
+            return grey(cost.nodes);
         case Aov::Triangles:
-            return grey(costs.tests);
+            return grey(cost.tests);
         case Aov::Rays:
-            return grey(costs.rays);
+            return grey(cost.rays);
         case Aov::Time:
-            return grey(costs.microseconds);
+            return grey(cost.microseconds);
         default:
-            return grey(costs.nonFinite);
+            return grey(cost.nonFinite);
     }
 }
 
@@ -123,50 +93,6 @@ bool isOfSurface(Aov aov) { return aov <= Aov::Material; }
 bool isOfFilm(Aov aov) { return aov >= Aov::Samples; }
 
 }  // namespace
-
-template <class Count>
-void CountingObserver::forEachGroup(const Ray& ray, Count&& count) {
-    for (const trace::MotionGroup& motionGroup : world_.motionGroups) {
-        const bvh::BinaryTree* tree =
-            world_.settings.bvh && motionGroup.accel ? motionGroup.accel->binaryTree() : nullptr;
-        if (tree == nullptr) {
-            counter_.tests += world_.settings.bvh ? 0
-                                                  : motionGroup.geometry->input.triangles.size() +
-                                                        motionGroup.geometry->input.spheres.size();
-            continue;
-        }
-        const trace::Geometry& geometry = *motionGroup.geometry;
-        if (count(*tree, geometry.input, geometry.inRestFrame(ray, time_))) return;
-    }
-}
-
-void CountingObserver::countClosest(const Ray& ray) {
-    forEachGroup(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
-        Hit hit;
-        bvh::closestHit(tree, input, atRest, hit, counter_);
-        return false;
-    });
-}
-
-void CountingObserver::lightSampled(const trace::LightConnection& light, const glm::dvec3&) {
-    const bool traced = light.visibility != Visibility::FacingAway &&
-                        world_.lights[static_cast<std::size_t>(light.light)].castsShadows;
-    if (!traced) return;
-    const Ray ray = trace::shadowRay(light.from, light.at.position);
-    if (world_.attenuatesShadows) return countClosest(ray);
-    forEachGroup(ray, [&](const bvh::BinaryTree& tree, const AccelInput& input, const Ray& atRest) {
-        Hit hit;
-        return anyHitObserved(tree, input, atRest, counter_, hit);
-    });
-}
-
-SampleCost costAt(const trace::World& world, std::uint64_t seed, int x, int y, int samples) {
-    AovRequest request{world};
-    request.seed = seed;
-    request.samples = samples;
-    const Costs costs = costsOf(request, x, y, true);
-    return {costs.nodes, costs.tests, costs.rays};
-}
 
 std::span<const AovInfo> aovTable() { return kTable; }
 
@@ -178,7 +104,7 @@ Aov aovNamed(std::string_view name) {
         if (info.name == name) return info.aov;
         names.push_back(info.name);
     }
-    throw InputError(fmt::format("no extra image is called '{}'{}; there are {}", name,
+    throw InputError(fmt::format("unknown AOV '{}'{}; expected {}", name,
                                  base::didYouMean(std::string(name), names), fmt::join(names, ", ")));
 }
 
@@ -194,7 +120,8 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
         for (int x = region.x0; x < region.x1; ++x) {
             if (request.stop.stop_requested()) return;
             const auto at = surface ? surfaceAt(world, x, y) : std::nullopt;
-            const Costs cost = costs ? costsOf(request, x, y, counted) : Costs{};
+            const SampleCost cost =
+                costs ? costAt(world, request.seed, x, y, request.samples, counted) : SampleCost{};
             for (std::size_t i = 0; i < wanted.size(); ++i)
                 images[i].at(x, y) = isOfSurface(wanted[i]) ? surfaceValue(world, at, wanted[i])
                                      : isOfFilm(wanted[i])  ? filmValue(request.film, x, y, wanted[i])

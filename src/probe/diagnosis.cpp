@@ -17,31 +17,21 @@ std::string_view nameOf(Symptom symptom) {
 }
 
 std::string_view nameOf(Cause cause) {
-    constexpr std::string_view kNames[] = {"unknown",
-                                           "nothing hit",
-                                           "no light",
-                                           "light blocked",
-                                           "light behind the surface",
-                                           "black surface",
-                                           "bad normal",
-                                           "strong light",
-                                           "huge numbers",
-                                           "rare bright paths",
-                                           "gloss",
-                                           "penumbra",
-                                           "edge",
-                                           "many rays",
-                                           "expensive rays",
-                                           "duplicate geometry"};
+    constexpr std::string_view kNames[] = {
+        "unknown",           "nothing hit", "no light",     "light occluded", "light behind the surface",
+        "black material",    "bad normal",  "strong light", "overflow",       "rare bright paths",
+        "glossy reflection", "penumbra",    "edge",         "many rays",      "expensive rays",
+        "duplicate geometry"};
     return kNames[static_cast<int>(cause)];
 }
 
-std::string toText(const Diagnosis& why) {
-    std::string words = fmt::format("{}, {}: {}\n", nameOf(why.symptom), nameOf(why.cause), why.sentence);
-    for (const Evidence& e : why.evidence)
-        words += fmt::format("  see sample {}, {} {}\n", e.sample, e.shadow >= 0 ? "shadow ray" : "ray",
-                             std::max(e.node, e.shadow));
-    return words;
+std::string toText(const Diagnosis& diagnosis) {
+    std::string text =
+        fmt::format("{}, {}: {}\n", nameOf(diagnosis.symptom), nameOf(diagnosis.cause), diagnosis.sentence);
+    for (const Evidence& e : diagnosis.evidence)
+        text += fmt::format("  see sample {}, {} {}\n", e.sample, e.shadow >= 0 ? "shadow ray" : "ray",
+                            std::max(e.node, e.shadow));
+    return text;
 }
 
 int samplesToDiagnose(const Settings& settings) { return std::min(settings.spp, 64); }

@@ -13,10 +13,10 @@ namespace rayscope::probe {
 
 namespace {
 
-/// What became of all light samples of the camera rays' surfaces.
+/// Visibility of all light samples at the surfaces that camera rays hit.
 struct LightTally {
-    int blocked = 0, behind = 0, seen = 0, hits = 0, misses = 0;
-    std::vector<Evidence> blockedRays, behindRays, hitRays, missedRays;
+    int occluded = 0, behind = 0, visible = 0, hits = 0, misses = 0;
+    std::vector<Evidence> occludedRays, behindRays, hitRays, missedRays;
 };
 
 LightTally tallyOf(const PixelEvidence& pixel) {
@@ -38,25 +38,25 @@ LightTally tallyOf(const PixelEvidence& pixel) {
             if (tree.nodes[static_cast<std::size_t>(ray.node)].depth > 0) continue;
             const Evidence evidence{s, -1, static_cast<int>(i)};
             if (ray.visibility == Visibility::Occluded) {
-                ++tally.blocked;
-                keep(tally.blockedRays, evidence);
+                ++tally.occluded;
+                keep(tally.occludedRays, evidence);
             } else if (ray.visibility == Visibility::FacingAway) {
                 ++tally.behind;
                 keep(tally.behindRays, evidence);
             } else {
-                ++tally.seen;
+                ++tally.visible;
             }
         }
     }
     return tally;
 }
 
-std::string blockerOf(const PixelEvidence& pixel, const Evidence& evidence) {
+std::string occluderOf(const PixelEvidence& pixel, const Evidence& evidence) {
     const RayTree& tree = pixel.trees[static_cast<std::size_t>(evidence.sample)];
     Hit hit;
     if (!pixel.world.closestHit(tree.shadowRays[static_cast<std::size_t>(evidence.shadow)].ray, tree.time,
                                 hit))
-        return "something";
+        return "a surface";
     return locationText(pixel.world, hit.primitive);
 }
 
@@ -67,22 +67,21 @@ bool reflectsNothing(const PixelEvidence& pixel, const Evidence& evidence) {
     return node.kd == Rgb(0.0f) && material.ks == glm::dvec3(0.0);
 }
 
-/// The first surface whose vertex normals are far from its own; nothing if there is none.
+/// The first surface whose vertex normals deviate far from its geometric normal, if any.
 std::optional<Diagnosis> badNormal(const PixelEvidence& pixel, const LightTally& tally) {
-    constexpr double kFar = 75.0;  // smooth surfaces stay well below
+    constexpr double kFar = 75.0;  // degrees; smooth surfaces stay well below
     for (const Evidence& evidence : tally.hitRays) {
         const RayTree& tree = pixel.trees[static_cast<std::size_t>(evidence.sample)];
         const RayNode& node = tree.nodes[static_cast<std::size_t>(evidence.node)];
         const double angle = normalDeviation(pixel.world, node, tree.time);
         if (angle <= kFar) continue;
-        return Diagnosis{
-            Symptom::Black,
-            Cause::BadNormal,
-            fmt::format(
-                "A vertex normal of {} points {:.0f} degrees away from the surface, so the surface is "
-                "shaded as if it faced elsewhere.",
-                locationText(pixel.world, node.primitiveHit.primitive), angle),
-            {evidence}};
+        return Diagnosis{Symptom::Black,
+                         Cause::BadNormal,
+                         fmt::format("A vertex normal of {} deviates by {:.0f} degrees from the geometric "
+                                     "normal, so the surface is "
+                                     "shaded as if it had another orientation.",
+                                     locationText(pixel.world, node.primitiveHit.primitive), angle),
+                         {evidence}};
     }
     return std::nullopt;
 }
@@ -95,61 +94,62 @@ std::optional<Diagnosis> diagnoseBlack(const PixelEvidence& pixel) {
     const LightTally tally = tallyOf(pixel);
     if (tally.hits == 0)
         return Diagnosis{Symptom::Black, Cause::NothingHit,
-                         "Every ray of the pixel misses the scene, and no environment is seen there.",
+                         "All camera rays miss the scene, and the environment is black or absent there.",
                          tally.missedRays};
     if (pixel.world.lights.empty())
         return Diagnosis{Symptom::Black, Cause::NoLight, "The scene has no light.", tally.hitRays};
     if (std::all_of(tally.hitRays.begin(), tally.hitRays.end(),
                     [&](const Evidence& e) { return reflectsNothing(pixel, e); }))
         return Diagnosis{Symptom::Black, Cause::BlackMaterial,
-                         "The surface reflects nothing: kd and ks are 0.", tally.hitRays};
+                         "The material reflects no light: kd and ks are 0.", tally.hitRays};
     if (auto normal = badNormal(pixel, tally)) return normal;
-    if (tally.seen == 0 && tally.blocked > 0)
+    if (tally.visible == 0 && tally.occluded > 0)
         return Diagnosis{
             Symptom::Black, Cause::LightOccluded,
-            fmt::format("{} of {} shadow rays are blocked, the first by {}{}.", tally.blocked,
-                        tally.blocked + tally.behind, blockerOf(pixel, tally.blockedRays.front()),
-                        tally.behind > 0 ? "; the other lights lie behind the surface" : ""),
-            tally.blockedRays};
-    if (tally.seen == 0 && tally.behind > 0)
+            fmt::format("{} of {} shadow rays are occluded, the first by {}{}.", tally.occluded,
+                        tally.occluded + tally.behind, occluderOf(pixel, tally.occludedRays.front()),
+                        tally.behind > 0 ? "; the other lights are behind the surface" : ""),
+            tally.occludedRays};
+    if (tally.visible == 0 && tally.behind > 0)
         return Diagnosis{Symptom::Black, Cause::LightBehindSurface,
-                         "All lights lie behind the surface that the pixel shows.", tally.behindRays};
+                         "All lights are behind the visible surface.", tally.behindRays};
     return Diagnosis{Symptom::Black, Cause::Unknown,
-                     "The pixel is black although light reaches what it shows.", tally.hitRays};
+                     "The pixel is black although light reaches the visible surface.", tally.hitRays};
 }
 
 std::optional<Diagnosis> diagnoseBright(const PixelEvidence& pixel) {
     constexpr double kBright = 1.5;
     if (!(pixel.statistics.mean > kBright)) return std::nullopt;
-    // Which light brings most, through whatever reflections?
+    // By light, including reflections.
     std::vector<double> byLight(pixel.world.lights.size(), 0.0);
     std::vector<Evidence> strongest(byLight.size());
     std::vector<double> most(byLight.size(), -1.0);
-    double all = 0.0;
+    double total = 0.0;
     for (std::size_t sample = 0; sample < pixel.trees.size(); ++sample) {
         const RayTree& tree = pixel.trees[sample];
-        all += math::luminance(tree.radiance);
+        total += math::luminance(tree.radiance);
         for (std::size_t i = 0; i < tree.shadowRays.size(); ++i) {
             const auto light = static_cast<std::size_t>(tree.shadowRays[i].light);
-            const double adds = math::luminance(tree.shadowRays[i].contribution);
-            byLight[light] += adds;
-            if (adds <= most[light]) continue;
-            most[light] = adds;
+            const double added = math::luminance(tree.shadowRays[i].contribution);
+            byLight[light] += added;
+            if (added <= most[light]) continue;
+            most[light] = added;
             strongest[light] = {static_cast<int>(sample), -1, static_cast<int>(i)};
         }
     }
     const auto best =
         static_cast<std::size_t>(std::max_element(byLight.begin(), byLight.end()) - byLight.begin());
-    if (byLight.empty() || byLight[best] < 0.5 * all)
+    if (byLight.empty() || byLight[best] < 0.5 * total)
         return Diagnosis{Symptom::Bright,
                          Cause::Unknown,
-                         "The pixel is brighter than the screen shows; no single light brings most of it.",
+                         "The radiance exceeds the display range; no single light contributes most of it.",
                          {}};
-    return Diagnosis{Symptom::Bright,
-                     Cause::StrongLight,
-                     fmt::format("Light {} brings {:.0f} % of the pixel's light, more than the screen shows.",
-                                 best, 100.0 * byLight[best] / all),
-                     {strongest[best]}};
+    return Diagnosis{
+        Symptom::Bright,
+        Cause::StrongLight,
+        fmt::format("Light {} contributes {:.0f} % of a radiance that exceeds the display range.", best,
+                    100.0 * byLight[best] / total),
+        {strongest[best]}};
 }
 
 }  // namespace rayscope::probe

@@ -40,7 +40,7 @@ double normalDeviation(const trace::World& world, const RayNode& node, float tim
     const glm::dvec3 own = glm::normalize(glm::cross(b - a, c - a));
     double cosines[3];
     for (int i = 0; i < 3; ++i) cosines[i] = glm::dot(own, glm::dvec3(normals->normal[i]));
-    // A triangle may be wound the other way round as a whole.
+    // The winding may be opposite to the normals.
     const double sign = cosines[0] + cosines[1] + cosines[2] < 0.0 ? -1.0 : 1.0;
     double worst = 0.0;
     for (const double cosine : cosines) {
@@ -52,8 +52,7 @@ double normalDeviation(const trace::World& world, const RayNode& node, float tim
 
 namespace {
 
-/// The corners of a triangle in an order that does not depend on how it is wound; a sphere's centre and
-/// radius.
+/// The corners of a triangle, sorted so that the winding does not matter; the center and radius of a sphere.
 std::array<glm::vec3, 3> cornersOf(const AccelInput& input, std::uint32_t primitive) {
     if (primitive >= input.triangles.size()) {
         const Sphere& sphere = input.spheres[primitive - input.triangles.size()];
@@ -73,17 +72,17 @@ std::array<glm::vec3, 3> cornersOf(const AccelInput& input, std::uint32_t primit
 std::uint32_t findDuplicateAlong(const trace::World& world, const Ray& ray, float time) {
     for (const TraversalLog& log : recordClosestHit(world, ray, time)) {
         const trace::MotionGroup& motionGroup = world.motionGroups[log.motionGroup];
-        std::vector<std::uint32_t> met;  // duplicates need not share a leaf
+        std::vector<std::uint32_t> primitives;  // duplicates need not share a leaf
         for (const TraversalBox& box : log.boxes) {
             if (!box.leaf) continue;
             const auto held = primitivesOfLeaf(*motionGroup.accel->binaryTree(), box.node);
-            met.insert(met.end(), held.begin(), held.end());
+            primitives.insert(primitives.end(), held.begin(), held.end());
         }
-        for (std::size_t i = 0; i < met.size(); ++i)
+        for (std::size_t i = 0; i < primitives.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
-                if (cornersOf(motionGroup.geometry->input, met[i]) ==
-                    cornersOf(motionGroup.geometry->input, met[j]))
-                    return met[i] + motionGroup.firstPrimitive;
+                if (cornersOf(motionGroup.geometry->input, primitives[i]) ==
+                    cornersOf(motionGroup.geometry->input, primitives[j]))
+                    return primitives[i] + motionGroup.firstPrimitive;
     }
     return kNoPrimitive;
 }
@@ -118,10 +117,9 @@ std::optional<Diagnosis> diagnoseNonFinite(const PixelEvidence& pixel) {
                        !bad) {
                 why.cause = Cause::Overflow;
                 why.sentence =
-                    "Lights or materials are so strong that what they add leaves the range of numbers.";
+                    "A contribution exceeds the range of float: a light or material is too strong.";
             } else {
-                why.sentence =
-                    "A term that is not a number was added here, and neither normal nor colour tells why.";
+                why.sentence = "A contribution is not a number; normal and colour are finite.";
             }
             return why;
         }

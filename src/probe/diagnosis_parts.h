@@ -1,5 +1,5 @@
 #pragma once
-// One function per symptom; each sees the recorded samples of the pixel.
+// The parts of diagnosePixel(): one function per symptom.
 #include <optional>
 
 #include "probe/diagnosis.h"
@@ -8,7 +8,7 @@
 
 namespace rayscope::probe {
 
-/// The samples of a pixel with everything that is asked of them more than once.
+/// The recorded samples of a pixel.
 struct PixelEvidence {
     const trace::World& world;
     std::uint64_t seed;
@@ -26,10 +26,10 @@ std::optional<Diagnosis> diagnoseSlow(const PixelEvidence& pixel);
 
 /// "triangle 7 of mesh 0 'box'".
 std::string locationText(const trace::World& world, std::uint32_t primitive);
-/// The largest angle, in degrees, between the normals that a triangle's vertices have and its own; 0 without
-/// normals. NaN if a normal is not a number.
+/// The largest angle between a vertex normal and the geometric normal, in degrees; 0 without vertex normals,
+/// NaN if one is not a number.
 double normalDeviation(const trace::World& world, const RayNode& node, float time);
-/// A primitive in a leaf that the ray searches which lies exactly where another one does; kNoPrimitive if
+/// A primitive that coincides with another, both in leaves that the ray visits or culls; kNoPrimitive if
 /// there is none.
 std::uint32_t findDuplicateAlong(const trace::World& world, const Ray& ray, float time);
 

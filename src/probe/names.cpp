@@ -18,12 +18,12 @@ std::string_view nameOf(RayEnd end) {
 }
 
 std::string_view nameOf(Visibility visibility) {
-    constexpr std::string_view names[] = {"visible", "blocked", "attenuated", "facing away"};
+    constexpr std::string_view names[] = {"visible", "occluded", "attenuated", "facing away"};
     return names[static_cast<int>(visibility)];
 }
 
 std::string_view nameOf(TraversalEvent event) {
-    constexpr std::string_view names[] = {"enters", "keeps", "skips", "misses", "hits", "tests", "rules out"};
+    constexpr std::string_view names[] = {"visits", "pushes", "culls", "misses", "hits", "tests", "filters"};
     return names[static_cast<int>(event)];
 }
 

@@ -12,7 +12,7 @@ std::string_view nameOf(RayEnd end);
 std::string_view nameOf(Visibility visibility);
 std::string_view nameOf(TraversalEvent event);
 
-/// "mesh 0 'dragon'" or "sphere 2", as the scene calls the object with this number.
+/// "mesh 0 'dragon'" or "sphere 2 'bulb'": the object with this number in the scene.
 std::string objectName(const trace::World& world, int object);
 
 }  // namespace rayscope::probe

@@ -17,12 +17,12 @@ std::string text(const RgbSum& v) { return fmt::format("({:.4g} {:.4g} {:.4g})",
 
 std::string locationText(const RayNode& node, std::size_t index, const trace::World& world) {
     const std::string ray = fmt::format("{} ray {}", nameOf(node.kind), index);
-    return node.object >= 0 ? fmt::format("where {} meets {}", ray, objectName(world, node.object))
+    return node.object >= 0 ? fmt::format("where {} hits {}", ray, objectName(world, node.object))
                             : "on " + ray;
 }
 
-/// What is wrong with a segment and its surface before any light comes in.
-std::string wrongWith(const RayNode& node) {
+/// The first value of a segment or its surface that is not finite, apart from lights.
+std::string nonFiniteValueOf(const RayNode& node) {
     if (!math::isFinite(node.ray.origin) || !math::isFinite(node.ray.direction))
         return "the ray itself is not a number";
     if (!math::isFinite(node.throughput)) return "the throughput is " + text(node.throughput);
@@ -32,7 +32,7 @@ std::string wrongWith(const RayNode& node) {
     return {};
 }
 
-std::string wrongWith(const ShadowRay& ray) {
+std::string nonFiniteValueOf(const ShadowRay& ray) {
     const std::string light = fmt::format("light {}, sample {}", ray.light + 1, ray.sample);
     if (!math::isFinite(ray.color))
         return fmt::format("{} has the colour {}", light, text(RgbSum(ray.color)));
@@ -45,18 +45,18 @@ std::string wrongWith(const ShadowRay& ray) {
 std::string causeOfNonFinite(const RayTree& tree, const trace::World& world) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const RayNode& node = tree.nodes[i];
-        std::string wrong = wrongWith(node);
+        std::string cause = nonFiniteValueOf(node);
         for (const ShadowRay& ray : tree.shadowRays)
-            if (wrong.empty() && ray.node == static_cast<int>(i)) wrong = wrongWith(ray);
-        if (wrong.empty() && !math::isFinite(node.contribution))
-            wrong = fmt::format("{} adds {}", node.hit ? "the surface" : "the environment",
+            if (cause.empty() && ray.node == static_cast<int>(i)) cause = nonFiniteValueOf(ray);
+        if (cause.empty() && !math::isFinite(node.contribution))
+            cause = fmt::format("{} adds {}", node.hit ? "the surface" : "the environment",
                                 text(node.contribution));
-        if (!wrong.empty()) return fmt::format("{}: {}", locationText(node, i, world), wrong);
+        if (!cause.empty()) return fmt::format("{}: {}", locationText(node, i, world), cause);
     }
     if (!math::isFinite(tree.radiance)) return "the sum of its terms overflows: " + text(tree.radiance);
     if (!fitsFloat(tree.radiance))
-        return fmt::format("its {} terms add up to {}, more than a float holds", tree.addends.size(),
-                           text(tree.radiance));
+        return fmt::format("the sum of its {} terms is {}, which exceeds the range of float",
+                           tree.addends.size(), text(tree.radiance));
     return {};
 }
 

@@ -3,8 +3,8 @@
 
 namespace rayscope::probe {
 
-/// Where the first value of a sample came up that is not a number, or more than a float holds, in words;
-/// empty if there is none.
+/// Describes the first value of a sample that is not finite or exceeds the range of float; empty if there is
+/// none.
 std::string causeOfNonFinite(const RayTree& tree, const trace::World& world);
 
 }  // namespace rayscope::probe

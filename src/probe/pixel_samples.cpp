@@ -41,7 +41,7 @@ double SampleStatistics::errorOfMean() const {
 SampleStatistics statisticsOf(const std::vector<RgbSum>& values) {
     SampleStatistics s;
     double squares = 0.0;
-    // Welford's updates: no difference of large sums.
+    // Welford's algorithm, without differences of large sums.
     for (const RgbSum& value : values) {
         const double x = math::luminance(value), before = s.mean;
         s.luminance.push_back(x);

@@ -15,12 +15,12 @@ struct PixelSamples {
 PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count,
                          const std::function<void()>& beforeSample = {});
 
-/// Luminances of samples and what they say about each other.
+/// Statistics of the luminance of samples.
 struct SampleStatistics {
     std::vector<double> luminance, runningMean;
     double mean = 0.0, deviation = 0.0;  ///< standard deviation of a sample; 0 for fewer than two
-    /// Samples further from the median than 5 times the median distance from it (and than nothing): they
-    /// decide about the mean by chance. A median is not moved by the outliers it is to find.
+    /// Samples farther from the median than 5 times the median absolute deviation, which outliers do not
+    /// affect.
     std::vector<std::size_t> outliers;
     double errorOfMean() const;  ///< standard error, deviation / √n
 };

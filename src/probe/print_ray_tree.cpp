@@ -62,11 +62,11 @@ nlohmann::json nodeJson(const RayNode& node, const trace::World& world) {
     return j;
 }
 
-/// Names of groups hold no blanks.
-std::string oneWord(std::string_view name) {
-    std::string word(name);
-    std::replace(word.begin(), word.end(), ' ', '_');
-    return word;
+/// Group names of Wavefront OBJ have no blanks.
+std::string groupName(std::string_view name) {
+    std::string group(name);
+    std::replace(group.begin(), group.end(), ' ', '_');
+    return group;
 }
 
 glm::vec3 endOf(const RayNode& node, float missLength) {
@@ -123,7 +123,7 @@ std::string toObj(const RayTree& tree, float missLength) {
     int vertices = 0;
     std::string_view group;
     const auto line = [&](std::string_view kind, const glm::vec3& from, const glm::vec3& to) {
-        if (kind != group) out += fmt::format("g {}\n", oneWord(group = kind));
+        if (kind != group) out += fmt::format("g {}\n", groupName(group = kind));
         out += fmt::format("v {} {} {}\nv {} {} {}\nl {} {}\n", from.x, from.y, from.z, to.x, to.y, to.z,
                            vertices + 1, vertices + 2);
         vertices += 2;

@@ -16,10 +16,10 @@ bool isBoxEvent(TraversalEvent event) {
 }
 
 std::string stackText(const TraversalLog& log, const TraversalState& state) {
-    std::string words;
-    for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
-        words += fmt::format(" {}@{:.6g}", log.boxes[waiting->box].node, waiting->t);
-    return words.empty() ? " -" : words;
+    std::string text;
+    for (auto entry = state.stack.rbegin(); entry != state.stack.rend(); ++entry)
+        text += fmt::format(" {}@{:.6g}", log.boxes[entry->box].node, entry->t);
+    return text.empty() ? " -" : text;
 }
 
 std::string distanceText(const TraversalStep& step) {
@@ -35,21 +35,19 @@ std::string describe(const TraversalLog& log, const TraversalStep& step) {
 }
 
 std::string summary(const TraversalLog& log) {
-    const std::string words =
-        fmt::format("{} nodes entered, {} hit but skipped, {} missed, {} primitives tested",
-                    log.count(TraversalEvent::Visited), log.count(TraversalEvent::Culled),
-                    log.count(TraversalEvent::Missed), log.tests());
-    if (log.layout == BvhLayout::Binary) return words;
-    return words + fmt::format(", {} ruled out by the quick test", log.count(TraversalEvent::Filtered));
+    const std::string text = fmt::format(
+        "{} nodes visited, {} culled, {} missed, {} primitives tested", log.count(TraversalEvent::Visited),
+        log.count(TraversalEvent::Culled), log.count(TraversalEvent::Missed), log.tests());
+    if (log.layout == BvhLayout::Binary) return text;
+    return text + fmt::format(", {} filtered", log.count(TraversalEvent::Filtered));
 }
 
 std::string toText(const TraversalLog& log) {
-    std::string out = fmt::format(
-        "search for {} hit in the {} of body {}: {}\n", log.anyHit ? "any" : "the closest",
-        log.layout == BvhLayout::Wide ? "wide tree" : "binary tree", log.motionGroup, summary(log));
-    out += fmt::format("  {:>5}  {:<26} {:>12}  {:>12}  stack, next first (node@entry)\n", "step", "what",
-                       "t", "closest so far");
-    // The state is folded along, not computed anew for each line.
+    std::string out = fmt::format("{} hit in the {} of motion group {}: {}\n", log.anyHit ? "any" : "closest",
+                                  log.layout == BvhLayout::Wide ? "wide tree" : "binary tree",
+                                  log.motionGroup, summary(log));
+    out += fmt::format("  {:>5}  {:<26} {:>12}  {:>12}  stack, next first (node@entry)\n", "step", "event",
+                       "t", "bound");
     TraversalState state = stateAfter(log, 0);
     for (std::size_t i = 0; i < log.steps.size(); ++i) {
         const TraversalStep& step = log.steps[i];
@@ -78,14 +76,14 @@ std::string toJson(const TraversalLog& log) {
     TraversalState state = stateAfter(log, 0);
     for (const TraversalStep& step : log.steps) {
         advance(state, step);
-        nlohmann::json entry = {{"event", nameOf(step.event)},
-                                {isBoxEvent(step.event) ? "box" : "primitive", step.number},
-                                {"t", step.t},
-                                {"closest_so_far", state.bound},
-                                {"stack", nlohmann::json::array()}};
-        for (auto waiting = state.stack.rbegin(); waiting != state.stack.rend(); ++waiting)
-            entry["stack"].push_back({{"box", waiting->box}, {"t", waiting->t}});
-        j["steps"].push_back(std::move(entry));
+        nlohmann::json item = {{"event", nameOf(step.event)},
+                               {isBoxEvent(step.event) ? "box" : "primitive", step.number},
+                               {"t", step.t},
+                               {"closest_so_far", state.bound},
+                               {"stack", nlohmann::json::array()}};
+        for (auto entry = state.stack.rbegin(); entry != state.stack.rend(); ++entry)
+            item["stack"].push_back({{"box", entry->box}, {"t", entry->t}});
+        j["steps"].push_back(std::move(item));
     }
     if (log.hit.primitive != kNoPrimitive)
         j["hit"] = {{"primitive", log.hit.primitive}, {"t", log.hit.t}, {"u", log.hit.u}, {"v", log.hit.v}};

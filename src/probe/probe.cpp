@@ -11,7 +11,7 @@ sampling::SampleStream streamOf(const trace::World& world, std::uint64_t seed, S
     return {world.settings.sampler, seed, name.x, name.y, name.index, world.settings.spp};
 }
 
-/// Zero where nothing gets through: 0 / 0 says nothing.
+/// Per channel; 0 where the factor is 0.
 RgbSum dividedBy(const RgbSum& value, const RgbSum& factor) {
     RgbSum quotient(0.0);
     for (int channel = 0; channel < 3; ++channel)

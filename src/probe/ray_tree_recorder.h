@@ -6,7 +6,7 @@
 
 namespace rayscope::probe {
 
-/// Writes down everything that happens while a sample is traced.
+/// Records the rays of a sample.
 class RayTreeRecorder {
   public:
     RayTreeRecorder(RayTree& tree, const trace::World& world) : tree_(tree), world_(world) {}

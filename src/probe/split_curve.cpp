@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bvh/bounds.h"
 #include "bvh/intersect/ray_query.h"
 #include "bvh/layout/statistics.h"
 
@@ -23,7 +24,7 @@ struct Box {
     }
     double halfArea() const {
         const glm::dvec3 size = upper - lower;
-        return size.x < 0.0 ? 0.0 : size.x * (size.y + size.z) + size.y * size.z;
+        return size.x < 0.0 ? 0.0 : bvh::halfAreaOf(size);
     }
 };
 
@@ -46,7 +47,7 @@ Item itemOf(const AccelInput& input, std::uint32_t primitive) {
     return {{glm::dvec3(lower), glm::dvec3(upper)}, lower * 0.5f + upper * 0.5f};
 }
 
-/// Goes through them without storing them: a root may have millions.
+/// Does not store the primitives: a root may have millions.
 template <class Visit>
 void forEachBelow(const bvh::BinaryTree& tree, const AccelInput& input, std::uint32_t node,
                   const Visit& visit) {
@@ -61,7 +62,7 @@ void forEachBelow(const bvh::BinaryTree& tree, const AccelInput& input, std::uin
 }
 
 /// All primitives below a node.
-struct Whole {
+struct Range {
     Box box;
     glm::vec3 lowest{std::numeric_limits<float>::infinity()};  ///< of centroids
     glm::vec3 highest{-std::numeric_limits<float>::infinity()};
@@ -86,7 +87,7 @@ struct AxisBins {
     float lowest, perUnit;
     std::vector<Bin> bins;
 
-    AxisBins(const Whole& whole, int along, int count)
+    AxisBins(const Range& whole, int along, int count)
         : axis(along),
           lowest(whole.lowest[along]),
           perUnit(static_cast<float>(count) / (whole.highest[along] - lowest)) {
@@ -94,14 +95,14 @@ struct AxisBins {
     }
     void add(const Item& item) {
         if (bins.empty()) return;
-        const auto place = static_cast<std::size_t>((item.centroid[axis] - lowest) * perUnit);
-        Bin& bin = bins[std::min(place, bins.size() - 1)];
+        const auto index = static_cast<std::size_t>((item.centroid[axis] - lowest) * perUnit);
+        Bin& bin = bins[std::min(index, bins.size() - 1)];
         bin.box.extend(item.box);
         ++bin.count;
     }
 };
 
-/// Sweeps the border over the bins, with the areas to its right computed before.
+/// Sweep over the borders between bins.
 std::vector<SplitCurve::Plane> planesOf(const AxisBins& along, std::uint32_t all, double area) {
     const std::vector<Bin>& bins = along.bins;
     std::vector<double> rightArea(bins.size());
@@ -115,12 +116,12 @@ std::vector<SplitCurve::Plane> planesOf(const AxisBins& along, std::uint32_t all
     for (std::size_t i = 1; i < bins.size(); ++i) {
         left.extend(bins[i - 1].box);
         before += bins[i - 1].count;
-        const double weighed = left.halfArea() * before + rightArea[i] * (all - before);
+        const double children = left.halfArea() * before + rightArea[i] * (all - before);
         const bool isSplit = before > 0 && before < all && area > 0.0;
-        const double place =
+        const double position =
             static_cast<double>(along.lowest) + static_cast<double>(i) / static_cast<double>(along.perUnit);
-        planes.push_back({place,
-                          isSplit ? bvh::kTraversalCost + bvh::kIntersectionCost * weighed / area : kNoCost,
+        planes.push_back({position,
+                          isSplit ? bvh::kTraversalCost + bvh::kIntersectionCost * children / area : kNoCost,
                           before});
     }
     return planes;
@@ -129,7 +130,7 @@ std::vector<SplitCurve::Plane> planesOf(const AxisBins& along, std::uint32_t all
 }  // namespace
 
 SplitCurve splitCurve(const bvh::BinaryTree& tree, const AccelInput& input, std::uint32_t node, int bins) {
-    Whole whole;
+    Range whole;
     forEachBelow(tree, input, node, [&](const Item& item) { whole.add(item); });
     AxisBins along[] = {{whole, 0, bins}, {whole, 1, bins}, {whole, 2, bins}};
     forEachBelow(tree, input, node, [&](const Item& item) {
@@ -139,17 +140,17 @@ SplitCurve splitCurve(const bvh::BinaryTree& tree, const AccelInput& input, std:
     SplitCurve curve;
     curve.primitives = whole.count;
     curve.leafCost = bvh::kIntersectionCost * static_cast<double>(whole.count);
-    curve.made = kNoCost;
+    curve.actualCost = kNoCost;
     for (const AxisBins& axis : along)
         curve.axes[static_cast<std::size_t>(axis.axis)] = planesOf(axis, whole.count, area);
     if (tree.nodes[node].isLeaf() || !(area > 0.0)) return curve;
-    double weighed = 0.0;
+    double children = 0.0;
     for (const std::uint32_t child : {tree.nodes[node].first, tree.nodes[node].first + 1}) {
-        Whole some;
-        forEachBelow(tree, input, child, [&](const Item& item) { some.add(item); });
-        weighed += some.box.halfArea() * some.count;
+        Range side;
+        forEachBelow(tree, input, child, [&](const Item& item) { side.add(item); });
+        children += side.box.halfArea() * side.count;
     }
-    curve.made = bvh::kTraversalCost + bvh::kIntersectionCost * weighed / area;
+    curve.actualCost = bvh::kTraversalCost + bvh::kIntersectionCost * children / area;
     return curve;
 }
 

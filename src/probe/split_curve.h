@@ -1,5 +1,5 @@
 #pragma once
-// What it would have cost to split a node elsewhere.
+// The SAH cost of a node for every split plane.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace rayscope::probe {
 
-/// The surface area heuristic over the planes that a binned builder tries. Costs are those of a line that
-/// meets the node's box, with leaves below (MacDonald, Booth 1990): kTraversalCost + kIntersectionCost ·
-/// (area left · count left + area right · count right) / area of the node.
+/// SAH costs of the planes that a binned builder tries, for a line that intersects the box of the node, with
+/// leaves as children (MacDonald, Booth 1990): kTraversalCost + kIntersectionCost · (area left · count left +
+/// area right · count right) / area of the node.
 struct SplitCurve {
     struct Plane {
-        double place = 0.0;  ///< along the axis, of centroids
-        double cost = 0.0;   ///< NaN where one side would be empty
-        std::uint32_t left = 0;
+        double position = 0.0;   ///< on the axis
+        double cost = 0.0;       ///< NaN where one side is empty
+        std::uint32_t left = 0;  ///< primitives
     };
-    /// One for each border between bins; none along an axis on which all centroids agree.
+    /// One for each border between bins; none along an axis on which all centroids are equal.
     std::array<std::vector<Plane>, 3> axes;
-    double leafCost = 0.0;  ///< without a split
-    double made = 0.0;      ///< of the split that the tree has; NaN for a leaf
+    double leafCost = 0.0;    ///< without a split
+    double actualCost = 0.0;  ///< of the split in the tree; NaN for a leaf
     std::uint32_t primitives = 0;
 };
 

@@ -11,8 +11,8 @@ namespace rayscope::probe {
 
 namespace {
 
-/// The viewing direction mirrored at the shading normal, or where that would go below ground at the geometric
-/// one, as the tracer does it.
+/// The viewing direction mirrored at the shading normal, or, if that points below the surface, at the
+/// geometric normal, as in the tracer.
 glm::dvec3 mirroredDirection(const RayNode& node) {
     const glm::dvec3 d = glm::normalize(glm::dvec3(node.ray.direction));
     const auto mirrored = [&](const glm::dvec3& n) { return d - 2.0 * glm::dot(d, n) * n; };
@@ -23,7 +23,7 @@ glm::dvec3 mirroredDirection(const RayNode& node) {
 
 std::vector<glm::dvec2> apertureOutline(LensShape shape) {
     const int corners = shape == LensShape::Square ? 4 : shape == LensShape::Hexagon ? 6 : 48;
-    // The square has the diameter of the disk as its side.
+    // The side of the square is the diameter of the disk.
     const double radius = shape == LensShape::Square ? std::numbers::sqrt2 : 1.0;
     const double start = shape == LensShape::Square ? std::numbers::pi / 4.0 : 0.0;
     std::vector<glm::dvec2> outline;

@@ -3,7 +3,7 @@
 #include <rayscope/probe.h>
 #include <algorithm>
 
-#include "probe/counting_observer.h"
+#include "bvh/traversal/traversal_counts.h"
 
 namespace rayscope::probe {
 
@@ -28,12 +28,12 @@ ViewRays raysOfView(const trace::World& world, std::uint64_t seed, std::size_t m
 }
 
 TraversalCosts traversalCosts(const bvh::BinaryTree& tree, const AccelInput& input, const ViewRays& rays) {
-    TraversalCounter counter;
-    Hit hit;
-    for (const Ray& ray : rays.closest) bvh::closestHit(tree, input, ray, hit, counter);
-    for (const Ray& ray : rays.any) anyHitObserved(tree, input, ray, counter, hit);
+    bvh::TraversalCounts counts;
+    for (const Ray& ray : rays.closest) bvh::countTraversal(tree, input, ray, false, counts);
+    for (const Ray& ray : rays.any) bvh::countTraversal(tree, input, ray, true, counts);
     const double count = static_cast<double>(std::max<std::size_t>(rays.count(), 1));
-    return {static_cast<double>(counter.nodes) / count, static_cast<double>(counter.tests) / count};
+    return {static_cast<double>(counts.nodes + counts.leaves) / count,
+            static_cast<double>(counts.primitives) / count};
 }
 
 }  // namespace rayscope::probe

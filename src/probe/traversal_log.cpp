@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "probe/binary_traversal_recorder.h"
-#include "probe/counting_observer.h"
 #include "probe/wide_traversal.h"
 #include "trace/world.h"
 
@@ -20,7 +19,7 @@ TraversalLog startLog(const trace::World& world, std::size_t number, const Ray& 
     return log;
 }
 
-/// Records the search through one motionGroup; false if it has no tree of this layout.
+/// Records the traversal of one motion group; false if it has no tree of this layout.
 bool recordGroup(const trace::MotionGroup& motionGroup, const trace::World& world, TraversalLog& log) {
     if (!world.settings.bvh || !motionGroup.accel || !bvh::RayQuery::isTraceable(log.ray)) return false;
     if (log.layout == BvhLayout::Wide) {
@@ -31,10 +30,11 @@ bool recordGroup(const trace::MotionGroup& motionGroup, const trace::World& worl
     const bvh::BinaryTree* tree = motionGroup.accel->binaryTree();
     if (tree == nullptr) return false;
     const AccelInput& input = motionGroup.geometry->input;
-    BinaryTraversalRecorder recorder(log, *tree, input);
+    BinaryTraversalRecorder recorder(log, *tree);
     Hit hit;
-    const bool found = log.anyHit ? anyHitObserved(*tree, input, log.ray, recorder, hit)
-                                  : bvh::closestHit(*tree, input, log.ray, hit, recorder);
+    const bool found = log.anyHit
+                           ? bvh::traverse<bvh::QueryKind::Any>(*tree, input, log.ray, hit, recorder)
+                           : bvh::traverse<bvh::QueryKind::Closest>(*tree, input, log.ray, hit, recorder);
     if (found) log.hit = hit;
     return true;
 }
@@ -62,13 +62,13 @@ std::size_t TraversalLog::count(TraversalEvent event) const {
 }
 
 void advance(TraversalState& state, const TraversalStep& step) {
-    const auto takeFromStack = [&] {
+    const auto removeFromStack = [&] {
         std::erase_if(state.stack,
-                      [&](const TraversalState::StackEntry& waiting) { return waiting.box == step.number; });
+                      [&](const TraversalState::StackEntry& entry) { return entry.box == step.number; });
     };
     switch (step.event) {
         case TraversalEvent::Visited:
-            takeFromStack();
+            removeFromStack();
             state.current = static_cast<int>(step.number);
             break;
         case TraversalEvent::Pushed:
@@ -76,7 +76,7 @@ void advance(TraversalState& state, const TraversalStep& step) {
             break;
         case TraversalEvent::Culled:
         case TraversalEvent::Missed:
-            takeFromStack();
+            removeFromStack();
             break;
         case TraversalEvent::Hit:
             state.bound = step.t;

@@ -1,6 +1,6 @@
 #pragma once
-// The search of one ray through one hierarchy, step by step. The log speaks of boxes and primitives only, so
-// that it can tell of trees of any width; a recorder per layout writes it.
+// The traversal of one tree by one ray, step by step. A log has boxes and primitives only, so that it is the
+// same for every layout; each layout has a recorder of its own.
 #include <rayscope/ray.h>
 #include <rayscope/settings.h>
 #include <rayscope/vector.h>
@@ -15,78 +15,78 @@ class World;
 namespace rayscope::probe {
 
 enum class TraversalEvent {
-    Visited,  ///< the box is searched now
-    Pushed,   ///< the box was hit and goes onto the stack
-    Culled,   ///< the box was hit, but begins behind the closest hit found since
-    Missed,   ///< the ray does not meet the box
-    Hit,      ///< a primitive was tested and becomes the closest hit
-    NoHit,    ///< a primitive was tested in vain
-    Filtered  ///< the quick test of all triangles of a leaf at once ruled the primitive out
+    Visited,  ///< children or primitives of the node are tested now
+    Pushed,   ///< the box was hit, and the node goes onto the stack
+    Culled,   ///< the box was hit, but begins behind the closest hit
+    Missed,   ///< the ray misses the box
+    Hit,      ///< a primitive becomes the closest hit
+    NoHit,    ///< a primitive was tested and is missed, or farther than the closest hit
+    Filtered  ///< the float test of a block excludes a hit of the primitive
 };
 
 /// One step. Distances are in units of the ray's direction.
 struct TraversalStep {
     TraversalEvent event = TraversalEvent::Visited;
-    std::uint32_t number =
-        0;           ///< of a box: index into TraversalLog::boxes; else of the primitive in its motionGroup
-    float t = 0.0f;  ///< where the ray enters the box or hits the primitive; NaN where it does not
-    float bound = 0.0f;  ///< upper end of the interval in which hits still count, before the step
+    /// Of a box: index into TraversalLog::boxes; otherwise of the primitive in its motion group.
+    std::uint32_t number = 0;
+    float t = 0.0f;      ///< where the ray enters the box or hits the primitive; NaN on a miss
+    float bound = 0.0f;  ///< traversal bound before the step
 };
 
-/// A box as far as it was looked at.
+/// A box that was tested.
 struct TraversalBox {
-    std::uint32_t node = 0;  ///< its number in the hierarchy; leaves of the wide layout count by themselves
+    std::uint32_t node = 0;  ///< its number in the tree; leaves of the wide layout have numbers of their own
     int parent = -1;         ///< index into TraversalLog::boxes
     bool leaf = false;
     glm::vec3 lower{0.0f}, upper{0.0f};
 };
 
 struct TraversalLog {
-    std::size_t motionGroup = 0;  ///< of the world
-    Ray ray;                      ///< in the frame in which the motionGroup rests …
-    glm::vec3 shift{0.0f};        ///< … which is this far from where the motionGroup is at the ray's time
-    bool anyHit = false;          ///< the search may end at the first hit, as for shadow rays
-    BvhLayout layout = BvhLayout::Binary;  ///< of the tree that was searched
+    std::size_t motionGroup = 0;           ///< of the world
+    Ray ray;                               ///< in the rest frame of the motion group
+    glm::vec3 shift{0.0f};                 ///< of the motion group from its rest frame at the time of the ray
+    bool anyHit = false;                   ///< ends at the first hit, as for shadow rays
+    BvhLayout layout = BvhLayout::Binary;  ///< of the tree
     std::vector<TraversalBox> boxes;
     std::vector<TraversalStep> steps;
-    Hit hit;  ///< what the search found; `primitive` counts within the motionGroup
+    Hit hit;  ///< `primitive` counts within the motion group
 
     std::size_t count(TraversalEvent event) const;
     /// Primitives tested exactly.
     std::size_t tests() const { return count(TraversalEvent::Hit) + count(TraversalEvent::NoHit); }
 };
 
-/// The search as it stands after a number of steps.
+/// The state after a number of steps.
 struct TraversalState {
     struct StackEntry {
         std::uint32_t box;
         float t;
     };
-    int current = -1;               ///< box that is being searched; -1 before the first
-    std::vector<StackEntry> stack;  ///< the next one last
+    int current = -1;               ///< box of the node visited last; -1 before the first
+    std::vector<StackEntry> stack;  ///< the top is last
     float bound = 0.0f;
     std::uint32_t closest = kNoPrimitive;
 };
 void advance(TraversalState& state, const TraversalStep& step);
 TraversalState stateAfter(const TraversalLog& log, std::size_t steps);
 
-/// The search for the closest hit in every motionGroup of the world, at the given time of the shutter: the
-/// walk that World::closestHit takes through a tree of this layout, watched. Nothing if the BVH is off, or if
-/// there is no tree of this layout.
+/// Records the traversal of World::closestHit in every motion group of the world, at the given time of the
+/// shutter. Empty if the BVH is off, or if there is no tree of this layout.
 ///
-/// The wide tree is walked by the portable kernel. Kernels of other instruction sets round distances to boxes
-/// otherwise, and may enter a box more or less where a ray passes along its side; their hits are the same.
+/// The wide tree is traversed by the portable kernel. Kernels of other instruction sets round distances to
+/// boxes differently, and may visit a box more or less where a ray passes along its side; their hits are the
+/// same.
 std::vector<TraversalLog> recordClosestHit(const trace::World& world, const Ray& ray, float time,
                                            BvhLayout layout = BvhLayout::Binary);
-/// The search for any hit, as shadow rays do it; motionGroups after the first hit are not searched.
+/// The same for any hit, as for shadow rays; ends at the motion group of the first hit.
 std::vector<TraversalLog> recordAnyHit(const trace::World& world, const Ray& ray, float time,
                                        BvhLayout layout = BvhLayout::Binary);
 
-/// "enters node 12".
+/// "visits node 12".
 std::string describe(const TraversalLog& log, const TraversalStep& step);
-/// How much of everything happened, in one line.
+/// The number of events of each kind, in one line.
 std::string summary(const TraversalLog& log);
-/// One line per step, with the interval and the stack; and the same as JSON.
+/// One line per step, with the traversal bound and the stack; and the same as JSON.
 std::string toText(const TraversalLog& log);
 std::string toJson(const TraversalLog& log);
 

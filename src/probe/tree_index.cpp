@@ -48,7 +48,7 @@ TreeIndex indexTree(const bvh::BinaryTree& tree) {
             index.level[child] = static_cast<std::uint8_t>(index.level[number] + 1);
         }
     }
-    // Sums go from the leaves upwards. If the root has no area, every relative area counts as 1.
+    // From the leaves up. If the root has no area, every relative area counts as 1.
     const bool hasArea = count > 0 && bvh::halfArea(tree.nodes[0]) > 0.0;
     for (auto it = order.rbegin(); it != order.rend(); ++it) {
         const bvh::BinaryNode& node = tree.nodes[*it];
@@ -61,8 +61,8 @@ TreeIndex indexTree(const bvh::BinaryTree& tree) {
         double cost = bvh::kTraversalCost;
         for (const std::uint32_t child : {node.first, node.first + 1}) {
             index.primitives[*it] += index.primitives[child];
-            const double share = hasArea && area > 0.0 ? bvh::halfArea(tree.nodes[child]) / area : 1.0;
-            cost += share * index.cost[child];
+            const double probability = hasArea && area > 0.0 ? bvh::halfArea(tree.nodes[child]) / area : 1.0;
+            cost += probability * index.cost[child];
         }
         index.cost[*it] = cost;
     }
@@ -95,12 +95,12 @@ double childOverlap(const bvh::BinaryTree& tree, std::uint32_t number) {
     const bvh::BinaryNode& node = tree.nodes[number];
     if (node.isLeaf()) return 0.0;
     const bvh::BinaryNode &left = tree.nodes[node.first], &right = tree.nodes[node.first + 1];
-    bvh::BinaryNode shared{};
-    shared.lower = glm::max(left.lower, right.lower);
-    shared.upper = glm::min(left.upper, right.upper);
-    const bool meets = glm::all(glm::lessThanEqual(shared.lower, shared.upper));
+    bvh::BinaryNode overlap{};
+    overlap.lower = glm::max(left.lower, right.lower);
+    overlap.upper = glm::min(left.upper, right.upper);
+    const bool isEmpty = !glm::all(glm::lessThanEqual(overlap.lower, overlap.upper));
     const double area = bvh::halfArea(node);
-    return meets && area > 0.0 ? bvh::halfArea(shared) / area : 0.0;
+    return !isEmpty && area > 0.0 ? bvh::halfArea(overlap) / area : 0.0;
 }
 
 LevelComparison compareAtLevel(const bvh::BinaryTree& a, const TreeIndex& indexA, const bvh::BinaryTree& b,
@@ -115,7 +115,7 @@ LevelComparison compareAtLevel(const bvh::BinaryTree& a, const TreeIndex& indexA
         const double rootArea = bvh::halfArea(tree.nodes[0]);
         for (const std::uint32_t node : nodesAtLevel(tree, *indices[side], level, false)) {
             ++result.boxes[side];
-            result.met[side] += rootArea > 0.0 ? bvh::halfArea(tree.nodes[node]) / rootArea : 1.0;
+            result.expectedHits[side] += rootArea > 0.0 ? bvh::halfArea(tree.nodes[node]) / rootArea : 1.0;
         }
     }
     return result;

@@ -14,8 +14,7 @@ namespace rayscope::probe {
 
 namespace {
 
-using bvh::kernel::ChildRef, bvh::kernel::HitData, bvh::kernel::QueryState, bvh::kernel::TriangleBlock,
-    bvh::kernel::WideNode;
+using bvh::kernel::ChildRef, bvh::kernel::HitData, bvh::kernel::TriangleBlock, bvh::kernel::WideNode;
 
 constexpr float kNoDistance = std::numeric_limits<float>::quiet_NaN();
 
@@ -27,7 +26,7 @@ bvh::PrimitiveBox boxOfChild(const WideNode& node, int lane) {
 glm::vec3 lowerOf(const bvh::PrimitiveBox& box) { return {box.planes[0], box.planes[1], box.planes[2]}; }
 glm::vec3 upperOf(const bvh::PrimitiveBox& box) { return {box.planes[4], box.planes[5], box.planes[6]}; }
 
-/// Nodes, and after them blocks and spheres, count from 0.
+/// The number of an inner node, or of a leaf: blocks first, then spheres.
 std::uint32_t numberOf(const bvh::WideTree& tree, ChildRef ref) {
     if (ref >= bvh::kernel::kSphereTag)
         return static_cast<std::uint32_t>(tree.blocks.size()) + (ref & bvh::kernel::kSphereIndexMask);
@@ -36,8 +35,8 @@ std::uint32_t numberOf(const bvh::WideTree& tree, ChildRef ref) {
 
 int trianglesOf(ChildRef block) { return static_cast<int>(bvh::kernel::trianglesIn(block)); }
 
-/// The root's box is stored nowhere: nothing needs it but those who look.
-void findRootBox(const bvh::WideTree& tree, TraversalBox& box) {
+/// The box of the root, which the tree does not store because traversals do not need it.
+void computeRootBox(const bvh::WideTree& tree, TraversalBox& box) {
     box.lower = glm::vec3(bvh::kernel::kInfinity);
     box.upper = -box.lower;
     const auto include = [&](glm::vec3 lower, glm::vec3 upper) {
@@ -52,8 +51,8 @@ void findRootBox(const bvh::WideTree& tree, TraversalBox& box) {
         const TriangleBlock& block = tree.blocks[tree.root & bvh::kernel::kBlockIndexMask];
         for (const auto& corner : block.corner)
             for (int lane = 0; lane < trianglesOf(tree.root); ++lane) {
-                const glm::vec3 place(corner[0][lane], corner[1][lane], corner[2][lane]);
-                include(place, place);
+                const glm::vec3 position(corner[0][lane], corner[1][lane], corner[2][lane]);
+                include(position, position);
             }
     } else {
         for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
@@ -63,115 +62,83 @@ void findRootBox(const bvh::WideTree& tree, TraversalBox& box) {
     }
 }
 
-/// Writes down what a walk through the wide tree tells.
-class WideRecorder {
+/// Records a traversal of a wide tree.
+class WideTraversalRecorder : public bvh::NullTraversalObserver {
   public:
-    WideRecorder(TraversalLog& log, const bvh::WideTree& tree) : log_(log), tree_(tree), query_(log.ray) {
-        findRootBox(tree, log_.boxes[boxOf(tree.root)]);
-        const glm::vec3 lower = log_.boxes[0].lower, upper = log_.boxes[0].upper;
-        entries_[0] = entryOf({{lower.x, lower.y, lower.z, 0.0f, upper.x, upper.y, upper.z, 0.0f}});
+    WideTraversalRecorder(TraversalLog& log, const bvh::WideTree& tree) : log_(log), tree_(tree) {
+        TraversalBox& root = log_.boxes[boxOf(tree.root)];
+        computeRootBox(tree, root);
+        const float planes[] = {root.lower.x, root.lower.y, root.lower.z, 0.0f,
+                                root.upper.x, root.upper.y, root.upper.z, 0.0f};
+        const bvh::RayQuery query(log.ray);
+        float entry;
+        if (bvh::intersectBox(planes, query.box, query.box.tMax, entry))
+            entries_[0] = static_cast<float>(entry / query.box.scale);
     }
 
-    void visit(ChildRef ref, const QueryState& search) {
-        const std::uint32_t box = boxOf(ref);
-        add(TraversalEvent::Visited, box, entries_[box], search);
-        current_ = static_cast<int>(box);
+    void intersect(ChildRef ref, float entry) { entries_[boxOf(ref)] = entry; }
+    void miss(ChildRef ref, float bound) { addBox(TraversalEvent::Missed, ref, bound); }
+    void cull(ChildRef ref, float bound) { addBox(TraversalEvent::Culled, ref, bound); }
+    void push(ChildRef ref, float bound) { addBox(TraversalEvent::Pushed, ref, bound); }
+    void visit(ChildRef ref, float bound) {
+        addBox(TraversalEvent::Visited, ref, bound);
+        visited_ = static_cast<int>(boxOf(ref));
+        if ((ref & bvh::kernel::kTagMask) == 0) addChildren(tree_.nodes[ref]);
     }
-    void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
-                  const QueryState& search) {
-        bound_ = search.best.t;
-        for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
-            const bvh::PrimitiveBox planes = boxOfChild(node, lane);
-            if (!(planes.planes[0] <= planes.planes[4])) continue;
-            const std::uint32_t box = boxOf(node.child[lane]);
-            log_.boxes[box].lower = lowerOf(planes);
-            log_.boxes[box].upper = upperOf(planes);
-            const bool isMet = (mask >> lane & 1u) != 0;
-            entries_[box] = isMet ? static_cast<float>(entry.value[lane] / search.scale) : entryOf(planes);
-            if (isMet) continue;
-            // It is rejected: because of a closer hit, or because it is off the ray?
-            add(std::isnan(entries_[box]) ? TraversalEvent::Missed : TraversalEvent::Culled, box,
-                entries_[box], search);
-        }
+    void filter(std::uint32_t primitive, float bound) {
+        log_.steps.push_back({TraversalEvent::Filtered, primitive, kNoDistance, bound});
     }
-    void push(ChildRef ref) {
-        const std::uint32_t box = boxOf(ref);
-        log_.steps.push_back({TraversalEvent::Pushed, box, entries_[box], bound_});
+    void certainHit(std::uint32_t primitive, const HitData& hit, float bound) {
+        test(primitive, true, hit, bound);
     }
-    void cull(ChildRef ref, const QueryState& search) {
-        const std::uint32_t box = boxOf(ref);
-        add(TraversalEvent::Culled, box, entries_[box], search);
-    }
-    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const QueryState& search) {
-        for (int lane = 0; lane < trianglesOf(leaf); ++lane)
-            if ((mask >> lane & 1u) == 0)
-                add(TraversalEvent::Filtered, block.primitive[lane], kNoDistance, search);
-    }
-    void test(std::uint32_t primitive, bool isHit, const HitData& hit, const QueryState& search) {
+    void test(std::uint32_t primitive, bool isHit, const HitData& hit, float bound) {
         const Hit found{hit.t, primitive, hit.u, hit.v};
-        Hit best{search.best.t, search.best.primitive, 0.0f, 0.0f};
+        Hit best{bound, log_.hit.primitive, 0.0f, 0.0f};
         const bool isCloser = isHit && bvh::keepCloser(found, best);
-        add(isCloser ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive, isHit ? hit.t : kNoDistance,
-            search);
+        log_.steps.push_back({isCloser ? TraversalEvent::Hit : TraversalEvent::NoHit, primitive,
+                              isHit ? hit.t : kNoDistance, bound});
         if (isCloser) log_.hit = found;
     }
 
   private:
-    /// Where the ray enters a box, whatever it has hit; NaN if it does not.
-    float entryOf(const bvh::PrimitiveBox& box) const {
-        float entry;
-        if (!bvh::intersectBox(box.planes, query_.box, query_.box.tMax, entry)) return kNoDistance;
-        return static_cast<float>(entry / query_.box.scale);
-    }
-    /// A new box is the root or a child of the node that was entered last.
+    /// A new box is the root or a child of the node that was visited last.
     std::uint32_t boxOf(ChildRef ref) {
         const auto [known, isNew] = known_.try_emplace(ref, static_cast<std::uint32_t>(log_.boxes.size()));
         if (isNew) {
             log_.boxes.push_back(
-                {numberOf(tree_, ref), current_, (ref & bvh::kernel::kTagMask) != 0, {}, {}});
+                {numberOf(tree_, ref), visited_, (ref & bvh::kernel::kTagMask) != 0, {}, {}});
             entries_.push_back(kNoDistance);
         }
         return known->second;
     }
-    void add(TraversalEvent event, std::uint32_t number, float t, const QueryState& search) {
-        log_.steps.push_back({event, number, t, search.best.t});
+    void addChildren(const WideNode& node) {
+        for (int lane = 0; lane < bvh::kernel::kWidth; ++lane) {
+            const bvh::PrimitiveBox planes = boxOfChild(node, lane);
+            const bool isPresent = planes.planes[0] <= planes.planes[4];
+            if (!isPresent) continue;
+            TraversalBox& box = log_.boxes[boxOf(node.child[lane])];
+            box.lower = lowerOf(planes);
+            box.upper = upperOf(planes);
+        }
+    }
+    void addBox(TraversalEvent event, ChildRef ref, float bound) {
+        const std::uint32_t box = boxOf(ref);
+        log_.steps.push_back({event, box, entries_[box], bound});
     }
 
     TraversalLog& log_;
     const bvh::WideTree& tree_;
-    bvh::RayQuery query_;
     std::unordered_map<ChildRef, std::uint32_t> known_;  ///< ref → box
-    std::vector<float> entries_;                         ///< of boxes, where they were tested last
-    int current_ = -1;                                   ///< box
-    float bound_ = 0.0f;
+    std::vector<float> entries_;                         ///< of boxes; NaN where missed
+    int visited_ = -1;                                   ///< box of the node visited last
 };
-
-/// The recorder as the walk hands it on: by value.
-struct WideObserver {
-    WideRecorder* to;
-    void visit(ChildRef ref, const QueryState& search) const { to->visit(ref, search); }
-    void children(const WideNode& node, unsigned mask, const bvh::kernel::Lanes& entry,
-                  const QueryState& search) const {
-        to->children(node, mask, entry, search);
-    }
-    void push(ChildRef ref) const { to->push(ref); }
-    void cull(ChildRef ref, const QueryState& search) const { to->cull(ref, search); }
-    void filtered(const TriangleBlock& block, ChildRef leaf, unsigned mask, const QueryState& search) const {
-        to->filtered(block, leaf, mask, search);
-    }
-    void certainHit(std::uint32_t primitive, const HitData& hit, const QueryState& search) const {
-        to->test(primitive, true, hit, search);
-    }
-    void test(std::uint32_t primitive, bool isHit, const HitData& hit, const QueryState& search) const {
-        to->test(primitive, isHit, hit, search);
-    }
-};
+static_assert(bvh::TraversalObserver<WideTraversalRecorder>);
 
 }  // namespace
 
 void recordWideTraversal(const bvh::WideTree& tree, TraversalLog& log) {
-    WideRecorder recorder(log, tree);
-    bvh::kernel::traverseObserved(tree.view(), bvh::rayData(log.ray), log.anyHit, WideObserver{&recorder});
+    WideTraversalRecorder recorder(log, tree);
+    bvh::kernel::traverseObserved(tree.view(), bvh::rayData(log.ray), log.anyHit, recorder);
 }
 
 }  // namespace rayscope::probe

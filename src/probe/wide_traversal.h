@@ -4,8 +4,8 @@
 
 namespace rayscope::probe {
 
-/// Walks the wide tree with the ray of the log, for any hit if the log says so, and writes down what the walk
-/// does. The ray must be traceable.
+/// Traverses the wide tree with log.ray, for any hit if log.anyHit, and records the events. The ray must be
+/// traceable.
 void recordWideTraversal(const bvh::WideTree& tree, TraversalLog& log);
 
 }  // namespace rayscope::probe

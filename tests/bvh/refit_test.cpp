@@ -89,7 +89,7 @@ TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
                                               same(std::span(a.child), std::span(b.child));
                                    }));
     EXPECT_TRUE(same(std::span(refit.wideTree()->blocks), std::span(fresh.wideTree()->blocks)));
-    EXPECT_EQ(refit.wideTree()->largest, fresh.wideTree()->largest);
+    EXPECT_EQ(refit.wideTree()->maxCoordinate, fresh.wideTree()->maxCoordinate);
     EXPECT_EQ(refit.wideTree()->root, fresh.wideTree()->root);
     EXPECT_EQ(refit.bytes(), fresh.bytes());
     EXPECT_EQ(refit.summary().costGrowth, 1.0);

@@ -12,7 +12,7 @@ namespace {
 struct BuilderCase {
     BuildSettings settings;
     const char* name;
-    bool withAllWalks;  ///< or with the best kernels only
+    bool withAllTraversals;  ///< or with the best kernels only
 };
 
 std::vector<BuilderCase> builderCases() {
@@ -40,15 +40,10 @@ std::vector<BuilderCase> builderCases() {
     return cases;
 }
 
-struct CountingObserver {
-    int enteredNodes = 0, skippedNodes = 0, missedNodes = 0, testedPrimitives = 0;
-    void visit(std::uint32_t, float) { ++enteredNodes; }
-    void cull(std::uint32_t, float) { ++skippedNodes; }
-    void miss(std::uint32_t) { ++missedNodes; }
-    void test(std::uint32_t, bool) { ++testedPrimitives; }
-};
+/// Not the null observer: the traversal with all events.
+struct IgnoringObserver : bvh::NullTraversalObserver {};
 
-TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
+TEST(SameHit, EveryBuilderAndQueryEqualsBruteForce) {
     for (const TestGeometry& scene : edgeCaseScenes()) {
         const std::vector<Ray> rays = edgeCaseRays(scene, 1500, 99);
         std::vector<Hit> expected(rays.size());
@@ -60,10 +55,10 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
             ASSERT_EQ(occluded[i] != 0, expected[i].primitive != kNoPrimitive)
                 << scene.name << ": " << text(rays[i]);
         }
-        EXPECT_GT(hits, rays.size() / 50) << scene.name << ": too few hits to say anything";
+        EXPECT_GT(hits, rays.size() / 50) << scene.name << ": too few hits";
         for (const BuilderCase& builder : builderCases())
             for (const TraversalCase& traversalCase :
-                 builder.withAllWalks ? traversalCases() : std::vector{traversalCases().back()}) {
+                 builder.withAllTraversals ? traversalCases() : std::vector{traversalCases().back()}) {
                 const Accel accel = build(scene, builder.settings, traversalCase);
                 std::vector<Hit> batch(rays.size());
                 std::vector<std::uint8_t> anyBatch(rays.size(), 7);
@@ -83,52 +78,83 @@ TEST(SameHit, EveryBuilderAndQueryAgreesWithBruteForce) {
                     ASSERT_EQ(accel.anyHit(rays[i]), occluded[i] != 0) << where();
                     ASSERT_EQ(anyBatch[i], occluded[i]) << where();
                     if (i % 16 == 0 && accel.binaryTree()) {
-                        CountingObserver watched;
-                        Hit watchedHit;
-                        ASSERT_EQ(
-                            bvh::closestHit(*accel.binaryTree(), scene.input(), rays[i], watchedHit, watched),
-                            found);
-                        ASSERT_TRUE(sameHit(watchedHit, hit)) << where();
+                        IgnoringObserver observer;
+                        Hit observed;
+                        const bvh::BinaryTree& tree = *accel.binaryTree();
+                        ASSERT_EQ(bvh::traverse<bvh::QueryKind::Closest>(tree, scene.input(), rays[i],
+                                                                         observed, observer),
+                                  found);
+                        ASSERT_TRUE(sameHit(observed, hit)) << where();
+                        ASSERT_EQ(bvh::traverse<bvh::QueryKind::Any>(tree, scene.input(), rays[i], observed,
+                                                                     observer),
+                                  found)
+                            << where();
                     }
                 }
             }
     }
 }
 
-TEST(SameHit, ObserverSeesEveryNodeOnce) {
+/// An observer without all hooks does not compile.
+struct OnlyVisits {
+    void visit(std::uint32_t, float) {}
+};
+static_assert(!bvh::TraversalObserver<OnlyVisits>);
+static_assert(bvh::TraversalObserver<IgnoringObserver>);
+
+/// The events of each node of a tree.
+struct EventLog : bvh::NullTraversalObserver {
+    struct Events {
+        int hits = 0, misses = 0, culls = 0, pushes = 0, visits = 0;
+    };
+    std::vector<Events> nodes;
+    std::vector<std::uint32_t> tests;
+
+    explicit EventLog(std::size_t count) : nodes(count) {}
+    void intersect(std::uint32_t node, float) { ++nodes[node].hits; }
+    void miss(std::uint32_t node, float) { ++nodes[node].misses; }
+    void cull(std::uint32_t node, float) { ++nodes[node].culls; }
+    void push(std::uint32_t node, float) { ++nodes[node].pushes; }
+    void visit(std::uint32_t node, float) { ++nodes[node].visits; }
+    void test(std::uint32_t primitive, bool, const bvh::kernel::HitData&, float) {
+        tests.push_back(primitive);
+    }
+};
+
+TEST(SameHit, EventsOfEveryNodeAreConsistent) {
     const TestGeometry scene = soup(2000, 0.2, 17);
     const Accel accel = build(scene, {}, traversalCases().back());
     const bvh::BinaryTree& tree = *accel.binaryTree();
-    for (const Ray& ray : edgeCaseRays(scene, 500, 3)) {
-        struct Seen {
-            const bvh::BinaryTree& tree;
-            std::vector<char> fate;
-            int expectedChildren = 0, reportedChildren = -1;  // the root is nobody's child
-            std::vector<std::uint32_t> tests;
-            void note(std::uint32_t node, char what) {
-                ASSERT_EQ(fate[node], 0);
-                fate[node] = what;
-                ++reportedChildren;
+    int visited = 0;
+    for (const Ray& ray : edgeCaseRays(scene, 500, 3))
+        for (const bool any : {false, true}) {
+            EventLog log(tree.nodes.size());
+            Hit hit;
+            const bool found =
+                any ? bvh::traverse<bvh::QueryKind::Any>(tree, scene.input(), ray, hit, log)
+                    : bvh::traverse<bvh::QueryKind::Closest>(tree, scene.input(), ray, hit, log);
+            for (std::uint32_t node = 0; node < tree.nodes.size(); ++node) {
+                const EventLog::Events& events = log.nodes[node];
+                visited += events.visits;
+                ASSERT_LE(events.hits + events.misses, 1) << "a box is tested once";
+                ASSERT_LE(events.visits + events.culls, events.hits);
+                ASSERT_LE(events.pushes, events.hits);
+                // Only an any-hit query leaves nodes on the stack.
+                if (!any || !found) {
+                    ASSERT_EQ(events.visits + events.culls, events.hits);
+                }
+                if (events.visits == 0 || tree.nodes[node].isLeaf()) continue;
+                for (const std::uint32_t child : {tree.nodes[node].first, tree.nodes[node].first + 1})
+                    ASSERT_EQ(log.nodes[child].hits + log.nodes[child].misses, 1);
             }
-            void visit(std::uint32_t node, float) {
-                note(node, 'e');
-                if (!tree.nodes[node].isLeaf()) expectedChildren += 2;
+            if (found) {
+                EXPECT_NE(std::find(log.tests.begin(), log.tests.end(), hit.primitive), log.tests.end());
             }
-            void cull(std::uint32_t node, float) { note(node, 's'); }
-            void miss(std::uint32_t node) { note(node, 'm'); }
-            void test(std::uint32_t primitive, bool) { tests.push_back(primitive); }
-        } seen{tree, std::vector<char>(tree.nodes.size()), 0, -1, {}};
-        Hit hit;
-        const bool found = bvh::closestHit(tree, scene.input(), ray, hit, seen);
-        if (seen.reportedChildren < 0) continue;  // not traceable
-        EXPECT_EQ(seen.reportedChildren, seen.expectedChildren);
-        if (found) {
-            EXPECT_NE(std::find(seen.tests.begin(), seen.tests.end(), hit.primitive), seen.tests.end());
         }
-    }
+    EXPECT_GT(visited, 1000);
 }
 
-TEST(SameHit, EqualDistanceGoesToTheSmallerNumber) {
+TEST(SameHit, EqualDistanceSelectsTheSmallerNumber) {
     TestGeometry scene = soup(1, 1.0, 2);
     for (int i = 0; i < 50; ++i) scene.triangles.push_back(scene.triangles[0]);
     const glm::vec3 middle = (scene.corner(0, 0) + scene.corner(0, 1) + scene.corner(0, 2)) / 3.0f;
@@ -146,7 +172,7 @@ TEST(SameHit, EqualDistanceGoesToTheSmallerNumber) {
         }
 }
 
-TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
+TEST(SameHit, BatchesOfAnySizeEqualSingleRays) {
     const TestGeometry scene = soup(3000, 0.1, 5);
     const std::vector<Ray> rays = edgeCaseRays(scene, 1500, 6);
     for (const TraversalCase& traversalCase : traversalCases()) {
@@ -169,9 +195,8 @@ TEST(SameHit, BatchesOfAnySizeAnswerLikeSingleRays) {
     }
 }
 
-/// Rays beside one another, from a common origin or towards a common point, or neither; some end before what
-/// they would hit.
-std::vector<Ray> raysLike(const Ray& ray, double reach, double spread, int count, Random& random) {
+/// Coherent rays: parallel, from a common origin, or towards a common point; some end before the hit.
+std::vector<Ray> coherentRays(const Ray& ray, double reach, double spread, int count, Random& random) {
     const int kind = random.integer(3);
     std::vector<Ray> rays;
     for (int i = 0; i < count; ++i) {
@@ -186,7 +211,7 @@ std::vector<Ray> raysLike(const Ray& ray, double reach, double spread, int count
     return rays;
 }
 
-TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
+TEST(SameHit, CoherentRaysEqualBruteForce) {
     for (const TestGeometry& scene : edgeCaseScenes()) {
         Random random(21);
         std::vector<Accel> accels;
@@ -196,7 +221,7 @@ TEST(SameHit, RaysThatRunAlikeAnswerLikeAnyOthers) {
             Hit first;
             const double reach = accels[0].closestHit(ray, first) ? static_cast<double>(first.t) : 1.0;
             const double spreads[] = {0.0, 1e-7, 1e-4, 0.01, 0.1};
-            const std::vector<Ray> rays = raysLike(ray, reach, spreads[random.integer(5)], 50, random);
+            const std::vector<Ray> rays = coherentRays(ray, reach, spreads[random.integer(5)], 50, random);
             std::vector<Hit> expected(rays.size()), hits(rays.size());
             std::vector<std::uint8_t> occluded(rays.size(), 7);
             for (std::size_t i = 0; i < rays.size(); ++i)

@@ -4,12 +4,12 @@
 
 #include "bvh/build/build.h"
 #include "bvh/meshes.h"
-#include "bvh/traversal/traverse.h"
+#include "bvh/traversal/traversal_counts.h"
 
 namespace rayscope::test {
 namespace {
 
-TEST(Statistics, OfATreeComputedByHand) {
+TEST(Statistics, TreeComputedByHand) {
     bvh::BinaryTree tree;  // a cube of side 2, halved; the right half is halved again
     tree.nodes = {{{0, 0, 0}, 1, {2, 2, 2}, 0},
                   {{0, 0, 0}, 0, {1, 2, 2}, 3},
@@ -30,7 +30,7 @@ TEST(Statistics, OfATreeComputedByHand) {
     EXPECT_EQ(statistics.leavesOfSize, (std::vector<std::size_t>{0, 2, 0, 1}));
 }
 
-TEST(Statistics, OfNothing) {
+TEST(Statistics, EmptyTree) {
     const bvh::TreeStatistics statistics = bvh::statisticsOf({});
     EXPECT_EQ(statistics.sahCost, 0.0);
     EXPECT_EQ(statistics.leaves, 0u);
@@ -51,7 +51,7 @@ TEST(Statistics, BetterBuildersCostLess) {
     EXPECT_NEAR(binned, sweep, 0.1 * sweep);
 }
 
-/// Long, thin and diagonal: their boxes are large and overlap many others.
+/// Long thin diagonal triangles: their boxes are large and overlap.
 TestGeometry needles(int count) {
     TestGeometry scene;
     Random random(5);
@@ -62,22 +62,15 @@ TestGeometry needles(int count) {
     return scene;
 }
 
-/// Nodes that rays through the scene enter, counted.
+/// The number of nodes that rays through the scene visit.
 std::size_t visits(const bvh::BinaryTree& tree, const TestGeometry& scene) {
-    struct Counter {
-        std::size_t nodes = 0;
-        void visit(std::uint32_t, float) { ++nodes; }
-        void cull(std::uint32_t, float) {}
-        void miss(std::uint32_t) {}
-        void test(std::uint32_t, bool) {}
-    } counter;
+    bvh::TraversalCounts counts;
     Random random(8);
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 from = random.inCube(3.0), to = random.inCube();
-        Hit hit;
-        bvh::closestHit(tree, scene.input(), {from, to - from}, hit, counter);
+        bvh::countTraversal(tree, scene.input(), {from, to - from}, false, counts);
     }
-    return counter.nodes;
+    return counts.nodes + counts.leaves;
 }
 
 TEST(Statistics, ReinsertionSavesAreaAndVisits) {

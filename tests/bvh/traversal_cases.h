@@ -6,8 +6,7 @@
 
 namespace rayscope::test {
 
-/// What queries may traversalCase: the binary tree, and the wide one with every kernel that this machine can
-/// run.
+/// What queries can traverse: the binary tree, and the wide one with every kernel that this machine supports.
 struct TraversalCase {
     BvhLayout layout;
     Isa isa;

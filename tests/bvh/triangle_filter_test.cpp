@@ -65,7 +65,7 @@ TEST(FilterResult, LeavesOutNoHitAndIsSureOfHitsOnly) {
         if (!isTraceable(word)) continue;
         FastRay fast;
         fast.prepare(word);
-        if (!fast.suits(std::ldexp(1.0f, 60))) continue;
+        if (!fast.isInRange(std::ldexp(1.0f, 60))) continue;
         FastShear shear{};
         shear.prepareOnce(word, fast.scale);
         const FilterResult found = filterTriangles(block, kBlockTag | 7u << kBlockSizeShift, shear, fast.tMin,

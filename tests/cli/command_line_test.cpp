@@ -88,10 +88,10 @@ TEST(CommandLine, ProbePrintsTheSearchOfARay) {
     const std::string probe = "rayscope probe builtin:cornell --size 40x40 --pixel 20,25 ";
     const ProgramResult camera = run(folder, probe + "--traversal --json tree.json");
     EXPECT_EQ(camera.exitCode, 0) << camera.err;
-    EXPECT_THAT(camera.out, HasSubstr("search for the closest hit"));
+    EXPECT_THAT(camera.out, HasSubstr("closest hit in the"));
     const nlohmann::json j = nlohmann::json::parse(test::readText(folder / "tree.json"));
     EXPECT_EQ(j["traversal"][0]["hit"]["primitive"], j["nodes"][0]["hit"]["primitive"]);
-    EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("search for any hit"));
+    EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("any hit in the"));
     const ProgramResult wide = run(folder, probe + "--traversal --layout wide --json wide.json");
     EXPECT_THAT(wide.out, HasSubstr("in the wide tree of body 0"));
     const nlohmann::json w = nlohmann::json::parse(std::ifstream(folder.path() / "wide.json"));

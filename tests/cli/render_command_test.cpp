@@ -158,7 +158,7 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
     EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --set spp=1 --pixel "));
     EXPECT_THAT(
         result.err,
-        ContainsRegex("in the first, its 2 terms add up to .[3-9].*e.38 0 0., more than a float holds"));
+        ContainsRegex("in the first, the sum of its 2 terms is .[3-9].*e.38 0 0., which exceeds the range of float"));
     // The command that is named repeats it.
     const std::string command = result.err.substr(result.err.find("rayscope probe"));
     const ProgramResult probe = run(folder, command.substr(0, command.find('\n')));

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <rayscope/probe.h>
 
+#include "bvh/layout/wide_tree.h"
 #include "probe/traversal_log.h"
 #include "render/film.h"
 #include "support/test_scenes.h"
+#include "trace/compile.h"
 
 namespace rayscope {
 namespace {
@@ -27,7 +31,7 @@ std::vector<RgbImage> render(const trace::World& world, std::vector<probe::Aov> 
     return probe::renderAovs(request, wanted);
 }
 
-TEST(Aov, ShowTheSurfaceBehindEachPixel) {
+TEST(Aov, SurfaceValuesMatchTheFirstHit) {
     const auto world = builtin("cornell");
     const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Depth, probe::Aov::Uv,
                                         probe::Aov::Primitive, probe::Aov::Material});
@@ -50,38 +54,81 @@ TEST(Aov, ShowTheSurfaceBehindEachPixel) {
     EXPECT_GT(hits, 60);
 }
 
-/// Counters agree with the logs of all rays of the replayed samples, ray by ray.
-TEST(Aov, CountWhatTheLogsShow) {
-    for (const std::string name : {"cornell-area", "cubes-transparent", "monkey"}) {
-        const auto world = builtin(name, {}, 8);
-        const auto images = render(*world, {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays}, 2);
-        for (int y = 0; y < 8; ++y)
-            for (int x = 0; x < 8; ++x) {
-                std::size_t nodes = 0, tests = 0, rays = 0;
-                for (int index = 0; index < 2; ++index) {
-                    const RayTree tree = probeSample(*world, 3, {x, y, index});
-                    const auto count = [&](const std::vector<probe::TraversalLog>& logs) {
-                        ++rays;
-                        for (const probe::TraversalLog& log : logs) {
-                            nodes += log.count(probe::TraversalEvent::Visited);
-                            tests += log.tests();
-                        }
-                    };
-                    for (const RayNode& node : tree.nodes)
-                        if (node.end != RayEnd::BelowSurface)
-                            count(probe::recordClosestHit(*world, node.ray, tree.time));
-                    for (const ShadowRay& shadow : tree.shadowRays)
-                        if (shadow.visibility != Visibility::FacingAway)
-                            count(probe::recordAnyHit(*world, shadow.ray, tree.time));
-                }
-                EXPECT_EQ(images[0].at(x, y).x, static_cast<float>(nodes) / 2.0f) << name << x << " " << y;
-                EXPECT_EQ(images[1].at(x, y).x, static_cast<float>(tests) / 2.0f);
-                EXPECT_EQ(images[2].at(x, y).x, static_cast<float>(rays) / 2.0f);
-            }
+/// The primitives of the leaves that a traversal visits up to its end; in the binary tree those tested up to
+/// the first hit of an any-hit query.
+std::size_t testedPrimitives(const trace::World& world, const probe::TraversalLog& log) {
+    if (log.layout == BvhLayout::Binary) return log.tests();
+    const bvh::WideTree& tree = *world.motionGroups[log.motionGroup].accel->wideTree();
+    std::size_t count = 0;
+    for (const probe::TraversalStep& step : log.steps) {
+        if (step.event != probe::TraversalEvent::Visited || !log.boxes[step.number].leaf) continue;
+        const std::uint32_t leaf = log.boxes[step.number].node;
+        if (leaf >= tree.blocks.size()) {
+            ++count;  // a sphere
+        } else {
+            const auto& triangles = tree.blocks[leaf].primitive;  // unused lanes repeat the last triangle
+            count += std::set<std::uint32_t>(std::begin(triangles), std::end(triangles)).size();
+        }
     }
+    return count;
 }
 
-TEST(Aov, AreTheSameForAnyNumberOfThreads) {
+/// Counters agree with the logs of all rays of the replayed samples, in the layout that production rays
+/// traverse.
+TEST(Aov, CountsAgreeWithTraversalLogs) {
+    for (const BvhLayout layout : {BvhLayout::Wide, BvhLayout::Binary})
+        for (const std::string name : {"cornell-area", "cubes-transparent", "monkey", "spheres"}) {
+            Settings settings;
+            settings.bvhLayout = layout;
+            const auto world = builtin(name, settings, 8);
+            const auto images =
+                render(*world, {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays}, 2);
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 8; ++x) {
+                    std::size_t nodes = 0, tests = 0, rays = 0;
+                    for (int index = 0; index < 2; ++index) {
+                        const RayTree tree = probeSample(*world, 3, {x, y, index});
+                        const auto count = [&](const std::vector<probe::TraversalLog>& logs) {
+                            ++rays;
+                            for (const probe::TraversalLog& log : logs) {
+                                nodes += log.count(probe::TraversalEvent::Visited);
+                                tests += testedPrimitives(*world, log);
+                            }
+                        };
+                        for (const RayNode& node : tree.nodes)
+                            if (node.end != RayEnd::BelowSurface)
+                                count(probe::recordClosestHit(*world, node.ray, tree.time, layout));
+                        for (const ShadowRay& shadow : tree.shadowRays)
+                            if (shadow.visibility != Visibility::FacingAway)
+                                count(probe::recordAnyHit(*world, shadow.ray, tree.time, layout));
+                    }
+                    EXPECT_EQ(images[0].at(x, y).x, static_cast<float>(nodes) / 2.0f)
+                        << name << x << " " << y;
+                    EXPECT_EQ(images[1].at(x, y).x, static_cast<float>(tests) / 2.0f);
+                    EXPECT_EQ(images[2].at(x, y).x, static_cast<float>(rays) / 2.0f);
+                }
+        }
+}
+
+/// The counts do not depend on whether the binary tree is kept for display.
+TEST(Aov, CountsNeedNoBinaryTree) {
+    Diagnostics notes;
+    trace::CompileRequest request;
+    request.scene = std::make_shared<const SceneDescription>(loadScene("builtin:monkey", notes));
+    request.camera = request.scene->cameras.front();
+    request.width = request.height = 8;
+    request.keepBinaryTrees = false;
+    const auto world = trace::compile(request);
+    ASSERT_EQ(world->motionGroups[0].accel->binaryTree(), nullptr);
+    const auto images = render(*world, {probe::Aov::Nodes, probe::Aov::Triangles});
+    double nodes = 0.0, tests = 0.0;
+    for (const Rgb& pixel : images[0].pixels) nodes += static_cast<double>(pixel.x);
+    for (const Rgb& pixel : images[1].pixels) tests += static_cast<double>(pixel.x);
+    EXPECT_GE(nodes, 64.0) << "every camera ray visits the root";
+    EXPECT_GT(tests, 0.0);
+}
+
+TEST(Aov, EqualForAnyNumberOfThreads) {
     const auto world = builtin("teapot");
     const std::vector<probe::Aov> wanted{probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Triangles,
                                          probe::Aov::Rays, probe::Aov::NonFinite};
@@ -89,7 +136,7 @@ TEST(Aov, AreTheSameForAnyNumberOfThreads) {
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(one[i].pixels, many[i].pixels);
 }
 
-TEST(Aov, OfTheFilmAreItsMoments) {
+TEST(Aov, FilmValuesAreItsMoments) {
     Diagnostics notes;
     RenderRequest request;
     request.scene = std::make_shared<const SceneDescription>(loadScene("builtin:cornell-area", notes));
@@ -99,11 +146,11 @@ TEST(Aov, OfTheFilmAreItsMoments) {
     RenderSession session(1);
     session.submit(request);
     ASSERT_EQ(session.wait(60.0), RenderState::Done);
-    probe::AovRequest wish{*session.world()};
+    probe::AovRequest aovs{*session.world()};
     const auto film = session.film();
-    wish.film = film.get();
+    aovs.film = film.get();
     const std::vector<probe::Aov> wanted{probe::Aov::Samples, probe::Aov::Variance, probe::Aov::Error};
-    const auto images = probe::renderAovs(wish, wanted);
+    const auto images = probe::renderAovs(aovs, wanted);
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
             double mean = 0.0, squares = 0.0;
@@ -118,7 +165,7 @@ TEST(Aov, OfTheFilmAreItsMoments) {
         }
 }
 
-TEST(Aov, NamesTheNearest) {
+TEST(Aov, UnknownNameSuggestsTheNearest) {
     EXPECT_EQ(probe::aovNamed("nodes"), probe::Aov::Nodes);
     for (const probe::AovInfo& info : probe::aovTable()) EXPECT_EQ(&probe::infoOf(info.aov), &info);
     try {
@@ -129,7 +176,7 @@ TEST(Aov, NamesTheNearest) {
     }
 }
 
-TEST(Aov, OfAnEmptySceneAndStopped) {
+TEST(Aov, EmptySceneAndStop) {
     const auto world = test::compileScene({}, {}, 5, 5);
     const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Rays});
     EXPECT_EQ(images[1].at(2, 2).x, 0.0f);

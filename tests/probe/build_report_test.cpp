@@ -1,4 +1,4 @@
-// The cost curve of a split, and what trees cost the rays of a picture.
+// The SAH costs of all split planes, and the traversal cost of trees.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ double lowest(const probe::SplitCurve& curve) {
     return best;
 }
 
-TEST(SplitCurve, OfTwoTrianglesComputedByHand) {
+TEST(SplitCurve, TwoTrianglesComputedByHand) {
     // Two flat unit squares' halves at x = 0 and x = 8; the box is 9 × 1 × 0.
     const std::vector<glm::vec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {8, 0, 0}, {9, 0, 0}, {8, 1, 0}};
     const std::vector<glm::uvec3> triangles{{0, 1, 2}, {3, 4, 5}};
@@ -36,20 +36,19 @@ TEST(SplitCurve, OfTwoTrianglesComputedByHand) {
     tree.primitives = {0, 1};
     const probe::SplitCurve curve = probe::splitCurve(tree, input, 0, 4);
     ASSERT_EQ(curve.axes[0].size(), 3u);
-    EXPECT_TRUE(curve.axes[1].empty()) << "all centroids agree";
+    EXPECT_TRUE(curve.axes[1].empty()) << "all centroids are equal";
     EXPECT_TRUE(curve.axes[2].empty());
     for (const auto& plane : curve.axes[0]) {
         EXPECT_DOUBLE_EQ(plane.cost, 1.0 + (1.0 + 1.0) / 9.0);
         EXPECT_EQ(plane.left, 1u);
     }
-    EXPECT_DOUBLE_EQ(curve.axes[0][1].place, 4.5);
+    EXPECT_DOUBLE_EQ(curve.axes[0][1].position, 4.5);
     EXPECT_DOUBLE_EQ(curve.leafCost, 2.0);
-    EXPECT_DOUBLE_EQ(curve.made, 1.0 + 2.0 / 9.0);
-    EXPECT_TRUE(std::isnan(probe::splitCurve(tree, input, 1, 4).made)) << "a leaf has no split";
+    EXPECT_DOUBLE_EQ(curve.actualCost, 1.0 + 2.0 / 9.0);
+    EXPECT_TRUE(std::isnan(probe::splitCurve(tree, input, 1, 4).actualCost)) << "a leaf has no split";
 }
 
-/// The binned builder takes the lowest point of the curve; other builders do not go below it by much.
-TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
+TEST(SplitCurve, MinimumIsTheSplitOfTheBinnedBuilder) {
     const auto world = builtin("monkey");
     const AccelInput& input = world->motionGroups[0].geometry->input;
     for (const int bins : {8, 32}) {
@@ -62,7 +61,7 @@ TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
             // Nodes of few primitives are split with fewer bins.
             if (index.primitives[node] < 4u * 32u) continue;
             const probe::SplitCurve curve = probe::splitCurve(tree, input, node, bins);
-            EXPECT_NEAR(curve.made, lowest(curve), 1e-4 * curve.made) << "node " << node;
+            EXPECT_NEAR(curve.actualCost, lowest(curve), 1e-4 * curve.actualCost) << "node " << node;
             ++compared;
         }
         EXPECT_GT(compared, 5);
@@ -71,10 +70,10 @@ TEST(SplitCurve, ItsLowestPointIsTheSplitOfTheBinnedBuilder) {
     median.builder = BvhBuilder::Median;
     const bvh::BinaryTree tree = bvh::buildBinaryTree(input, median);
     const probe::SplitCurve curve = probe::splitCurve(tree, input, 0, 32);
-    EXPECT_GT(curve.made, lowest(curve) * 1.001) << "the median split is not the cheapest";
+    EXPECT_GT(curve.actualCost, lowest(curve) * 1.001) << "the median split is not the cheapest";
 }
 
-TEST(TraversalCosts, ABetterTreeCostsTheSameRaysLess) {
+TEST(TraversalCosts, BetterTreeCostsLess) {
     const auto world = builtin("monkey");
     const AccelInput& input = world->motionGroups[0].geometry->input;
     const probe::ViewRays rays = probe::raysOfView(*world, 0, 0, 16, 16);

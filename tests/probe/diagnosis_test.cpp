@@ -1,4 +1,4 @@
-// Faults are planted, and explanations counted as right, wrong or unknown. Wrong is worse than unknown.
+// Scenes with a known fault; diagnoses are counted as right, wrong or unknown. None may be wrong.
 #include "probe/diagnosis.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace rayscope {
 namespace {
 
-/// Counts over the pixels of a world that show the symptom; the rest of the picture is not the fault's.
+/// Over the pixels that show the symptom.
 struct Score {
     int right = 0, wrong = 0, unknown = 0;
 };
@@ -52,12 +52,12 @@ void setNormals(SceneDescription& scene, std::vector<glm::vec3> normals) {
     scene.meshes[0].data = data;
 }
 
-TEST(Explain, AnOrdinaryPixelNeedsNoExplanation) {
+TEST(Diagnosis, OrdinaryPixelHasNone) {
     const auto world = compiled(wall());
     for (int i = 0; i < 12; ++i) EXPECT_TRUE(probe::diagnosePixel(*world, 1, i, 6, 8).empty());
 }
 
-TEST(Explain, AMissingLight) {
+TEST(Diagnosis, MissingLight) {
     SceneDescription scene = wall();
     scene.lights.clear();
     const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::NoLight});
@@ -65,7 +65,7 @@ TEST(Explain, AMissingLight) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, ABlockedLight) {
+TEST(Diagnosis, OccludedLight) {
     SceneDescription scene = wall();
     scene.meshes.push_back(test::quad({-0.5f, 0.0f, 2.2f}, {2, 0, 0}, {0, 2, 0}));
     scene.meshes[1].name = "lid";
@@ -75,24 +75,24 @@ TEST(Explain, ABlockedLight) {
     EXPECT_GT(score.right, 100);
     EXPECT_EQ(score.wrong, 0);
     EXPECT_NE(probe::diagnosePixel(*world, 1, 6, 4, 4).front().sentence.find("lid"), std::string::npos)
-        << "names what blocks";
+        << "names the occluder";
 }
 
-TEST(Explain, ALightBehindTheSurface) {
+TEST(Diagnosis, LightBehindSurface) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, -2})};
     const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::LightBehindSurface});
     EXPECT_EQ(score.right, 144);
 }
 
-TEST(Explain, ABlackMaterialAndAnEmptyScene) {
+TEST(Diagnosis, BlackMaterialAndEmptyScene) {
     SceneDescription scene = wall();
     scene.materials = {test::material(Rgb(0.0f))};
     EXPECT_EQ(judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BlackMaterial}).right, 144);
     EXPECT_EQ(judge(*compiled({}), probe::Symptom::Black, {probe::Cause::NothingHit}).right, 144);
 }
 
-TEST(Explain, NormalsThatPointElsewhere) {
+TEST(Diagnosis, DeviatingNormals) {
     SceneDescription scene = wall();
     // Two corners are flipped: between them and the others the normals turn away from the light.
     setNormals(scene, {{1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}});
@@ -102,7 +102,7 @@ TEST(Explain, NormalsThatPointElsewhere) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, ATinyBrightSourceInAGloss) {
+TEST(Diagnosis, SmallBrightSourceInGlossyReflection) {
     SceneDescription scene;
     scene.materials = {test::material(Rgb(0.02f), Rgb(0.8f), 8.0f), test::material(Rgb(1.0f))};
     scene.meshes = {test::quad({-9, -9, 0}, {18, 0, 0}, {0, 18, 0})};
@@ -123,7 +123,7 @@ TEST(Explain, ATinyBrightSourceInAGloss) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, APenumbraOfAFewSamples) {
+TEST(Diagnosis, PenumbraWithFewSamples) {
     SceneDescription scene = wall();
     scene.lights = {
         Light{ParallelogramLight{
@@ -143,7 +143,7 @@ TEST(Explain, APenumbraOfAFewSamples) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, DuplicateGeometry) {
+TEST(Diagnosis, DuplicateGeometry) {
     // Two thousand copies of a triangle in the middle, beside a wall that is cheap to find.
     SceneDescription scene = wall();
     auto copies = std::make_shared<MeshData>();
@@ -155,7 +155,7 @@ TEST(Explain, DuplicateGeometry) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, NumbersThatAreTooLarge) {
+TEST(Diagnosis, Overflow) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, 2.5f}, Rgb(3e38f)), test::pointLight({0, 0, 2.5f}, Rgb(3e38f))};
     scene.materials = {test::material(Rgb(1.0f))};
@@ -164,7 +164,7 @@ TEST(Explain, NumbersThatAreTooLarge) {
     EXPECT_EQ(score.wrong, 0);
 }
 
-TEST(Explain, ANormalThatIsNotANumber) {
+TEST(Diagnosis, NaNNormal) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     SceneDescription scene = wall();
     setNormals(scene, {{nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}});
@@ -173,7 +173,7 @@ TEST(Explain, ANormalThatIsNotANumber) {
     EXPECT_TRUE(probe::diagnosePixel(*world, 1, 6, 6, 4).empty());
 }
 
-TEST(Explain, ABrightLight) {
+TEST(Diagnosis, BrightLight) {
     SceneDescription scene = wall();
     scene.lights.push_back(test::pointLight({0, 0, 2}, Rgb(40.0f)));
     const auto world = compiled(scene);

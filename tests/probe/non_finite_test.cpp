@@ -31,19 +31,19 @@ std::string causeOf(const SceneDescription& scene) {
     return probe::causeOfNonFinite(probeSample(*world, 0, {0, 0, 0}), *world);
 }
 
-TEST(NonFinite, ASoundSampleHasNoCause) { EXPECT_THAT(causeOf(litWall()), IsEmpty()); }
+TEST(NonFinite, FiniteSampleHasNoCause) { EXPECT_THAT(causeOf(litWall()), IsEmpty()); }
 
 TEST(NonFinite, NamesTheLight) {
     SceneDescription scene = litWall();
     std::get<PointLight>(scene.lights[1].shape).color = {0, kInfinity, 0};
     EXPECT_EQ(causeOf(scene),
-              "where camera ray 0 meets mesh 0 'quad': light 2, sample 0 has the colour (0 inf 0)");
+              "where camera ray 0 hits mesh 0 'quad': light 2, sample 0 has the colour (0 inf 0)");
 }
 
 TEST(NonFinite, NamesTheMaterial) {
     SceneDescription scene = litWall();
     scene.materials[0].kd.y = kNan;
-    EXPECT_THAT(causeOf(scene), HasSubstr("meets mesh 0 'quad': the diffuse colour is (0.5 nan 0.5)"));
+    EXPECT_THAT(causeOf(scene), HasSubstr("hits mesh 0 'quad': the diffuse colour is (0.5 nan 0.5)"));
 }
 
 TEST(NonFinite, NamesTheEnvironmentAndTheRay) {
@@ -53,12 +53,12 @@ TEST(NonFinite, NamesTheEnvironmentAndTheRay) {
     EXPECT_EQ(causeOf(scene), "on reflection ray 1: the environment adds (inf 1 1)");
 }
 
-TEST(NonFinite, NamesSumsThatOverflow) {
+TEST(NonFinite, DescribesOverflowingSums) {
     SceneDescription scene = litWall();
     scene.materials[0].kd = Rgb(1.0f);
     for (Light& light : scene.lights) std::get<PointLight>(light.shape).color = Rgb(3e38f, 0, 0);
-    EXPECT_THAT(causeOf(scene), HasSubstr("its 2 terms add up to ("));
-    EXPECT_THAT(causeOf(scene), HasSubstr("more than a float holds"));
+    EXPECT_THAT(causeOf(scene), HasSubstr("the sum of its 2 terms is ("));
+    EXPECT_THAT(causeOf(scene), HasSubstr("exceeds the range of float"));
 }
 
 }  // namespace

@@ -21,14 +21,14 @@ std::shared_ptr<const trace::World> builtin(const std::string& name, Settings se
 }
 
 Ray randomRay(std::mt19937& random) {
-    std::uniform_real_distribution<float> place(-1.5f, 1.5f);
+    std::uniform_real_distribution<float> coordinate(-1.5f, 1.5f);
     Ray ray;
-    ray.origin = {place(random), place(random), 3.0f};
-    ray.direction = glm::vec3(place(random), place(random), 0.0f) - ray.origin;
+    ray.origin = {coordinate(random), coordinate(random), 3.0f};
+    ray.direction = glm::vec3(coordinate(random), coordinate(random), 0.0f) - ray.origin;
     return ray;
 }
 
-TEST(TraversalLog, FindsWhatTheWorldFinds) {
+TEST(TraversalLog, HitsEqualThoseOfTheWorld) {
     for (const std::string name : {"monkey", "cornell", "spheres", "moving spheres"}) {
         const auto world = name == "moving spheres" ? builtin("spheres", {}, true) : builtin(name);
         std::mt19937 random(7);
@@ -43,7 +43,7 @@ TEST(TraversalLog, FindsWhatTheWorldFinds) {
             for (const probe::TraversalLog& log : probe::recordClosestHit(*world, ray, 0.25f)) {
                 const probe::TraversalState end = probe::stateAfter(log, log.steps.size());
                 ASSERT_EQ(end.closest, log.hit.primitive) << name;
-                ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
+                ASSERT_TRUE(end.stack.empty()) << "the stack is empty at the end";
                 if (log.hit.primitive == kNoPrimitive) continue;
                 ASSERT_EQ(end.bound, log.hit.t);
                 if (log.hit.t < nearest || primitive == kNoPrimitive) {
@@ -65,36 +65,35 @@ TEST(TraversalLog, FindsWhatTheWorldFinds) {
     }
 }
 
-/// Every claim of a step is checked against the boxes themselves.
-TEST(TraversalLog, EveryStepIsPlausible) {
+TEST(TraversalLog, StepsAgreeWithTheBoxes) {
     const auto world = builtin("monkey");
     std::mt19937 random(11);
-    std::size_t skipped = 0, waited = 0;
+    std::size_t culled = 0, pushed = 0;
     for (int i = 0; i < 200; ++i) {
         const probe::TraversalLog log = probe::recordClosestHit(*world, randomRay(random), 0.0f).at(0);
         std::size_t step = 0;
         for (const probe::TraversalStep& s : log.steps) {
             const probe::TraversalState before = probe::stateAfter(log, step++);
             EXPECT_EQ(s.bound, before.bound);
-            const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
-                                           [&](const auto& waiting) { return waiting.box == s.number; });
+            const bool isOnStack = std::any_of(before.stack.begin(), before.stack.end(),
+                                               [&](const auto& entry) { return entry.box == s.number; });
             switch (s.event) {
                 case probe::TraversalEvent::Visited:
                     EXPECT_LE(s.t, before.bound);
-                    // It comes from the top of the stack or from the node before.
-                    EXPECT_TRUE(waits ? before.stack.back().box == s.number
-                                      : log.boxes[s.number].parent == before.current);
+                    // It is on top of the stack or a child of the node before.
+                    EXPECT_TRUE(isOnStack ? before.stack.back().box == s.number
+                                          : log.boxes[s.number].parent == before.current);
                     break;
                 case probe::TraversalEvent::Pushed:
-                    ++waited;
+                    ++pushed;
                     EXPECT_EQ(log.boxes[s.number].parent, before.current);
-                    // The sibling is entered next and is not farther away.
+                    // The sibling is visited next and is not farther away.
                     ASSERT_LT(step, log.steps.size());
                     EXPECT_EQ(log.steps[step].event, probe::TraversalEvent::Visited);
                     EXPECT_LE(log.steps[step].t, s.t);
                     break;
                 case probe::TraversalEvent::Culled:
-                    ++skipped;
+                    ++culled;
                     EXPECT_GT(s.t, before.bound);
                     break;
                 case probe::TraversalEvent::Missed:
@@ -106,15 +105,15 @@ TEST(TraversalLog, EveryStepIsPlausible) {
                 case probe::TraversalEvent::NoHit:
                     break;
                 case probe::TraversalEvent::Filtered:
-                    ADD_FAILURE() << "the binary tree has no quick test";
+                    ADD_FAILURE() << "the binary tree has no float test";
             }
         }
     }
-    EXPECT_GT(waited, 100u);
-    EXPECT_GT(skipped, 10u);
+    EXPECT_GT(pushed, 100u);
+    EXPECT_GT(culled, 10u);
 }
 
-TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
+TEST(WideTraversalLog, HitsEqualProductionRaysBitForBit) {
     for (const std::string name : {"monkey", "cornell", "spheres", "triangle"}) {
         const auto world = builtin(name);
         const bvh::WideTree* tree = world->motionGroups[0].accel->wideTree();
@@ -132,7 +131,7 @@ TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
             ASSERT_EQ(log.tests(), counts.exact);
             ASSERT_EQ(log.count(probe::TraversalEvent::Filtered), counts.primitives - counts.exact);
             const probe::TraversalState end = probe::stateAfter(log, log.steps.size());
-            ASSERT_TRUE(end.stack.empty()) << "nothing is left over";
+            ASSERT_TRUE(end.stack.empty()) << "the stack is empty at the end";
             ASSERT_EQ(end.closest, hit.primitive);
 
             const probe::TraversalLog any = probe::recordAnyHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
@@ -144,10 +143,10 @@ TEST(WideTraversalLog, FindsTheHitOfProductionRaysBitForBit) {
     }
 }
 
-TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
+TEST(WideTraversalLog, ChildrenAreVisitedNearestFirst) {
     const auto world = builtin("monkey");
     std::mt19937 random(29);
-    std::size_t skipped = 0, waited = 0, filtered = 0;
+    std::size_t culled = 0, pushed = 0, filtered = 0;
     for (int i = 0; i < 300; ++i) {
         const probe::TraversalLog log =
             probe::recordClosestHit(*world, randomRay(random), 0.0f, BvhLayout::Wide).at(0);
@@ -155,23 +154,23 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
         for (const probe::TraversalStep& s : log.steps) {
             const probe::TraversalState before = probe::stateAfter(log, step++);
             ASSERT_EQ(s.bound, before.bound);
-            const bool waits = std::any_of(before.stack.begin(), before.stack.end(),
-                                           [&](const auto& waiting) { return waiting.box == s.number; });
+            const bool isOnStack = std::any_of(before.stack.begin(), before.stack.end(),
+                                               [&](const auto& entry) { return entry.box == s.number; });
             if (s.event == probe::TraversalEvent::Visited && step > 1) {
-                ASSERT_TRUE(waits ? before.stack.back().box == s.number
-                                  : log.boxes[s.number].parent == before.current);
+                ASSERT_TRUE(isOnStack ? before.stack.back().box == s.number
+                                      : log.boxes[s.number].parent == before.current);
                 ASSERT_LE(s.t, before.bound);
-                // What waits of the same node is not nearer.
-                for (const auto& waiting : before.stack)
-                    if (!waits && log.boxes[waiting.box].parent == before.current) {
-                        ASSERT_LE(s.t, waiting.t);
+                // Pushed siblings are not nearer.
+                for (const auto& entry : before.stack)
+                    if (!isOnStack && log.boxes[entry.box].parent == before.current) {
+                        ASSERT_LE(s.t, entry.t);
                     }
             }
             if (s.event == probe::TraversalEvent::Culled) {
                 ASSERT_GE(s.t, before.bound * (1.0f - 1e-6f));
             }
-            waited += s.event == probe::TraversalEvent::Pushed;
-            skipped += s.event == probe::TraversalEvent::Culled;
+            pushed += s.event == probe::TraversalEvent::Pushed;
+            culled += s.event == probe::TraversalEvent::Culled;
             filtered += s.event == probe::TraversalEvent::Filtered;
         }
         for (const probe::TraversalBox& box : log.boxes) {
@@ -181,8 +180,8 @@ TEST(WideTraversalLog, ChildrenComeInTheOrderOfTheWalk) {
             ASSERT_TRUE(glm::all(glm::greaterThanEqual(parent.upper, box.upper)));
         }
     }
-    EXPECT_GT(waited, 100u);
-    EXPECT_GT(skipped, 10u);
+    EXPECT_GT(pushed, 100u);
+    EXPECT_GT(culled, 10u);
     EXPECT_GT(filtered, 100u);
 }
 
@@ -192,7 +191,7 @@ TEST(WideTraversalLog, SaysWhichTreeItIsOf) {
     const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
     EXPECT_EQ(nlohmann::json::parse(probe::toJson(log))["layout"], "wide");
     EXPECT_NE(probe::toText(log).find("wide tree"), std::string::npos);
-    EXPECT_NE(probe::toText(log).find("rules out primitive"), std::string::npos);
+    EXPECT_NE(probe::toText(log).find("filters primitive"), std::string::npos);
     Settings settings;
     settings.bvhLayout = BvhLayout::Binary;
     EXPECT_TRUE(probe::recordClosestHit(*builtin("cornell", settings), ray, 0.0f, BvhLayout::Wide).empty());

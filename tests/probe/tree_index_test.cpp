@@ -124,7 +124,7 @@ TEST(TreeIndex, TheHeuristicSavesArea) {
     const probe::LevelComparison compared =
         probe::compareAtLevel(sah, probe::indexTree(sah), median, probe::indexTree(median), 3);
     EXPECT_GT(compared.boxes[1], 1u);
-    EXPECT_LT(compared.met[0], compared.met[1]);
+    EXPECT_LT(compared.expectedHits[0], compared.expectedHits[1]);
     EXPECT_LT(compared.sahCost[0], compared.sahCost[1]);
 }
 

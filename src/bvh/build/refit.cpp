@@ -18,6 +18,7 @@ using Block = tbb::blocked_range<std::size_t>;
 constexpr std::size_t kGrain = 2048;
 constexpr std::size_t kStopInterval = 16384;
 
+/// Like Bounds4, but of equal coordinates (zeros with and without sign) keeps the earlier one.
 struct Box {
     glm::vec3 lower{kernel::kInfinity}, upper{-kernel::kInfinity};
 
@@ -29,10 +30,7 @@ struct Box {
         extend(
             {{box.planes[0], box.planes[1], box.planes[2]}, {box.planes[4], box.planes[5], box.planes[6]}});
     }
-    double halfArea() const {
-        const glm::dvec3 size = glm::dvec3(upper) - glm::dvec3(lower);
-        return size.x * (size.y + size.z) + size.y * size.z;
-    }
+    double halfArea() const { return halfAreaOf(glm::dvec3(upper) - glm::dvec3(lower)); }
 };
 
 Box boxOfChild(const kernel::WideNode& node, int child) {
@@ -95,7 +93,7 @@ class WideRefitter {
         }
         const Box whole = boxOf(to_.root);
         const glm::vec3 reach = glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
-        to_.largest = glm::max(reach.x, glm::max(reach.y, reach.z));
+        to_.maxCoordinate = glm::max(reach.x, glm::max(reach.y, reach.z));
         return std::move(to_);
     }
 

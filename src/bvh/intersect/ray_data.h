@@ -11,6 +11,12 @@ inline kernel::RayData rayData(const Ray& ray) {
     return reinterpret_cast<const float*>(&ray);
 }
 
+/// A sphere as its center and radius.
+inline const float* sphereData(const Sphere& sphere) {
+    static_assert(sizeof(Sphere) == 4 * sizeof(float));
+    return reinterpret_cast<const float*>(&sphere);
+}
+
 /// Hits as kernels fill them in.
 inline kernel::HitData* hitData(Hit* hit) {
     static_assert(sizeof(Hit) == sizeof(kernel::HitData));

@@ -1,7 +1,5 @@
 #include "bvh/intersect/ray_query.h"
 
-#include <cmath>
-
 #include "bvh/kernel/sphere.h"
 
 namespace rayscope::bvh {
@@ -15,11 +13,8 @@ Ray withoutNegativeT(Ray ray) {
 }  // namespace
 
 PrimitiveBox boxOf(const Sphere& sphere) {
-    PrimitiveBox box{};
-    for (int axis = 0; axis < 3; ++axis) {
-        box.planes[axis] = std::nextafter(sphere.center[axis] - sphere.radius, -kernel::kInfinity);
-        box.planes[axis + 4] = std::nextafter(sphere.center[axis] + sphere.radius, kernel::kInfinity);
-    }
+    PrimitiveBox box;
+    kernel::sphereBox(sphereData(sphere), box.planes);
     return box;
 }
 
@@ -27,25 +22,7 @@ RayQuery::RayQuery(const Ray& original)
     : ray(withoutNegativeT(original)), box(rayData(ray)), sheared(rayData(ray)) {}
 
 bool RayQuery::hits(const Sphere& sphere, float bound, Hit& found) const {
-    kernel::HitData hit;
-    if (!kernel::hitsSphere(rayData(ray), &sphere.center.x, bound, hit)) return false;
-    found.t = hit.t;
-    found.u = found.v = 0.0f;
-    return true;
-}
-
-bool kernel::hitsSphere(RayData words, const float* record, float bound, HitData& found) {
-    const Ray ray{{words[0], words[1], words[2]}, {words[3], words[4], words[5]}};
-    const Sphere sphere{{record[0], record[1], record[2]}, record[3]};
-    double near, far;
-    if (!intersectSphere(ray, sphere, near, far)) return false;
-    const PrimitiveBox own = boxOf(sphere);
-    if (!std::all_of(own.planes, own.planes + 8, [](float x) { return std::isfinite(x); })) return false;
-    found.u = found.v = 0.0f;
-    const BoxRay box(words);
-    const float tMin = std::max(words[6], 0.0f);
-    return acceptHit(box, tMin, near, own.lower(), own.upper(), bound, found.t) ||
-           acceptHit(box, tMin, far, own.lower(), own.upper(), bound, found.t);
+    return kernel::hitsSphere(rayData(ray), sphereData(sphere), bound, *hitData(&found));
 }
 
 }  // namespace rayscope::bvh

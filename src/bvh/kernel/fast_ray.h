@@ -25,10 +25,10 @@ struct FastRay {
         tMin = (ray[6] > 0.0f ? ray[6] : 0.0f) * scale;
     }
 
-    /// Whether no plane up to `largest` away from 0 can bring about an infinity, a NaN or a denormal scale.
-    /// If not, the ray has to be tested with kernel::intersectBox().
-    RAYSCOPE_INLINE bool suits(float largest) const {
-        const float reach = maxComponent(absolute(constant) + absolute(inverse) * (largest + 1.0f));
+    /// Whether no plane up to `maxCoordinate` away from 0 can bring about an infinity, a NaN or a denormal
+    /// scale. If not, the ray has to be tested with kernel::intersectBox().
+    RAYSCOPE_INLINE bool isInRange(float maxCoordinate) const {
+        const float reach = maxComponent(absolute(constant) + absolute(inverse) * (maxCoordinate + 1.0f));
         return (reach < 0x1p120f) & (scale > 0x1p-100f) & (scale < 0x1p100f);
     }
 };
@@ -36,7 +36,7 @@ struct FastRay {
 /// A FastRay as streams keep it.
 struct PackedRay {
     float inverse[3], constant[3];
-    float pad;  ///< 8u of the largest constant
+    float pad;  ///< 8u of the maxCoordinate constant
     float tMin, scale;
 
     RAYSCOPE_INLINE FastRay unpacked() const { return {load4(inverse), load4(constant), tMin, scale}; }

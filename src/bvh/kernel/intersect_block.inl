@@ -27,7 +27,7 @@ struct FilterResult {
     unsigned bounded;               ///< lanes in which nothing overflows
 
     RAYSCOPE_INLINE unsigned certain() const {
-        const unsigned inside = less(error, lowest) | less(highest, Lanes::all(0.0f) - error);
+        const unsigned inside = less(error, lowest) | less(highest, Lanes::broadcast(0.0f) - error);
         return possible & bounded & inside & less(begin, least) & less(most, end);
     }
 };
@@ -50,26 +50,26 @@ struct FilterResult {
 RAYSCOPE_INLINE FilterResult testCorners(const ShearedCorners& at, unsigned present, Lanes scaleZ, Lanes tMin,
                                          Lanes bound) {
     constexpr float kUnit = 0x1p-24f;
-    const Lanes tiny = Lanes::all(0x1p-120f), huge = Lanes::all(0x1p100f);
+    const Lanes tiny = Lanes::broadcast(0x1p-120f), huge = Lanes::broadcast(0x1p100f);
     const auto &x = at.x, &y = at.y, &z = at.z;
     const Lanes extent =
         maximum(maximum(maximum(absolute(x[0]), absolute(y[0])), maximum(absolute(x[1]), absolute(y[1]))),
                 maximum(absolute(x[2]), absolute(y[2])));
     const Lanes reach = extent + maximum(maximum(absolute(z[0]), absolute(z[1])), absolute(z[2]));
-    const Lanes size = multiplyAdd(reach, Lanes::all(8.0f * kUnit), extent);
-    const Lanes error = multiplyAdd(reach * Lanes::all(48.0f * kUnit), size, tiny);
+    const Lanes size = multiplyAdd(reach, Lanes::broadcast(8.0f * kUnit), extent);
+    const Lanes error = multiplyAdd(reach * Lanes::broadcast(48.0f * kUnit), size, tiny);
     const Lanes u = subtractProduct(x[2] * y[1], y[2], x[1]);
     const Lanes v = subtractProduct(x[0] * y[2], y[0], x[2]);
     const Lanes w = subtractProduct(x[1] * y[0], y[1], x[0]);
     const Lanes highest = maximum(maximum(u, v), w), lowest = minimum(minimum(u, v), w);
-    const unsigned mixed = less(error, highest) & less(lowest, Lanes::all(0.0f) - error);
+    const unsigned mixed = less(error, highest) & less(lowest, Lanes::broadcast(0.0f) - error);
     present &= ~(mixed & less(error, huge));
     if (present == 0) return {0, tiny, tiny, tiny, tiny, tiny, tiny, tiny, 0};
 
     const Lanes signedDet = u + v + w, det = absolute(signedDet);
     const Lanes along = flipSign(multiplyAdd(u, z[0], multiplyAdd(v, z[1], w * z[2])) * scaleZ, signedDet);
-    const Lanes margin =
-        multiplyAdd(reach, multiplyAdd(error, Lanes::all(9.0f), det * Lanes::all(32.0f * kUnit)), tiny);
+    const Lanes margin = multiplyAdd(
+        reach, multiplyAdd(error, Lanes::broadcast(9.0f), det * Lanes::broadcast(32.0f * kUnit)), tiny);
     const Lanes least = along - margin, most = along + margin, begin = tMin * det, end = bound * det;
     const unsigned bounded = less(margin, huge);
     const unsigned possible = present & ~((less(most, begin) | less(end, least)) & bounded);
@@ -79,16 +79,16 @@ RAYSCOPE_INLINE FilterResult testCorners(const ShearedCorners& at, unsigned pres
 /// The triangles of a leaf.
 RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
                                              float tMin, float bound) {
-    const Lanes shearX = Lanes::all(ray.shearX), shearY = Lanes::all(ray.shearY);
+    const Lanes shearX = Lanes::broadcast(ray.shearX), shearY = Lanes::broadcast(ray.shearY);
     ShearedCorners at;
     for (int corner = 0; corner < 3; ++corner) {
         const auto& rows = block.corner[corner];
-        at.set(corner, Lanes::load(rows[ray.axes.kx]) - Lanes::all(ray.origin[0]),
-               Lanes::load(rows[ray.axes.ky]) - Lanes::all(ray.origin[1]),
-               Lanes::load(rows[ray.axes.kz]) - Lanes::all(ray.origin[2]), shearX, shearY);
+        at.set(corner, Lanes::load(rows[ray.axes.kx]) - Lanes::broadcast(ray.origin[0]),
+               Lanes::load(rows[ray.axes.ky]) - Lanes::broadcast(ray.origin[1]),
+               Lanes::load(rows[ray.axes.kz]) - Lanes::broadcast(ray.origin[2]), shearX, shearY);
     }
-    return testCorners(at, (1u << trianglesIn(leaf)) - 1u, Lanes::all(ray.scaleZ), Lanes::all(tMin),
-                       Lanes::all(bound));
+    return testCorners(at, (1u << trianglesIn(leaf)) - 1u, Lanes::broadcast(ray.scaleZ),
+                       Lanes::broadcast(tMin), Lanes::broadcast(bound));
 }
 
 /// Eight rays, each with its bound, and one triangle of a block.
@@ -98,9 +98,9 @@ RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, int tri
     ShearedCorners at;
     for (int corner = 0; corner < 3; ++corner) {
         const auto& rows = block.corner[corner];
-        at.set(corner, Lanes::all(rows[axes.kx][triangle]) - Lanes::load(rays.origin[axes.kx]),
-               Lanes::all(rows[axes.ky][triangle]) - Lanes::load(rays.origin[axes.ky]),
-               Lanes::all(rows[axes.kz][triangle]) - Lanes::load(rays.origin[axes.kz]), shearX, shearY);
+        at.set(corner, Lanes::broadcast(rows[axes.kx][triangle]) - Lanes::load(rays.origin[axes.kx]),
+               Lanes::broadcast(rows[axes.ky][triangle]) - Lanes::load(rays.origin[axes.ky]),
+               Lanes::broadcast(rows[axes.kz][triangle]) - Lanes::load(rays.origin[axes.kz]), shearX, shearY);
     }
     return testCorners(at, present, Lanes::load(rays.scaleZ), Lanes::load(rays.tMin), bound);
 }

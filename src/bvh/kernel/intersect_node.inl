@@ -29,11 +29,11 @@ struct ExactBoxLanes {
     Lanes origin[3], nearInverse[3], farInverse[3], tMin;
 
     RAYSCOPE_INLINE ExactBoxLanes(RayData words, const BoxRay& ray)
-        : rows(words), tMin(Lanes::all(ray.tMin)) {
+        : rows(words), tMin(Lanes::broadcast(ray.tMin)) {
         for (int axis = 0; axis < 3; ++axis) {
-            origin[axis] = Lanes::all(ray.origin[axis]);
-            nearInverse[axis] = Lanes::all(ray.nearInverse[axis]);
-            farInverse[axis] = Lanes::all(ray.farInverse[axis]);
+            origin[axis] = Lanes::broadcast(ray.origin[axis]);
+            nearInverse[axis] = Lanes::broadcast(ray.nearInverse[axis]);
+            farInverse[axis] = Lanes::broadcast(ray.farInverse[axis]);
         }
     }
     RAYSCOPE_INLINE Lanes near(const WideNode& node, int axis) const {
@@ -50,16 +50,16 @@ struct FastBoxLanes {
     Lanes nearInverse[3], nearConstant[3], farInverse[3], farConstant[3], tMin;
 
     RAYSCOPE_INLINE FastBoxLanes(RayData words, const FastRay& ray)
-        : rows(words), tMin(Lanes::all(ray.tMin)) {
+        : rows(words), tMin(Lanes::broadcast(ray.tMin)) {
         constexpr float kShorter = 1.0f - 0x1p-20f, kLonger = 1.0f + 0x1p-20f;
         const Float4 pad = kernel::absolute(ray.constant) * 0x1p-21f + 0x1p-120f;
         const Float4 inverse[2] = {ray.inverse * kShorter, ray.inverse * kLonger};
         const Float4 constant[2] = {ray.constant * kShorter - pad, ray.constant * kLonger + pad};
         for (int axis = 0; axis < 3; ++axis) {
-            nearInverse[axis] = Lanes::all(inverse[0][axis]);
-            farInverse[axis] = Lanes::all(inverse[1][axis]);
-            nearConstant[axis] = Lanes::all(constant[0][axis]);
-            farConstant[axis] = Lanes::all(constant[1][axis]);
+            nearInverse[axis] = Lanes::broadcast(inverse[0][axis]);
+            farInverse[axis] = Lanes::broadcast(inverse[1][axis]);
+            nearConstant[axis] = Lanes::broadcast(constant[0][axis]);
+            farConstant[axis] = Lanes::broadcast(constant[1][axis]);
         }
     }
     RAYSCOPE_INLINE Lanes near(const WideNode& node, int axis) const {
@@ -76,8 +76,8 @@ template <class BoxLanes>
 RAYSCOPE_INLINE unsigned intersectChildren(const WideNode& node, const BoxLanes& ray, float bound,
                                            Lanes& entry) {
     entry = maximum(maximum(ray.near(node, 0), ray.near(node, 1)), maximum(ray.near(node, 2), ray.tMin));
-    const Lanes leave =
-        minimum(minimum(ray.far(node, 0), ray.far(node, 1)), minimum(ray.far(node, 2), Lanes::all(bound)));
+    const Lanes leave = minimum(minimum(ray.far(node, 0), ray.far(node, 1)),
+                                minimum(ray.far(node, 2), Lanes::broadcast(bound)));
     return lessOrEqual(entry, leave);
 }
 

@@ -11,7 +11,7 @@ struct Lanes {
 
     RAYSCOPE_INLINE static Lanes load(const float* from) { return {_mm256_load_ps(from)}; }
     RAYSCOPE_INLINE static Lanes loadUnaligned(const float* from) { return {_mm256_loadu_ps(from)}; }
-    RAYSCOPE_INLINE static Lanes all(float x) { return {_mm256_set1_ps(x)}; }
+    RAYSCOPE_INLINE static Lanes broadcast(float x) { return {_mm256_set1_ps(x)}; }
     RAYSCOPE_INLINE void store(float* to) const { _mm256_store_ps(to, value); }
 };
 

@@ -14,7 +14,7 @@ struct Lanes {
         return to;
     }
     RAYSCOPE_INLINE static Lanes loadUnaligned(const float* from) { return load(from); }
-    RAYSCOPE_INLINE static Lanes all(float x) { return {{x, x, x, x, x, x, x, x}}; }
+    RAYSCOPE_INLINE static Lanes broadcast(float x) { return {{x, x, x, x, x, x, x, x}}; }
     RAYSCOPE_INLINE void store(float* to) const { __builtin_memcpy(to, value, sizeof value); }
 };
 

@@ -15,7 +15,7 @@ struct Lanes {
     RAYSCOPE_INLINE static Lanes loadUnaligned(const float* from) {
         return {_mm_loadu_ps(from), _mm_loadu_ps(from + 4)};
     }
-    RAYSCOPE_INLINE static Lanes all(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
+    RAYSCOPE_INLINE static Lanes broadcast(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
     RAYSCOPE_INLINE void store(float* to) const {
         _mm_store_ps(to, low);
         _mm_store_ps(to + 4, high);

@@ -15,11 +15,11 @@ constexpr uint32_t kPacketGroups = kPacketSize / kWidth;  ///< of eight rays
 
 /// Distances that were computed from one difference, one reciprocal and one product, moved as far as the fast
 /// test of a single ray moves them (see FastRay), and by more than the rounding of denormal numbers.
-RAYSCOPE_INLINE Lanes nearer(Lanes near) {
-    return multiplyAdd(near, Lanes::all(1.0f - 0x1p-20f), Lanes::all(-0x1p-120f));
+RAYSCOPE_INLINE Lanes padNear(Lanes near) {
+    return multiplyAdd(near, Lanes::broadcast(1.0f - 0x1p-20f), Lanes::broadcast(-0x1p-120f));
 }
-RAYSCOPE_INLINE Lanes farther(Lanes far) {
-    return multiplyAdd(far, Lanes::all(1.0f + 0x1p-20f), Lanes::all(0x1p-120f));
+RAYSCOPE_INLINE Lanes padFar(Lanes far) {
+    return multiplyAdd(far, Lanes::broadcast(1.0f + 0x1p-20f), Lanes::broadcast(0x1p-120f));
 }
 
 RAYSCOPE_INLINE float horizontalMax(Lanes x) {
@@ -88,16 +88,17 @@ struct Packet {
     RAYSCOPE_INLINE unsigned intersects(const WideNode& node, Lanes& nearest) const {
         Lanes enter, leave;
         for (int axis = 0; axis < 3; ++axis) {
-            const Lanes least = Lanes::all(leastInverse[axis]), most = Lanes::all(mostInverse[axis]);
-            const Lanes toNear = rows.nearPlanes(node, axis) - Lanes::all(nearOrigin[axis]);
-            const Lanes toFar = rows.farPlanes(node, axis) - Lanes::all(farOrigin[axis]);
+            const Lanes least = Lanes::broadcast(leastInverse[axis]),
+                        most = Lanes::broadcast(mostInverse[axis]);
+            const Lanes toNear = rows.nearPlanes(node, axis) - Lanes::broadcast(nearOrigin[axis]);
+            const Lanes toFar = rows.farPlanes(node, axis) - Lanes::broadcast(farOrigin[axis]);
             const Lanes near = minimum(toNear * least, toNear * most),
                         far = maximum(toFar * least, toFar * most);
             enter = axis == 0 ? near : maximum(near, enter);
             leave = axis == 0 ? far : minimum(far, leave);
         }
-        enter = maximum(nearer(enter), Lanes::all(tMin));
-        return lessOrEqual(enter, minimum(farther(leave), Lanes::all(bound)), enter, nearest);
+        enter = maximum(padNear(enter), Lanes::broadcast(tMin));
+        return lessOrEqual(enter, minimum(padFar(leave), Lanes::broadcast(bound)), enter, nearest);
     }
 
     /// Which of eight rays may meet a child of a node before their bounds.
@@ -107,13 +108,13 @@ struct Packet {
         Lanes enter, leave;
         for (int axis = 0; axis < 3; ++axis) {
             const Lanes origin = Lanes::load(ray.origin[axis]), inverse = Lanes::load(ray.inverse[axis]);
-            const Lanes near = (Lanes::all(node.planes[rows.near[axis]][child]) - origin) * inverse;
-            const Lanes far = (Lanes::all(node.planes[rows.near[axis] ^ 1][child]) - origin) * inverse;
+            const Lanes near = (Lanes::broadcast(node.planes[rows.near[axis]][child]) - origin) * inverse;
+            const Lanes far = (Lanes::broadcast(node.planes[rows.near[axis] ^ 1][child]) - origin) * inverse;
             enter = axis == 0 ? near : maximum(near, enter);
             leave = axis == 0 ? far : minimum(far, leave);
         }
-        return lessOrEqual(maximum(nearer(enter), Lanes::load(ray.tMin)),
-                           minimum(farther(leave), Lanes::load(bounds)));
+        return lessOrEqual(maximum(padNear(enter), Lanes::load(ray.tMin)),
+                           minimum(padFar(leave), Lanes::load(bounds)));
     }
 
     /// The rays of a group, prepared for triangles.

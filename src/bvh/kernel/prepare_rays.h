@@ -56,9 +56,9 @@ struct alignas(32) RayColumns {
 };
 
 /// Does what FastRay::prepare() does for eight rays of eight words each. Returns a bit for each that can hit
-/// anything and suits (see isTraceable() and FastRay::suits()); `bound` is their scaled tMax.
-RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, PackedRay* prepared, float* bound,
-                                      RayColumns& columns) {
+/// anything and suits (see isTraceable() and FastRay::isInRange()); `bound` is their scaled tMax.
+RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float maxCoordinate, PackedRay* prepared,
+                                      float* bound, RayColumns& columns) {
     Float8 word[8];
     for (int i = 0; i < 8; ++i) word[i] = load8(rays + 8 * i);
     transpose(word);
@@ -72,7 +72,7 @@ RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float largest, PackedRa
         row[3 + axis] = constant;
         nothing += origin * 0.0f + direction * 0.0f;
         steepest = larger(absolute(constant), steepest);
-        farthest += absolute(constant) + absolute(inverse) * (largest + 1.0f);
+        farthest += absolute(constant) + absolute(inverse) * (maxCoordinate + 1.0f);
         store8(columns.origin[axis], origin);
         store8(columns.direction[axis], direction);
         store8(columns.inverse[axis], inverse);

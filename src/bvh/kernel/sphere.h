@@ -1,9 +1,18 @@
 #pragma once
+// Ray-sphere intersection, compiled once for all instruction sets. A sphere is {center, radius}.
 #include "bvh/kernel/hit_acceptance.h"
 
 namespace rayscope::bvh::kernel {
 
-/// Tests one sphere {center, radius}; on success `found` has t. Compiled once for all instruction sets.
+/// Both intersections of the whole line with the sphere, in double with a discriminant that does not cancel;
+/// see intersect/intersect_sphere.h.
+bool intersectSphere(RayData ray, const float* sphere, double& near, double& far);
+
+/// The box of a sphere in the layout of BoxPlanes, rounded outward because center ± radius is not a float in
+/// general.
+void sphereBox(const float* sphere, float (&planes)[8]);
+
+/// Tests one sphere up to `bound`; on success `found` has t, u and v.
 bool hitsSphere(RayData ray, const float* sphere, float bound, HitData& found);
 
 }  // namespace rayscope::bvh::kernel

@@ -33,7 +33,7 @@ struct Stream {
     StreamRays<kAny> rays;
     Packet packets[kMaxPackets];
     int coherenceBudget =
-        kCoherenceBudget;  ///< of packets: rays that met leaves, less those that would have paid
+        kCoherenceBudget;  ///< of packets: rays that hits leaves, less those that would have paid
     uint8_t masks[kStreamSize + 64];
     uint32_t lists[kListCapacity + kStreamSize + 64];  ///< with room for packets that come apart
 
@@ -41,21 +41,21 @@ struct Stream {
         : tree(t), rays(t, words, best, occluded) {}
 
     /// Prepares the rays, answers those that do not suit, and then the others.
-    RAYSCOPE_INLINE void answer(uint32_t count) {
+    RAYSCOPE_INLINE void traverse(uint32_t count) {
         struct PacketInfo {
-            unsigned suits;  ///< a bit for each ray
+            unsigned usable;  ///< a bit for each ray
             bool isPacket;
         } all[kMaxPackets];
         uint32_t gathered = 0;
         for (uint32_t first = 0; first < count; first += kPacketSize) {
             const uint32_t size = count - first < kPacketSize ? count - first : kPacketSize;
             Packet& packet = packets[gathered];
-            const unsigned suits = rays.prepare(first, size, packet);
-            for (unsigned others = ~suits & ((1u << size) - 1u); others != 0; others &= others - 1)
+            const unsigned usable = rays.prepare(first, size, packet);
+            for (unsigned others = ~usable & ((1u << size) - 1u); others != 0; others &= others - 1)
                 rays.queryOne(first + static_cast<uint32_t>(__builtin_ctz(others)));
-            const bool isPacket = suits == (1u << kPacketSize) - 1u && (tree.root & kTagMask) == 0 &&
+            const bool isPacket = usable == (1u << kPacketSize) - 1u && (tree.root & kTagMask) == 0 &&
                                   packet.gather(rays.rayData(first), rays.prepared + first, first);
-            all[first / kPacketSize] = {suits, isPacket};
+            all[first / kPacketSize] = {usable, isPacket};
             gathered += isPacket ? 1 : 0;
         }
         if (gathered * kPacketSize < count / 2) gathered = 0;
@@ -65,7 +65,7 @@ struct Stream {
             if (these.isPacket && gathered > 0) continue;
             for (uint32_t i = 0; i < kPacketSize; ++i) {
                 lists[loose] = first + i;
-                loose += these.suits >> i & 1u;
+                loose += these.usable >> i & 1u;
             }
         }
         run(loose, gathered);
@@ -92,7 +92,7 @@ struct Stream {
                 continue;
             }
             const WideNode& node = tree.nodes[top.ref];
-            Lanes nearest = Lanes::all(kInfinity);
+            Lanes nearest = Lanes::broadcast(kInfinity);
             unsigned any = top.arePackets ? testPackets(node, list, top.count, nearest)
                                           : testRays(node, list, top.count, nearest);
             if (any == 0) continue;
@@ -117,13 +117,13 @@ struct Stream {
         }
     }
 
-    /// Tests all rays of a list against a node; returns which children are met at all, and lowers `nearest`.
+    /// Tests all rays of a list against a node; returns which children are hits at all, and lowers `nearest`.
     RAYSCOPE_INLINE unsigned testRays(const WideNode& node, const uint32_t* list, uint32_t count,
                                       Lanes& nearest) {
         const Lanes planes[6] = {Lanes::load(node.planes[0]), Lanes::load(node.planes[1]),
                                  Lanes::load(node.planes[2]), Lanes::load(node.planes[3]),
                                  Lanes::load(node.planes[4]), Lanes::load(node.planes[5])};
-        const Lanes shorter = Lanes::all(1.0f - 0x1p-20f), longer = Lanes::all(1.0f + 0x1p-20f);
+        const Lanes shorter = Lanes::broadcast(1.0f - 0x1p-20f), longer = Lanes::broadcast(1.0f + 0x1p-20f);
         unsigned present = 0;
         for (int child = 0; child < kWidth; ++child) present |= (node.child[child] != 0 ? 1u : 0u) << child;
         unsigned any = 0;
@@ -131,19 +131,19 @@ struct Stream {
             const PackedRay& ray = rays.prepared[list[i]];
             Lanes near[3], far[3];
             for (int axis = 0; axis < 3; ++axis) {
-                const Lanes inverse = Lanes::all(ray.inverse[axis]),
-                            constant = Lanes::all(ray.constant[axis]);
+                const Lanes inverse = Lanes::broadcast(ray.inverse[axis]),
+                            constant = Lanes::broadcast(ray.constant[axis]);
                 const Lanes a = multiplyAdd(planes[2 * axis], inverse, constant);
                 const Lanes b = multiplyAdd(planes[2 * axis + 1], inverse, constant);
                 near[axis] = minimum(a, b);
                 far[axis] = maximum(a, b);
             }
-            const Lanes pad = Lanes::all(ray.pad);
+            const Lanes pad = Lanes::broadcast(ray.pad);
             const Lanes enter = maximum(maximum(near[0], near[1]), near[2]) * shorter - pad;
             const Lanes leave = multiplyAdd(minimum(minimum(far[0], far[1]), far[2]), longer, pad);
             const unsigned mask =
-                lessOrEqual(maximum(enter, Lanes::all(ray.tMin)),
-                            minimum(leave, Lanes::all(rays.bounds[list[i]])), enter, nearest) &
+                lessOrEqual(maximum(enter, Lanes::broadcast(ray.tMin)),
+                            minimum(leave, Lanes::broadcast(rays.bounds[list[i]])), enter, nearest) &
                 present;
             masks[i] = static_cast<uint8_t>(mask);
             any |= mask;
@@ -188,13 +188,13 @@ struct Stream {
             coherenceBudget -= kMinActiveRays;
             for (uint32_t group = 0; group < kPacketGroups; ++group) {
                 const uint32_t first = packet.firstRay + kWidth * group;
-                unsigned met = packet.intersects(*top.parent, top.child, group, rays.bounds + first);
-                coherenceBudget += __builtin_popcount(met);
-                if (top.ref < kSphereTag && __builtin_popcount(met) >= kMinGroupRays) {
-                    visitBlockWithGroup(top.ref, packet, group, met);
+                unsigned hits = packet.intersects(*top.parent, top.child, group, rays.bounds + first);
+                coherenceBudget += __builtin_popcount(hits);
+                if (top.ref < kSphereTag && __builtin_popcount(hits) >= kMinGroupRays) {
+                    visitBlockWithGroup(top.ref, packet, group, hits);
                 } else {
-                    for (; met != 0; met &= met - 1) {
-                        const uint32_t ray = first + static_cast<uint32_t>(__builtin_ctz(met));
+                    for (; hits != 0; hits &= hits - 1) {
+                        const uint32_t ray = first + static_cast<uint32_t>(__builtin_ctz(hits));
                         rays.visitLeaf(top.ref, &ray, 1);
                     }
                 }
@@ -206,7 +206,7 @@ struct Stream {
             coherenceBudget = coherenceBudget < kCoherenceBudget ? coherenceBudget : kCoherenceBudget;
         }
     }
-    RAYSCOPE_INLINE void visitBlockWithGroup(ChildRef leaf, Packet& packet, uint32_t group, unsigned met) {
+    RAYSCOPE_INLINE void visitBlockWithGroup(ChildRef leaf, Packet& packet, uint32_t group, unsigned hits) {
         const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
         const uint32_t first = packet.firstRay + kWidth * group;
         const RayColumns& columns = packet.sheared(group);
@@ -214,11 +214,11 @@ struct Stream {
         uint8_t possible[kWidth] = {};
         for (uint32_t triangle = 0; triangle < trianglesIn(leaf); ++triangle) {
             const FilterResult found =
-                filterTriangles(block, static_cast<int>(triangle), columns, packet.axes, bound, met);
+                filterTriangles(block, static_cast<int>(triangle), columns, packet.axes, bound, hits);
             unsigned hit = found.possible;
             if (kAny && hit != 0) {
                 unsigned certain = found.certain();
-                met &= ~certain;
+                hits &= ~certain;
                 hit &= ~certain;
                 for (; certain != 0; certain &= certain - 1)
                     rays.occlude(first + static_cast<uint32_t>(__builtin_ctz(certain)));
@@ -226,8 +226,8 @@ struct Stream {
             for (; hit != 0; hit &= hit - 1)
                 possible[__builtin_ctz(hit)] |= static_cast<uint8_t>(1u << triangle);
         }
-        for (; met != 0; met &= met - 1) {
-            const int lane = __builtin_ctz(met);
+        for (; hits != 0; hits &= hits - 1) {
+            const int lane = __builtin_ctz(hits);
             const uint32_t ray = first + static_cast<uint32_t>(lane);
             if (possible[lane] != 0)
                 rays.testBlock(block, possible[lane], ray, BlockRay(rays.rayData(ray), packet.axes));
@@ -241,7 +241,7 @@ void closestHits(const WideTreeView& tree, const float* rays, HitData* hits, siz
         const size_t end = count - begin < kStreamSize ? count : begin + kStreamSize;
         for (size_t i = begin; i < end; ++i) hits[i] = {rays[8 * i + 7], kNoPrimitive, 0.0f, 0.0f};
         Stream<false> stream(tree, rays + 8 * begin, hits + begin, nullptr);
-        stream.answer(static_cast<uint32_t>(end - begin));
+        stream.traverse(static_cast<uint32_t>(end - begin));
         for (size_t i = begin; i < end; ++i)
             if (hits[i].primitive == kNoPrimitive) hits[i].t = kInfinity;
     }
@@ -253,7 +253,7 @@ void anyHits(const WideTreeView& tree, const float* rays, uint8_t* occluded, siz
     for (size_t begin = 0; begin < count; begin += kStreamSize) {
         const size_t size = count - begin < kStreamSize ? count - begin : kStreamSize;
         Stream<true> stream(tree, rays + 8 * begin, nullptr, occluded + begin);
-        stream.answer(static_cast<uint32_t>(size));
+        stream.traverse(static_cast<uint32_t>(size));
     }
 }
 

@@ -21,8 +21,8 @@ struct StreamRays {
         : tree(t), allRayData(words), best(b), occluded(o) {}
     RAYSCOPE_INLINE RayData rayData(uint32_t ray) const { return allRayData + size_t{8} * ray; }
 
-    /// Prepares sixteen rays, or those that are left. Returns a bit for each that suits FastRay and can hit
-    /// anything; the others are to be answered by the search for one ray.
+    /// Prepares sixteen rays, or those that are left. Returns a bit for each that usable FastRay and can hit
+    /// anything; the others are to be answered by the state for one ray.
     RAYSCOPE_INLINE unsigned prepare(uint32_t first, uint32_t size, Packet& packet) {
         const float* from = rayData(first);
         float padded[8 * kPacketSize] = {};  // what is no ray does not suit
@@ -30,15 +30,15 @@ struct StreamRays {
             __builtin_memcpy(padded, from, 8 * size * sizeof(float));
             from = padded;
         }
-        unsigned suits = 0;
+        unsigned usable = 0;
         for (uint32_t group = 0; group < kPacketGroups; ++group) {
             const uint32_t offset = kWidth * group;
-            suits |= prepareEight(from + 8 * offset, tree.largest, prepared + first + offset,
-                                  bounds + first + offset, packet.columns[group])
-                     << offset;
+            usable |= prepareEight(from + 8 * offset, tree.maxCoordinate, prepared + first + offset,
+                                   bounds + first + offset, packet.columns[group])
+                      << offset;
         }
         __builtin_memset(hasShear + first, 0, kPacketSize);
-        return suits;
+        return usable;
     }
     RAYSCOPE_INLINE void queryOne(uint32_t ray) {
         if constexpr (kAny) {
@@ -53,12 +53,12 @@ struct StreamRays {
         bounds[ray] = -1.0f;
     }
     /// Takes up a result.
-    RAYSCOPE_INLINE void keep(uint32_t ray, const QueryState& search) {
+    RAYSCOPE_INLINE void keep(uint32_t ray, const QueryState& state) {
         if constexpr (kAny) {
             occlude(ray);
         } else {
-            best[ray] = search.best;
-            bounds[ray] = search.bound;
+            best[ray] = state.best;
+            bounds[ray] = state.bound;
         }
     }
     RAYSCOPE_INLINE bool isDone(uint32_t ray) const { return kAny && bounds[ray] < 0.0f; }
@@ -75,10 +75,10 @@ struct StreamRays {
     }
 
     RAYSCOPE_INLINE void visitSphere(const SphereRecord& sphere, uint32_t ray) {
-        QueryState search = stateOf(ray);
-        if (testSphere(sphere, search)) keep(ray, search);
+        QueryState state = stateOf(ray);
+        if (testSphere(sphere, state)) keep(ray, state);
     }
-    /// Does what visitLeaf() for one ray does, but takes up the search only where something may be hit: on
+    /// Does what visitLeaf() for one ray does, but takes up the state only where something may be hit: on
     /// long thin triangles that saves 5 % of the time.
     RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
         FastShear& shear = shearOf(ray);
@@ -90,8 +90,8 @@ struct StreamRays {
     }
     RAYSCOPE_INLINE void testBlock(const TriangleBlock& block, unsigned possible, uint32_t ray,
                                    const BlockRay& exact) {
-        QueryState search = stateOf(ray);
-        if (testTriangles<kAny>(block, possible, exact, search)) keep(ray, search);
+        QueryState state = stateOf(ray);
+        if (testTriangles<kAny>(block, possible, exact, state)) keep(ray, state);
     }
 
     [[gnu::noinline]] void visitLeaf(ChildRef leaf, const uint32_t* list, uint32_t count) {
@@ -111,13 +111,13 @@ struct StreamRays {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = list[i];
             if (isDone(ray)) continue;
-            QueryState search = stateOf(ray);
-            const FastBoxLanes lanes(search.ray, prepared[ray].unpacked());
+            QueryState state = stateOf(ray);
+            const FastBoxLanes lanes(state.ray, prepared[ray].unpacked());
             if constexpr (kAny) {
-                if (traverseAny(tree, ref, lanes, shearOf(ray), search)) keep(ray, search);
+                if (traverseAny(tree, ref, lanes, shearOf(ray), state)) keep(ray, state);
             } else {
-                traverseClosest(tree, ref, lanes, shearOf(ray), search);
-                keep(ray, search);
+                traverseClosest(tree, ref, lanes, shearOf(ray), state);
+                keep(ray, state);
             }
         }
     }

@@ -47,7 +47,7 @@ struct WideTreeView {
     const TriangleBlock* blocks;
     const SphereRecord* spheres;
     ChildRef root;
-    float largest;  ///< absolute coordinate of any box
+    float maxCoordinate;  ///< absolute coordinate of any box
 };
 constexpr int kMaxWideLevels = 76;
 

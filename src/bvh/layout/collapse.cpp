@@ -51,7 +51,7 @@ class Collapser {
         wide_.spheres.resize(count.spheres);
         wide_.root = place(0, {});
         const glm::vec3 reach = glm::max(glm::abs(tree_.nodes[0].lower), glm::abs(tree_.nodes[0].upper));
-        wide_.largest = glm::max(reach.x, glm::max(reach.y, reach.z));
+        wide_.maxCoordinate = glm::max(reach.x, glm::max(reach.y, reach.z));
         return std::move(wide_);
     }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bvh/bounds.h"
 #include "bvh/kernel/ray_setup.h"
 #include "bvh/kernel/wide_layout.h"
 #include "bvh/stop_check.h"
@@ -17,10 +18,7 @@ constexpr float kBlockCost = 1.0f;
 constexpr int kParallelLevels = 7;
 constexpr std::size_t kParallelNodes = 4096;
 
-float halfArea(const BinaryNode& node) {
-    const glm::vec3 size = node.upper - node.lower;
-    return size.x * (size.y + size.z) + size.y * size.z;
-}
+float areaOf(const BinaryNode& node) { return halfAreaOf(node.upper - node.lower); }
 
 std::uint32_t blocksFor(std::uint32_t triangles) { return (triangles + kernel::kWidth - 1) / kernel::kWidth; }
 
@@ -69,8 +67,7 @@ CollapsePlan::Options CollapsePlan::planLeaf(std::uint32_t node) {
     options.onlyTriangles = options.triangles == leaf.count;
     plans_[node].leftPlaces.fill(0);
     plans_[node].count = countOfLeaf(options.triangles, leaf.count - options.triangles);
-    options.cost.fill(halfArea(leaf) *
-                      (kBlockCost + static_cast<float>(plans_[node].count.nodes) * kNodeCost));
+    options.cost.fill(areaOf(leaf) * (kBlockCost + static_cast<float>(plans_[node].count.nodes) * kNodeCost));
     options.count.fill(plans_[node].count);
     return options;
 }
@@ -105,7 +102,7 @@ CollapsePlan::Options CollapsePlan::plan(std::uint32_t number, int level) {
         count = left.count[leftPlaces - 1u] + right.count[static_cast<std::size_t>(places - leftPlaces - 1)];
         return cheapest;
     };
-    const float area = halfArea(node);
+    const float area = areaOf(node);
     options.cost[0] = area * kNodeCost + share(kernel::kWidth, plan.leftPlaces[0], options.count[0]);
     ++options.count[0].nodes;
     if (options.onlyTriangles && options.triangles <= kernel::kWidth &&

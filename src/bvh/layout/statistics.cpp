@@ -1,5 +1,7 @@
 #include "bvh/layout/statistics.h"
 
+#include "bvh/bounds.h"
+
 namespace rayscope::bvh {
 namespace {
 
@@ -11,8 +13,7 @@ void count(std::vector<std::size_t>& histogram, std::size_t index) {
 }  // namespace
 
 double halfArea(const BinaryNode& node) {
-    const glm::dvec3 size = glm::dvec3(node.upper) - glm::dvec3(node.lower);
-    return size.x * (size.y + size.z) + size.y * size.z;
+    return halfAreaOf(glm::dvec3(node.upper) - glm::dvec3(node.lower));
 }
 
 TreeStatistics statisticsOf(const BinaryTree& tree) {

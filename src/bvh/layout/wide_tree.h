@@ -13,9 +13,11 @@ struct WideTree {
     base::BigVector<kernel::TriangleBlock> blocks;
     std::vector<kernel::SphereRecord> spheres;
     kernel::ChildRef root = 0;
-    float largest = 0.0f;
+    float maxCoordinate = 0.0f;
 
-    kernel::WideTreeView view() const { return {nodes.data(), blocks.data(), spheres.data(), root, largest}; }
+    kernel::WideTreeView view() const {
+        return {nodes.data(), blocks.data(), spheres.data(), root, maxCoordinate};
+    }
     std::size_t bytes() const;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
-// How a ray walks the binary tree, and the brute-force twin that needs no tree.
+// Traversal of the binary tree, and brute force without a tree.
 #include <rayscope/accel.h>
 
 #include "bvh/binary_tree.h"
 #include "bvh/intersect/ray_query.h"
-#include "bvh/traversal/traversal_observer.h"
+#include "bvh/kernel/traversal_observer.h"
 
 namespace rayscope::bvh {
 
@@ -27,21 +27,43 @@ struct IndexedPrimitives {
     }
 };
 
-/// A box was not hit within the running bound: is it behind a closer hit, or off the ray?
-template <TraversalObserver O>
-void reportMissOrCull(const BinaryTree& tree, std::uint32_t node, const BoxRay& ray, float t, O& observer) {
-    float entry;
-    if (intersectBox(planes(tree.nodes[node]), ray, ray.tMax, entry)) {
-        observer.cull(node, t);
-    } else {
-        observer.miss(node);
+enum class QueryKind { Closest, Any };
+
+/// Tests the primitives of a leaf. Returns whether the traversal ends here.
+template <QueryKind kKind, class Primitives, TraversalObserver O>
+RAYSCOPE_INLINE bool visitLeaf(const BinaryNode& leaf, const Primitives& primitives, const RayQuery& query,
+                               Hit& best, O& observer) {
+    for (std::uint32_t slot = leaf.first; slot < leaf.first + leaf.count; ++slot) {
+        Hit found;
+        const bool isHit = primitives.hits(query, slot, best.t, found);
+        found.primitive = primitives.number(slot);
+        if constexpr (isObserved<O>) observer.test(found.primitive, isHit, *hitData(&found), best.t);
+        if (!isHit) continue;
+        keepCloser(found, best);
+        if (kKind == QueryKind::Any) return true;
     }
+    return false;
 }
 
-/// The one walk: near child first, the far one waits on a stack that the bounded depth of the tree limits.
-template <class Primitives, TraversalObserver O>
-bool traverseClosest(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit,
-                     O& observer) {
+/// Tests the box of a node against the ray up to `bound`, which is the scaled best.t.
+template <TraversalObserver O>
+RAYSCOPE_INLINE bool intersectNode(const BinaryTree& tree, std::uint32_t node, const BoxRay& ray, float bound,
+                                   float& entry, float bestT, O& observer) {
+    const bool isHit = intersectBox(planes(tree.nodes[node]), ray, bound, entry);
+    if constexpr (isObserved<O>) {
+        const bool isOnRay = isHit || intersectBox(planes(tree.nodes[node]), ray, ray.tMax, entry);
+        if (isOnRay) observer.intersect(node, static_cast<float>(entry / ray.scale));
+        if (!isOnRay) observer.miss(node, bestT);
+        if (isOnRay && !isHit) observer.cull(node, bestT);
+    }
+    return isHit;
+}
+
+/// The traversal of the binary tree: nearer child first, the other one onto the stack. `hit` is the closest
+/// hit, or for QueryKind::Any the first that is found; its default on a miss.
+template <QueryKind kKind, class Primitives, TraversalObserver O = NullTraversalObserver>
+bool traverse(const BinaryTree& tree, const Primitives& primitives, const Ray& ray, Hit& hit,
+              O&& observer = {}) {
     hit = Hit{};
     if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
     const RayQuery query(ray);
@@ -54,34 +76,23 @@ bool traverseClosest(const BinaryTree& tree, const Primitives& primitives, const
     best.t = ray.tMax;
     float bound = query.box.tMax;  // best.t as a distance of the box test
 
-    float rootEntry;
-    if (!intersectBox(planes(tree.nodes[0]), query.box, bound, rootEntry)) {
-        observer.miss(0);
-        return false;
-    }
+    float entry[2];
+    if (!intersectNode(tree, 0, query.box, bound, entry[0], best.t, observer)) return false;
     std::uint32_t current = 0;
     while (true) {
         const BinaryNode& node = tree.nodes[current];
-        observer.visit(current, best.t);
+        if constexpr (isObserved<O>) observer.visit(current, best.t);
         if (node.isLeaf()) {
-            for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
-                Hit found;
-                const bool isHit = primitives.hits(query, slot, best.t, found);
-                observer.test(primitives.number(slot), isHit);
-                if (!isHit) continue;
-                found.primitive = primitives.number(slot);
-                keepCloser(found, best);
-            }
+            if (visitLeaf<kKind>(node, primitives, query, best, observer)) break;
             bound = query.box.distance(best.t);
         } else {
-            float entry[2];
-            const bool hit0 = intersectBox(planes(tree.nodes[node.first]), query.box, bound, entry[0]);
-            const bool hit1 = intersectBox(planes(tree.nodes[node.first + 1]), query.box, bound, entry[1]);
-            if (!hit0) reportMissOrCull(tree, node.first, query.box, best.t, observer);
-            if (!hit1) reportMissOrCull(tree, node.first + 1, query.box, best.t, observer);
+            const bool hit0 = intersectNode(tree, node.first, query.box, bound, entry[0], best.t, observer);
+            const bool hit1 =
+                intersectNode(tree, node.first + 1, query.box, bound, entry[1], best.t, observer);
             if (hit0 && hit1) {
                 const std::uint32_t nearer = entry[1] < entry[0] ? 1 : 0;
                 stack[stackSize++] = {node.first + 1 - nearer, entry[1 - nearer]};
+                if constexpr (isObserved<O>) observer.push(node.first + 1 - nearer, best.t);
                 current = node.first + nearer;
                 continue;
             }
@@ -90,8 +101,10 @@ bool traverseClosest(const BinaryTree& tree, const Primitives& primitives, const
                 continue;
             }
         }
-        while (stackSize > 0 && stack[stackSize - 1].entry > bound)
-            observer.cull(stack[--stackSize].node, best.t);
+        while (stackSize > 0 && stack[stackSize - 1].entry > bound) {
+            --stackSize;
+            if constexpr (isObserved<O>) observer.cull(stack[stackSize].node, best.t);
+        }
         if (stackSize == 0) break;
         current = stack[--stackSize].node;
     }
@@ -100,33 +113,10 @@ bool traverseClosest(const BinaryTree& tree, const Primitives& primitives, const
     return true;
 }
 
-/// The walk of Accel::closestHit over the binary tree, watched. Same hit, bit for bit.
-template <TraversalObserver O>
-bool closestHit(const BinaryTree& tree, const AccelInput& input, const Ray& ray, Hit& hit, O& observer) {
-    return traverseClosest(tree, IndexedPrimitives{input, tree.primitives}, ray, hit, observer);
-}
-
-/// Whether any primitive is hit in (tMin, tMax]. The order of the search does not matter here.
-template <class Primitives>
-bool traverseAny(const BinaryTree& tree, const Primitives& primitives, const Ray& ray) {
-    if (tree.nodes.empty() || !RayQuery::isTraceable(ray)) return false;
-    const RayQuery query(ray);
-    std::uint32_t stack[kMaxTreeLevel + 1] = {0};
-    int stackSize = 1;
-    float entry;
-    while (stackSize > 0) {
-        const BinaryNode& node = tree.nodes[stack[--stackSize]];
-        if (!intersectBox(planes(node), query.box, query.box.tMax, entry)) continue;
-        if (node.isLeaf()) {
-            Hit found;
-            for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot)
-                if (primitives.hits(query, slot, ray.tMax, found)) return true;
-        } else {
-            stack[stackSize++] = node.first + 1;
-            stack[stackSize++] = node.first;
-        }
-    }
-    return false;
+/// The same over the primitives of the caller.
+template <QueryKind kKind, TraversalObserver O = NullTraversalObserver>
+bool traverse(const BinaryTree& tree, const AccelInput& input, const Ray& ray, Hit& hit, O&& observer = {}) {
+    return traverse<kKind>(tree, IndexedPrimitives{input, tree.primitives}, ray, hit, observer);
 }
 
 /// Tests every primitive. Same answers as Accel, bit for bit.

@@ -51,14 +51,14 @@ void drawTable(const BvhInspector& bvh, const InspectedTree& seen, const Inspect
     row("nodes", fmt::format("{}", a.nodes), fmt::format("{}", b.nodes));
     row("levels", fmt::format("{}", a.levels), fmt::format("{}", b.levels));
     row("boxes on level", fmt::format("{}", c.boxes[0]), fmt::format("{}", c.boxes[1]));
-    pair("hit by a line", "{:.3f}", c.met[0], c.met[1]);
+    pair("hit by a line", "{:.3f}", c.expectedHits[0], c.expectedHits[1]);
     if (const BvhInspector::Costs* costs = bvh.costs()) {
         pair("visits per ray", "{:.2f}", costs->own.nodes, costs->referenceTree.nodes);
         pair("tests per ray", "{:.2f}", costs->own.tests, costs->referenceTree.tests);
     }
     ImGui::EndTable();
-    if (c.met[1] > 0.0)
-        text(fmt::format("reduction: level {:.1f} %, SAH cost {:.1f} %", 100.0 * (1.0 - c.met[0] / c.met[1]),
+    if (c.expectedHits[1] > 0.0)
+        text(fmt::format("reduction: level {:.1f} %, SAH cost {:.1f} %", 100.0 * (1.0 - c.expectedHits[0] / c.expectedHits[1]),
                          100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
     if (const BvhInspector::Costs* costs = bvh.costs())
         dimText(fmt::format("counted over {} rays of this view", costs->rays));

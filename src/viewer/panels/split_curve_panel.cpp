@@ -28,7 +28,7 @@ Range rangeOf(const probe::SplitCurve& curve) {
     };
     for (const auto& planes : curve.axes)
         for (const probe::SplitCurve::Plane& plane : planes) include(plane.cost);
-    include(curve.made);
+    include(curve.actualCost);
     return range;
 }
 
@@ -54,10 +54,10 @@ void drawPlot(const probe::SplitCurve& curve, Range range) {
         if (planes.size() == 1 && !std::isnan(planes[0].cost))
             draw.AddCircleFilled({xOf(0), yOf(planes[0].cost)}, scaled(3.0f), kAxisColors[axis]);
     }
-    if (!std::isnan(curve.made))
+    if (!std::isnan(curve.actualCost))
         for (float x = 0.0f; x < width; x += scaled(8.0f))
-            draw.AddLine({at.x + x, yOf(curve.made)},
-                         {at.x + std::min(x + scaled(4.0f), width), yOf(curve.made)},
+            draw.AddLine({at.x + x, yOf(curve.actualCost)},
+                         {at.x + std::min(x + scaled(4.0f), width), yOf(curve.actualCost)},
                          IM_COL32(240, 242, 245, 255), scaled(1.0f));
     tooltip(
         "SAH cost of the node over the split planes between bins, from left to right along each axis; lower "
@@ -85,7 +85,7 @@ void drawSplitCurve(BvhInspector& bvh, int bins) {
     ImGui::SameLine(0.0f, scaled(14.0f));
     dimText(fmt::format("from {:.4g} to {:.4g}", range.low, range.high));
     valueRow("Split of this tree",
-             std::isnan(curve.made) ? "none (leaf)" : fmt::format("{:.5g}", curve.made));
+             std::isnan(curve.actualCost) ? "none (leaf)" : fmt::format("{:.5g}", curve.actualCost));
     valueRow("As a leaf", fmt::format("{:.5g}", curve.leafCost));
 }
 

@@ -36,15 +36,16 @@ RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRe
         return {Lanes::load(rows[ray.axes.kx]), Lanes::load(rows[ray.axes.ky]),
                 Lanes::load(rows[ray.axes.kz])};
     };
-    const Lanes3 direction{Lanes::all(ray.shearX), Lanes::all(ray.shearY), Lanes::all(1.0f)};
-    const Lanes3 origin{Lanes::all(ray.origin[0]), Lanes::all(ray.origin[1]), Lanes::all(ray.origin[2])};
+    const Lanes3 direction{Lanes::broadcast(ray.shearX), Lanes::broadcast(ray.shearY), Lanes::broadcast(1.0f)};
+    const Lanes3 origin{Lanes::broadcast(ray.origin[0]), Lanes::broadcast(ray.origin[1]), Lanes::broadcast(ray.origin[2])};
     const Lanes3 a = corner(0), edge1 = corner(1) - a, edge2 = corner(2) - a;
     const Lanes3 p = cross(direction, edge2), s = origin - a, q = cross(s, edge1);
-    const Lanes signedDet = dot(edge1, p), det = absolute(signedDet), zero = Lanes::all(0.0f);
+    const Lanes signedDet = dot(edge1, p), det = absolute(signedDet), zero = Lanes::broadcast(0.0f);
     const Lanes u = flipSign(dot(s, p), signedDet), v = flipSign(dot(direction, q), signedDet);
-    const Lanes t = flipSign(dot(edge2, q) * Lanes::all(ray.scaleZ), signedDet);
+    const Lanes t = flipSign(dot(edge2, q) * Lanes::broadcast(ray.scaleZ), signedDet);
     const unsigned inside = lessOrEqual(zero, u) & lessOrEqual(zero, v) & lessOrEqual(u + v, det);
-    const unsigned inInterval = less(Lanes::all(tMin) * det, t) & lessOrEqual(t, Lanes::all(bound) * det);
+    const unsigned inInterval =
+        less(Lanes::broadcast(tMin) * det, t) & lessOrEqual(t, Lanes::broadcast(bound) * det);
     const unsigned present = (1u << trianglesIn(leaf)) - 1u;
     return {inside & inInterval & less(zero, det) & present};
 }
