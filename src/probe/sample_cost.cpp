@@ -6,7 +6,7 @@
 #include "math/vectors.h"
 #include "probe/counting_observer.h"
 #include "sampling/sample_stream.h"
-#include "trace/radiance.inl"
+#include "trace/radiance_definition.h"
 
 namespace rayscope::probe {
 
