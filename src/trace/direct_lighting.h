@@ -34,7 +34,7 @@ void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, 
         addDirectLight<kRayGroup, false>(light, n, at, branch, throughput);
 }
 
-/// Traces the shadow rays of kGroup samples as a batch or, if it defers them, leaves them to the TermQueue,
+/// Traces the shadow rays of kGroup samples as a batch or, with kDefers, leaves them to the TermQueue,
 /// which makes batches of its own. Terms are added in the order of the samples.
 template <PathObserver O, TermsFor<O> Terms>
 template <int kGroup, bool kDefers>
