@@ -9,8 +9,7 @@
 
 namespace rayscope {
 
-/// Geometry to be searched by rays. The caller keeps the memory alive and unchanged as long as the Accel is
-/// used.
+/// Geometry of an Accel. The caller keeps the memory alive and unchanged as long as the Accel is used.
 struct AccelInput {
     std::span<const glm::vec3> vertices;
     std::span<const glm::uvec3> triangles;
@@ -19,12 +18,12 @@ struct AccelInput {
 
 struct BuildSettings {
     BvhBuilder builder = BvhBuilder::SahBinned;
-    int bins = 32;      ///< candidate planes per axis of SahBinned and SahReinsertion, 2 … 4096
-    int maxLevel = 64;  ///< deepest level of the binary tree, the root is level 0; 0 … 64
-    int leafSize = 4;   ///< most primitives in a leaf above the deepest level, ≥ 1
-    BvhLayout layout = BvhLayout::Wide;  ///< what rays walk
+    int bins = 32;                       ///< bins per axis of SahBinned and SahReinsertion, 2 … 4096
+    int maxLevel = 64;                   ///< deepest level of the binary tree (the root is 0), 0 … 64
+    int leafSize = 4;                    ///< maximum primitives of a leaf above the deepest level, ≥ 1
+    BvhLayout layout = BvhLayout::Wide;  ///< of the tree that rays traverse
     Isa isa = Isa::Auto;                 ///< kernels of the wide layout
-    bool keepBinaryTree = false;         ///< beside the wide layout, for looking at
+    bool keepBinaryTree = false;         ///< beside the wide layout, for display
     std::stop_token stop{};              ///< build() throws Stopped within 20 ms of a request
 };
 
@@ -33,23 +32,23 @@ struct BinaryTree;
 struct WideTree;
 }  // namespace bvh
 
-/// The size of a hierarchy in numbers.
+/// Size and cost of an Accel.
 struct AccelSummary {
     std::size_t binaryNodes = 0;
     int binaryLevels = 0;  ///< including the root
     std::size_t wideNodes = 0, triangleBlocks = 0;
-    Isa isa = Isa::Auto;  ///< of the kernels that answer queries; Auto: the binary tree is walked
+    Isa isa = Isa::Auto;                  ///< of the kernels; Auto: queries traverse the binary tree
     std::uint32_t droppedPrimitives = 0;  ///< left out because of NaN or infinite coordinates
-    /// The surface area heuristic's cost of what rays walk, relative to when it was built; 1 unless refitted.
+    /// SAH cost of the tree that rays traverse, relative to when it was built; 1 unless refitted.
     double costGrowth = 1.0;
 };
 
 /// A bounding volume hierarchy over triangles and spheres. Immutable after build(); all queries may run
 /// concurrently. A default-constructed Accel is empty: every ray misses it.
 ///
-/// A hit is a function of ray and geometry alone: of all primitives with the smallest t the one with the
-/// smallest number is returned, by every query, whatever the builder or the number of threads. Closed meshes
-/// are watertight, and a ray through a shared edge or vertex of a mesh crosses it exactly once.
+/// A hit depends on ray and geometry only: every query returns, of all primitives with the smallest t, the
+/// one with the smallest number, for every builder and number of threads. Closed meshes are watertight, and a
+/// ray through a shared edge or vertex of a mesh crosses it exactly once.
 class Accel {
   public:
     Accel();
@@ -63,27 +62,27 @@ class Accel {
     /// coordinates are left out and never hit.
     static Accel build(const AccelInput& input, const BuildSettings& settings = {});
 
-    /// The same hierarchy around vertices and spheres that have moved: a fraction of the time of build(), the
-    /// same answers, but more work per ray the farther neighbours have moved apart; see summary().costGrowth.
-    /// Builds anew, with the same settings, if other primitives than before have NaN or infinite coordinates.
-    /// `moved` may be the same memory with new values. Throws std::invalid_argument if it does not have as
-    /// many triangles and spheres, or like build().
+    /// The same tree with new boxes for moved vertices and spheres: a fraction of the time of build() with
+    /// the same hits, but more work per ray the farther neighbours have moved apart; see
+    /// summary().costGrowth. Rebuilds with the same settings if other primitives than before have NaN or
+    /// infinite coordinates. `moved` may be the same memory with new values. Throws std::invalid_argument if
+    /// it does not have as many triangles and spheres, or like build().
     Accel refit(const AccelInput& moved, std::stop_token stop = {}) const;
 
     /// Finds the hit with the smallest t in (tMin, tMax]. Returns false, and leaves `hit` at its default, on
     /// a miss.
     bool closestHit(const Ray& ray, Hit& hit) const;
 
-    /// Whether anything lies in (tMin, tMax].
+    /// Whether there is a hit in (tMin, tMax].
     bool anyHit(const Ray& ray) const;
 
-    /// The same answers for many rays at once; both spans have the same length.
+    /// The same results for many rays at once; both spans have the same length.
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
 
     /// The binary tree; null when empty or not kept.
     const bvh::BinaryTree* binaryTree() const;
-    /// The tree that production rays walk; null when empty or when they walk the binary one.
+    /// The wide tree; null when empty or when queries traverse the binary one.
     const bvh::WideTree* wideTree() const;
     const AccelSummary& summary() const;
     const AccelInput& input() const;

@@ -6,11 +6,10 @@
 
 namespace rayscope::bvh {
 
-/// No node lies deeper (the root is level 0), whatever is built; traversal stacks rely on it.
+/// The deepest level of any tree (the root is level 0); the size of traversal stacks.
 inline constexpr int kMaxTreeLevel = 64;
 
-/// Children of an inner node stand side by side at `first` and `first + 1`; a leaf holds the primitives
-/// primitives[first … first + count).
+/// The children of an inner node are `first` and `first + 1`; a leaf has primitives[first … first + count).
 struct BinaryNode {
     glm::vec3 lower;
     std::uint32_t first;
@@ -20,10 +19,10 @@ struct BinaryNode {
 };
 static_assert(sizeof(BinaryNode) == 32);
 
-/// Stands for a node where there is none.
+/// The number of no node.
 inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
-/// A binary bounding volume hierarchy; node 0 is the root. Empty if there is nothing to hit.
+/// A binary bounding volume hierarchy; node 0 is the root. Empty without primitives.
 struct BinaryTree {
     base::BigVector<BinaryNode> nodes;
     base::BigVector<std::uint32_t> primitives;  ///< triangles first, then spheres, as in Hit::primitive

@@ -30,7 +30,8 @@ Isa bestIsa() {
 
 const kernel::Kernels& kernelsFor(Isa isa) {
     if (!isAvailable(isa))
-        throw std::invalid_argument("this machine cannot run the chosen instruction set (isa); try auto");
+        throw std::invalid_argument(
+            "the instruction set of setting isa is not available on this machine; use auto");
     switch (isa == Isa::Auto ? bestIsa() : isa) {
 #ifdef __x86_64__
         case Isa::Sse2:

@@ -8,7 +8,7 @@ namespace rayscope::bvh {
 /// Whether this build has kernels for an instruction set and this machine can run them.
 bool isAvailable(Isa isa);
 
-/// The best of those; what Isa::Auto stands for.
+/// The best available one, which Isa::Auto selects.
 Isa bestIsa();
 
 /// Throws std::invalid_argument for an instruction set that is not available.

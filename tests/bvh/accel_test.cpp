@@ -32,12 +32,12 @@ void expectEmpty(const Accel& accel) {
     EXPECT_TRUE(accel.input().triangles.empty());
 }
 
-TEST(Accel, DefaultIsMissedByEveryRay) {
+TEST(Accel, EveryRayMissesTheDefault) {
     expectEmpty(Accel{});
     EXPECT_EQ(Accel{}.bytes(), 0u);
 }
 
-TEST(Accel, BuiltOverNothingIsEmpty) { expectEmpty(Accel::build({})); }
+TEST(Accel, BuildWithoutPrimitivesIsEmpty) { expectEmpty(Accel::build({})); }
 
 TEST(Accel, MovedFromIsEmptyAndMovedToIsWhole) {
     const TestGeometry geometry = oneTriangle();

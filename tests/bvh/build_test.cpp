@@ -1,4 +1,4 @@
-// What builders promise about the shape of their trees.
+// Guarantees of builders about their trees.
 #include <gtest/gtest.h>
 #include <rayscope/diagnostics.h>
 #include <tbb/task_arena.h>
@@ -30,7 +30,8 @@ bool contains(const bvh::BinaryNode& outer, const glm::vec3& point) {
            glm::all(glm::lessThanEqual(point, outer.upper));
 }
 
-/// Checks the whole tree: every primitive once, boxes tight around leaves and around children, limits kept.
+/// Checks the whole tree: every primitive once, boxes tight around leaves and around children, limits
+/// respected.
 void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const BuildSettings& settings) {
     const std::size_t primitives = input.triangles.size() + input.spheres.size() - tree.droppedPrimitives;
     ASSERT_EQ(tree.primitives.size(), primitives);
@@ -79,7 +80,7 @@ void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const Build
     EXPECT_LE(deepest, settings.maxLevel);
 }
 
-TEST(Build, EveryTreeIsSound) {
+TEST(Build, EveryTreeIsValid) {
     for (const TestGeometry& scene : edgeCaseScenes())
         for (const BvhBuilder builder : kBuilders)
             for (const int leafSize : {1, 4, 16})
@@ -93,7 +94,7 @@ TEST(Build, EveryTreeIsSound) {
                     }
 }
 
-TEST(Build, BigTreesAreSound) {
+TEST(Build, LargeTreesAreValid) {
     const TestGeometry scene = soup(60000, 0.05, 5);
     for (const BvhBuilder builder : kBuilders) {
         const BuildSettings settings = settingsOf(builder);
@@ -111,7 +112,7 @@ TEST(Build, MedianSplitHasTheLevelsOfABalancedTree) {
     EXPECT_EQ(levels(15704), 15);
 }
 
-TEST(Build, EqualCentroidsAreHalved) {
+TEST(Build, EqualCentroidsAreSplitInHalf) {
     TestGeometry scene;
     for (int i = 0; i < 100000; ++i) scene.spheres.push_back({{0.5f, 0.25f, 1.0f}, 1.0f});
     for (const BvhBuilder builder : kBuilders)
@@ -119,7 +120,7 @@ TEST(Build, EqualCentroidsAreHalved) {
             << static_cast<int>(builder);
 }
 
-TEST(Build, SurfaceAreaHeuristicSeparatesWhatIsFarApart) {
+TEST(Build, SahSeparatesDistantClusters) {
     TestGeometry scene;  // one triangle far from seven: the median would cut through the seven
     for (int i = 0; i < 7; ++i) {
         const float x = 0.01f * static_cast<float>(i);
@@ -155,7 +156,7 @@ TEST(Build, SameTreeForAnyNumberOfThreads) {
     }
 }
 
-TEST(Build, DropsAndCountsWhatIsNotFinite) {
+TEST(Build, DropsAndCountsNonFinitePrimitives) {
     const std::vector<TestGeometry> scenes = edgeCaseScenes();
     const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                     [](const TestGeometry& g) { return g.name == "not finite"; });
@@ -163,7 +164,7 @@ TEST(Build, DropsAndCountsWhatIsNotFinite) {
     EXPECT_EQ(bvh::buildBinaryTree(scene->input(), {}).droppedPrimitives, 7u);
 }
 
-TEST(Build, NothingToBuild) {
+TEST(Build, EmptyInput) {
     const bvh::BinaryTree tree = bvh::buildBinaryTree({}, {});
     EXPECT_TRUE(tree.nodes.empty());
     TestGeometry scene;
@@ -173,7 +174,7 @@ TEST(Build, NothingToBuild) {
     EXPECT_TRUE(bvh::buildBinaryTree(scene.input(), {}).nodes.empty());
 }
 
-TEST(Build, NamesTheFirstTriangleWithAMissingVertex) {
+TEST(Build, ReportsTheFirstInvalidVertexIndex) {
     TestGeometry scene = soup(50000, 0.1, 2);
     scene.triangles[41234].y = 150000;
     scene.triangles[49999].x = 4000000000u;
@@ -181,11 +182,11 @@ TEST(Build, NamesTheFirstTriangleWithAMissingVertex) {
         Accel::build(scene.input());
         FAIL() << "no exception";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "triangle 41234 names vertex 150000, but there are only 150000 vertices");
+        EXPECT_STREQ(error.what(), "triangle 41234 has vertex index 150000, but there are 150000 vertices");
     }
 }
 
-TEST(Build, RefusesMorePrimitivesThanItCanNumber) {
+TEST(Build, RefusesTooManyPrimitives) {
     const glm::uvec3 triangle{};
     AccelInput input;
     input.triangles = std::span(&triangle, (std::size_t{1} << 32) - 1);  // never looked at
@@ -200,7 +201,7 @@ TEST(Build, RefusesSettingsOutOfRange) {
         EXPECT_THROW(Accel::build({}, settings), std::invalid_argument);
 }
 
-TEST(Build, StopsWhenAsked) {
+TEST(Build, StopsOnRequest) {
     const TestGeometry scene = soup(300000, 0.02, 13);
     for (const BvhBuilder builder : kBuilders) {
         std::stop_source before;

@@ -1,4 +1,4 @@
-// A million of everything that gives a builder nothing to hold on to: it ends, and the answers are right.
+// A million degenerate primitives: builds end, and hits are correct.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr int kMany = 1'000'000;
 constexpr int kMany = 100'000;
 #endif
 
-/// Every primitive's box lies within the next one's, and all have the same centre.
+/// Nested boxes with a common center.
 TestGeometry nested(int count) {
     TestGeometry geometry;
     for (int i = 1; i <= count; ++i) {
@@ -26,7 +26,7 @@ TestGeometry nested(int count) {
     return geometry;
 }
 
-/// The same triangle again and again.
+/// Copies of one triangle.
 TestGeometry copies(int count) {
     TestGeometry geometry;
     geometry.vertices = {{-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}};
@@ -34,7 +34,7 @@ TestGeometry copies(int count) {
     return geometry;
 }
 
-/// Triangles without area in one point, and a real one behind it.
+/// Triangles without area in one point, and a regular one behind it.
 TestGeometry onePoint(int count) {
     TestGeometry geometry;
     geometry.vertices = {{0.25f, 0.25f, 0.25f}};
@@ -106,9 +106,9 @@ TEST_P(Degenerate, TrianglesInOnePoint) {
     EXPECT_EQ(hit.primitive, static_cast<std::uint32_t>(count()));
 }
 
-/// Half of a floor that reaches behind the origin of the ray, which meets its rim: depths times edge
+/// Half of a floor that extends behind the origin of the ray, which hits its edge: depths times edge
 /// functions overflow in float long before edge functions do.
-TEST(Huge, TrianglesThatReachBehindTheOriginAreHit) {
+TEST(Huge, TrianglesBehindTheOriginAreHit) {
     for (int exponent = -60; exponent <= 60; ++exponent) {
         const float s = std::ldexp(1.0f, exponent);
         TestGeometry floor;

@@ -1,4 +1,4 @@
-// A second opinion: Embree in its robust mode finds the same hits on closed meshes and at the same distance.
+// Embree in its robust mode finds the same hits on closed meshes at the same distance.
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 

@@ -40,7 +40,7 @@ struct ExactTriangle {
     }
 };
 
-TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
+TEST(ExactOracle, TriangleIsClassifiedExactlyAndTIsWithinItsBound) {
     Random random(1);
     int inside = 0, outside = 0;
     double worst = 0.0;
@@ -75,7 +75,7 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndItsTIsRight) {
     EXPECT_GE(worst, 0.01) << "a bound that nothing comes near says little";
 }
 
-/// Whether the exact line meets the closed box for some t in [tMin, tMax].
+/// Whether the exact line intersects the closed box for some t in [tMin, tMax].
 bool exactlyMeets(const bvh::BinaryNode& box, const Ray& ray) {
     mpq_class enter = ray.tMin, leave = ray.tMax;
     for (int axis = 0; axis < 3; ++axis) {
@@ -130,7 +130,7 @@ Ray rayAtBox(Random& random, const bvh::BinaryNode& box, double size) {
     return ray;
 }
 
-TEST(ExactOracle, BoxThatIsMetIsNeverMissed) {
+TEST(ExactOracle, BoxTestIsConservative) {
     Random random(2);
     int met = 0, falselyMet = 0, notMet = 0;
     for (int i = 0; i < 200000; ++i) {

@@ -18,7 +18,7 @@ Quad squareRoot(Quad x) {
     return root;
 }
 
-/// 113 bits: with floats as input, the discriminant cancels by far less than it has to spare.
+/// 113 bits are enough: with floats as input, the cancellation of the discriminant is far smaller.
 struct QuadSphere {
     Quad discriminant, near, far;
 
@@ -105,7 +105,7 @@ TEST(IntersectSphere, TangentsAndTheCenter) {
     EXPECT_EQ(far, 2.0);
 }
 
-TEST(IntersectSphere, WithoutAPositiveRadiusThereIsNoHit) {
+TEST(IntersectSphere, NonPositiveRadiusIsMissed) {
     double near, far;
     for (const float radius : {0.0f, -0.0f, -1.0f, std::numeric_limits<float>::quiet_NaN(),
                                std::numeric_limits<float>::infinity()})

@@ -40,7 +40,7 @@ bool sameBits(const bvh::TriangleHit& x, const bvh::TriangleHit& y) {
     return std::memcmp(&x, &y, sizeof x) == 0;
 }
 
-TEST(IntersectTriangle, EarlyRejectionChangesNothing) {
+TEST(IntersectTriangle, EarlyMissEqualsTheExactTest) {
     Random random(1);
     int rejected = 0, hits = 0;
     for (int i = 0; i < 300000; ++i) {
@@ -85,7 +85,7 @@ TEST(IntersectTriangle, WeightsDescribeTheHitPoint) {
     }
 }
 
-/// The order of the vertices permutes the weights and may change t by double rounding, nothing else.
+/// Only the weights are permuted, and t may change by double rounding.
 TEST(IntersectTriangle, OrderOfVerticesDoesNotMatter) {
     Random random(3);
     for (int i = 0; i < 50000; ++i) {
@@ -104,7 +104,7 @@ TEST(IntersectTriangle, OrderOfVerticesDoesNotMatter) {
     }
 }
 
-TEST(IntersectTriangle, WithoutAreaOrFiniteCornersThereIsNoHit) {
+TEST(IntersectTriangle, DegenerateAndNonFiniteTrianglesAreMissed) {
     Random random(4);
     for (int i = 0; i < 20000; ++i) {
         Case test = someCase(random);
@@ -123,7 +123,7 @@ TEST(IntersectTriangle, WithoutAreaOrFiniteCornersThereIsNoHit) {
     }
 }
 
-TEST(IntersectTriangle, SeenEdgeOnThereIsNoHit) {
+TEST(IntersectTriangle, EdgeOnTrianglesAreMissed) {
     bvh::TriangleHit hit;
     for (const glm::vec3& direction : {glm::vec3(1, 0, 0), {0, -1, 0}, {1, 1, 0}, {-3, 2, -0.0f}})
         for (const glm::vec3& origin : {glm::vec3(0), {-5, -3, 0}, {0.25f, 0.25f, 0}})

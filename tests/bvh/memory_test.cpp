@@ -1,4 +1,4 @@
-// What a tree takes in memory, and what building it takes on the way: every operator new is counted.
+// The memory of a tree and the peak of its build, from all calls of operator new.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -18,7 +18,7 @@ namespace {
 
 std::atomic<std::size_t> live{0}, peak{0};
 
-/// Blocks whose size the allocator cannot tell: it counts the room that it took to align them, too.
+/// For blocks whose size the allocator reports with the padding for alignment.
 class AlignedBlocks {
   public:
     void add(const void* memory, std::size_t size) {
@@ -106,8 +106,8 @@ Memory memoryOf(const TestGeometry& mesh, const BuildSettings& settings) {
     return memory;
 }
 
-/// Of a scan.
-TEST(Memory, OfATreeAndOfItsBuildStaysInItsBounds) {
+/// Of a scanned mesh.
+TEST(Memory, TreeAndBuildAreWithinBounds) {
     const TestGeometry mesh = icosphere(6, 0.3, 5);
     for (const auto& [name, builder] :
          {std::pair{"median", BvhBuilder::Median}, std::pair{"sah", BvhBuilder::Sah},
@@ -121,8 +121,8 @@ TEST(Memory, OfATreeAndOfItsBuildStaysInItsBounds) {
     }
 }
 
-/// Where triangles overlap, the surface area heuristic would rather part them than fill leaves.
-TEST(Memory, OfTreesOverLongTrianglesStaysInItsBoundsToo) {
+/// The SAH splits overlapping triangles rather than filling leaves.
+TEST(Memory, TreesOfLongTrianglesAreWithinBounds) {
     for (const TestGeometry& mesh : {needleSphere(150, 150), soup(40000, 0.8, 3)}) {
         SCOPED_TRACE(mesh.name);
         const Memory memory = memoryOf(mesh, {});

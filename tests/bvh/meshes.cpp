@@ -89,7 +89,8 @@ TestGeometry equalCentroids() {
     return named("equal centroids", geometry);
 }
 
-/// Every next triangle is a thousandth in size and distance, so that a greedy builder makes a list.
+/// Each triangle has a thousandth of the size and distance of the one before, which makes greedy trees
+/// degenerate.
 TestGeometry geometricSeries() {
     TestGeometry geometry;
     for (int i = -12; i <= 12; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// TestGeometry and rays for the tests of the BVH room. Everything is a function of its seed.
+// Geometry and rays for the tests of module bvh, determined by seeds.
 #include <rayscope/accel.h>
 #include <functional>
 #include <string>
@@ -30,7 +30,7 @@ class Random {
     std::uint64_t state_;
 };
 
-/// Owns what AccelInput points to.
+/// Owns the data of an AccelInput.
 struct TestGeometry {
     std::string name;
     std::vector<glm::vec3> vertices;
@@ -51,7 +51,7 @@ TestGeometry gridBox(int cells);  ///< vertices on a dyadic grid, so that rays m
 /// Small triangles scattered in the unit cube.
 TestGeometry soup(int triangles, double size, std::uint64_t seed);
 
-/// Scenes on which builders and traversals break: degenerate, coincident, extreme, with spheres.
+/// Difficult scenes for builders and traversals: degenerate, coincident, extreme, with spheres.
 std::vector<TestGeometry> edgeCaseScenes();
 
 /// Rays around a scene of about `radius` at `center`: random, axis-parallel with ±0, aimed at vertices and

@@ -1,4 +1,4 @@
-// The ends of rays, and what is no ray, for every query.
+// Ray intervals and invalid rays, for every query.
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"
@@ -7,7 +7,7 @@
 namespace rayscope::test {
 namespace {
 
-TEST(RayInterval, RaysThatAreNotRaysMiss) {
+TEST(RayInterval, InvalidRaysMiss) {
     const TestGeometry scene = soup(100, 2.0, 2);
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(),
                     kInf = std::numeric_limits<float>::infinity();

@@ -1,4 +1,4 @@
-// Refitted trees give the answers of new ones, whatever moved and however.
+// Refitted trees give the same hits as new ones.
 #include <gtest/gtest.h>
 #include <rayscope/diagnostics.h>
 
@@ -29,7 +29,7 @@ std::vector<BuildSettings> variants() {
     return all;
 }
 
-/// Turned, sheared and shaken; what was not finite stays so.
+/// Rotated, sheared and displaced at random; non-finite coordinates stay so.
 TestGeometry moved(const TestGeometry& scene, std::uint64_t seed) {
     TestGeometry result = scene;
     Random random(seed);
@@ -55,7 +55,7 @@ void expectSameAnswers(const Accel& accel, const TestGeometry& scene, std::uint6
     }
 }
 
-TEST(Refit, AnswersLikeBruteForce) {
+TEST(Refit, EqualsBruteForce) {
     for (const TestGeometry& scene : edgeCaseScenes())
         for (const BuildSettings& settings : variants()) {
             const TestGeometry first = moved(scene, 1), second = moved(first, 2);
@@ -67,8 +67,8 @@ TEST(Refit, AnswersLikeBruteForce) {
         }
 }
 
-/// Builders do not depend on the scale, so a refit must give every byte of what they give.
-TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
+/// Builders do not depend on the scale, so refit and build must be equal byte by byte.
+TEST(Refit, TwiceTheSizeEqualsABuild) {
     TestGeometry scene = soup(20000, 0.05, 3);
     for (int i = 0; i < 50; ++i)
         scene.spheres.push_back({Random(static_cast<std::uint64_t>(i)).inCube(), 0.1f});
@@ -96,7 +96,7 @@ TEST(Refit, TwiceTheSizeIsWhatABuilderMakesOfIt) {
     EXPECT_EQ(fresh.summary().costGrowth, 1.0);
 }
 
-TEST(Refit, SaysHowMuchWorseTheTreeBecame) {
+TEST(Refit, ReportsTheGrowthOfTheCost) {
     const TestGeometry scene = soup(5000, 0.05, 3);
     for (const BuildSettings& settings : variants()) {
         if (settings.maxLevel < 64) continue;
@@ -118,7 +118,7 @@ TEST(Refit, SaysHowMuchWorseTheTreeBecame) {
     }
 }
 
-TEST(Refit, BuildsAnewWhenOtherTrianglesAreNotFinite) {
+TEST(Refit, RebuildsIfOtherTrianglesAreNotFinite) {
     const TestGeometry scene = soup(500, 0.3, 8);
     TestGeometry broken = scene, otherwise = scene;
     broken.vertices[scene.triangles[100].x].x = kNaN;
@@ -138,14 +138,14 @@ TEST(Refit, BuildsAnewWhenOtherTrianglesAreNotFinite) {
     }
 }
 
-TEST(Refit, OfVerticesThatMovedWhereTheyStand) {
+TEST(Refit, MovedInPlace) {
     TestGeometry scene = soup(1000, 0.2, 12);
     const Accel before = Accel::build(scene.input());
     for (glm::vec3& vertex : scene.vertices) vertex = {vertex.z, vertex.x, -vertex.y};
     expectSameAnswers(before.refit(scene.input()), scene, 2);
 }
 
-TEST(Refit, OfNothingAndOfOne) {
+TEST(Refit, EmptyAndSinglePrimitive) {
     EXPECT_FALSE(Accel().refit({}).anyHit({{0, 0, 0}, {0, 0, 1}}));
     EXPECT_FALSE(Accel::build({}).refit({}).anyHit({{0, 0, 0}, {0, 0, 1}}));
     TestGeometry one;
@@ -161,7 +161,7 @@ TEST(Refit, OfNothingAndOfOne) {
     EXPECT_EQ(hit.t, 7.0f);
 }
 
-TEST(Refit, RefusesWhatDoesNotFit) {
+TEST(Refit, RefusesOtherCounts) {
     const TestGeometry scene = soup(50, 0.2, 1), other = soup(51, 0.2, 1);
     const Accel accel = Accel::build(scene.input());
     EXPECT_THROW((void)accel.refit(other.input()), std::invalid_argument);

@@ -1,4 +1,4 @@
-// Moving subtrees: what is promised is saved, and nothing better is overlooked.
+// Reinsertion: gains are as computed, and no better target exists.
 #include "bvh/build/reinsertion.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ double checkedArea(const bvh::LinkedTree& tree, int mostLevels = bvh::kMaxTreeLe
     return area;
 }
 
-TEST(Reinsertion, FindsTheBestOfAllPlaces) {
+TEST(Reinsertion, FindsTheBestTarget) {
     int found = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const TestGeometry scene = soup(40, 0.7, seed);
@@ -69,7 +69,7 @@ TEST(Reinsertion, FindsTheBestOfAllPlaces) {
     EXPECT_GT(found, 100);
 }
 
-TEST(Reinsertion, SavesWhatItSays) {
+TEST(Reinsertion, GainsAreAsComputed) {
     bvh::LinkedTree tree(treeOf(soup(500, 0.4, 7), BvhBuilder::Median), 1.0f, {});
     Random random(3);
     double area = checkedArea(tree);
@@ -90,7 +90,7 @@ TEST(Reinsertion, SavesWhatItSays) {
     EXPECT_GT(refused, 100);
 }
 
-TEST(Reinsertion, KeepsTheDeepestLevel) {
+TEST(Reinsertion, RespectsTheDeepestLevel) {
     const bvh::BinaryTree source = treeOf(soup(300, 0.4, 9), BvhBuilder::Median);
     const int limit = source.levels - 1;
     bvh::LinkedTree bounded(source, 1.0f, {}), free(source, 1.0f, {});

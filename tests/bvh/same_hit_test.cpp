@@ -1,5 +1,4 @@
-// A hit is a function of ray and geometry: every builder, every query and the watched traversalCase agree
-// with brute force.
+// A hit depends on ray and geometry only: every builder, query and observed traversal equals brute force.
 #include <gtest/gtest.h>
 
 #include "bvh/meshes.h"

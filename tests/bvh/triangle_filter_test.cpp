@@ -1,5 +1,4 @@
-// What the float test of eight triangles says holds: it leaves out no hit of the exact test, and where it is
-// certain of a hit, the exact test finds it.
+// The float test of eight triangles excludes no hit of the exact test, and its certain hits are hits.
 #include <gtest/gtest.h>
 
 #include "bvh/intersect/ray_data.h"
@@ -24,8 +23,8 @@ float awkwardFactor(Random& random) {
     return kFactors[random.integer(8)];
 }
 
-/// Eight triangles of some size at some distance, and a ray to a place on or beside an edge of one of them,
-/// or inside; its ends are far away or at that place, up to a few roundings.
+/// Eight random triangles and a ray towards a point inside, on or near an edge of one of them; its interval
+/// ends far away or within a few roundings of that point.
 Case awkwardCase(Random& random) {
     Case made{};
     const int world = random.integer(4) == 0 ? random.integer(100) - 50 : 0;
@@ -43,7 +42,7 @@ Case awkwardCase(Random& random) {
     const auto& chosen = corners[random.integer(8)];
     const float v = static_cast<float>(random.real(0.0, 1.0)), w = awkwardFactor(random);
     const glm::vec3 aim = chosen[0] + v * (chosen[1] - chosen[0]) + w * (chosen[2] - chosen[0]);
-    // Where t is about to be too large for a float, too.
+    // Also where t is close to the largest float.
     const int scale = random.integer(4) == 0 ? random.integer(20) - 137 : random.integer(30) - 15;
     const float end = std::ldexp(1.0f + awkwardFactor(random), -scale);
     made.ray = {origin, {}, 0.0f, std::numeric_limits<float>::infinity()};
@@ -56,7 +55,7 @@ Case awkwardCase(Random& random) {
     return made;
 }
 
-TEST(FilterResult, LeavesOutNoHitAndIsSureOfHitsOnly) {
+TEST(FilterResult, ExcludesNoHitAndIsCertainOfHitsOnly) {
     Random random(5);
     int hits = 0, sureOnes = 0, doubtful = 0, tooFar = 0;
     for (int i = 0; i < 200'000; ++i) {

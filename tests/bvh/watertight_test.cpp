@@ -14,13 +14,13 @@ namespace {
 enum class Aim { Edge, Vertex, VertexFromCenter, VertexUnit, AxisParallel };
 constexpr Aim kAims[] = {Aim::Edge, Aim::Vertex, Aim::VertexFromCenter, Aim::VertexUnit, Aim::AxisParallel};
 
-/// Where the mesh stands: it has been scaled and then moved.
+/// The transform of the mesh: scale, then offset.
 struct Place {
     double scale = 1.0;
     glm::dvec3 offset{0.0};
 };
 
-/// A ray from well inside the mesh at an edge or a vertex; from a dyadic origin some meet it exactly.
+/// A ray from well inside the mesh towards an edge or a vertex; from a dyadic origin some hit it exactly.
 Ray aimedRay(const TestGeometry& mesh, const Place& place, Aim aim, Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const int k = random.integer(3);
@@ -71,7 +71,7 @@ std::vector<Place> places() {
     return result;
 }
 
-/// Asks single and batched queries of every kernel.
+/// With single and batched queries of every kernel.
 void expectNoLeak(const TestGeometry& mesh, const std::vector<Ray>& rays) {
     for (const Isa isa : {Isa::Scalar, Isa::Sse2, Isa::Avx2, Isa::Avx512}) {
         if (!bvh::isAvailable(isa)) continue;
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, WatertightMesh, testing::Range(0, 3), [](const 
     return std::string(mesh.param == 0 ? "Icosphere" : mesh.param == 1 ? "Needles" : "GridBox");
 });
 
-TEST(Watertight, MovedVerticesStillCloseTheMesh) {
+TEST(Watertight, RefittedMeshesAreWatertight) {
     for (const Place& place : places()) {
         Random random(21);
         const TestGeometry bumpy = icosphere(4, 0.1, 3).transformed(place.scale, place.offset);
@@ -147,7 +147,7 @@ TEST(Watertight, MovedVerticesStillCloseTheMesh) {
     }
 }
 
-/// Every vertex lies on a grid of which the rays hit the lines exactly: nearly all are ties.
+/// Vertices on a grid whose lines the rays hit exactly: nearly all are ties.
 TEST(Watertight, RaysAlongTheGridOfAFlatFloorCrossItOnce) {
     TestGeometry floor;
     for (int x = -8; x < 8; ++x)

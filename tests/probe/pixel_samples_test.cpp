@@ -9,7 +9,7 @@
 namespace rayscope {
 namespace {
 
-TEST(PixelSamples, AreThoseOfTheProbe) {
+TEST(PixelSamples, EqualTheProbe) {
     Diagnostics notes;
     const auto world = test::compileScene(loadScene("builtin:cornell-area", notes), {}, 16, 16);
     const probe::PixelSamples samples = probe::replayPixel(*world, 5, 8, 9, 16);
@@ -30,7 +30,7 @@ TEST(PixelSamples, AreThoseOfTheProbe) {
     }
 }
 
-TEST(SampleStatistics, OfKnownNumbers) {
+TEST(SampleStatistics, KnownNumbers) {
     const probe::SampleStatistics s = probe::statisticsOf({RgbSum(1.0), RgbSum(2.0), RgbSum(6.0)});
     EXPECT_NEAR(s.mean, 3.0, 1e-12);
     EXPECT_NEAR(s.deviation, std::sqrt(7.0), 1e-12);
@@ -39,7 +39,7 @@ TEST(SampleStatistics, OfKnownNumbers) {
     EXPECT_NEAR(s.runningMean[1], 1.5, 1e-12);
 }
 
-TEST(SampleStatistics, FindsTheSampleThatStandsOut) {
+TEST(SampleStatistics, FindsTheOutlier) {
     std::vector<RgbSum> values;
     for (int i = 0; i < 20; ++i) values.emplace_back(1.0 + 0.01 * (i % 5));
     EXPECT_TRUE(probe::statisticsOf(values).outliers.empty());
@@ -47,7 +47,7 @@ TEST(SampleStatistics, FindsTheSampleThatStandsOut) {
     EXPECT_EQ(probe::statisticsOf(values).outliers, std::vector<std::size_t>{7});
 }
 
-TEST(SampleStatistics, OfNothingOfOneAndOfEqualOnes) {
+TEST(SampleStatistics, EmptySingleAndEqualSamples) {
     EXPECT_EQ(probe::statisticsOf({}).errorOfMean(), 0.0);
     EXPECT_EQ(probe::statisticsOf({RgbSum(4.0)}).deviation, 0.0);
     const probe::SampleStatistics equal = probe::statisticsOf(std::vector<RgbSum>(64, RgbSum(0.1)));

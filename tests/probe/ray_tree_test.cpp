@@ -59,7 +59,7 @@ TEST(RayTree, PrintsAsTextAndJson) {
     EXPECT_EQ(j["nodes"][0]["hit"]["object"], "mesh 0 'quad'");
 }
 
-TEST(RayTree, RadianceAlongARayIsWhatItAndItsChildrenBring) {
+TEST(RayTree, RadianceAlongASegmentIncludesItsChildren) {
     const auto world = paneAndMirror();
     const RayTree tree = probeSample(*world, 0, {5, 5, 0});
     const std::vector<RgbSum> along = radianceAlong(tree);
@@ -71,7 +71,7 @@ TEST(RayTree, RadianceAlongARayIsWhatItAndItsChildrenBring) {
     EXPECT_EQ(tree.nodes[0].opacity, 0.5);
 }
 
-TEST(RayTree, ExportsLinesOfAnObj) {
+TEST(RayTree, ExportsObjLines) {
     const auto world = paneAndMirror();
     const RayTree tree = probeSample(*world, 0, {5, 5, 0});
     std::istringstream obj(toObj(tree, 10.0f));
@@ -91,7 +91,7 @@ TEST(RayTree, ExportsLinesOfAnObj) {
     EXPECT_GE(groups, 3u);
 }
 
-TEST(RayTree, AMissedRayIsOneNode) {
+TEST(RayTree, MissIsOneNode) {
     SceneDescription scene;
     const auto world = test::compileScene(scene, {}, 4, 4);
     const RayTree tree = probeSample(*world, 0, {1, 1, 0});

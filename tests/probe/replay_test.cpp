@@ -1,4 +1,4 @@
-// The silent tracer and the recording one are the same function: bit for bit, in every scene that ships.
+// The tracer gives the same bits with and without a recorder, in every shipped scene.
 #include <gtest/gtest.h>
 
 #include <rayscope/probe.h>
@@ -37,7 +37,7 @@ Opened open(const std::string& name, int size) {
 
 class Replay : public testing::TestWithParam<std::string> {};
 
-TEST_P(Replay, SilentAndRecordingTracersAgreeBitForBit) {
+TEST_P(Replay, RecordedSamplesEqualUnrecordedOnes) {
     Opened opened = open(GetParam(), 24);
     if (!opened.present) GTEST_SKIP() << "mesh not fetched";
     const RenderRequest& r = opened.request;

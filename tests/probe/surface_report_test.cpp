@@ -16,7 +16,7 @@ std::shared_ptr<const trace::World> builtin(const std::string& name, const Setti
     return test::compileScene(std::move(scene), settings, size, size);
 }
 
-TEST(TexelQuad, MixesToTheColorThatTheTracerUsed) {
+TEST(TexelQuad, ResultIsTheColorOfTheTracer) {
     for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Bilinear}) {
         Settings settings;
         settings.textureFilter = filter;
@@ -61,7 +61,7 @@ TEST(VertexNormals, InterpolateToTheShadingNormal) {
     EXPECT_FALSE(probe::vertexNormalsOf(*builtin("spheres", {}), RayNode{}, 0.0f));
 }
 
-TEST(EnvironmentPoint, IsTheColorThatAMissBrings) {
+TEST(EnvironmentPoint, IsTheColorOfAMiss) {
     const auto world = builtin("environment", {});
     int found = 0;
     for (int y = 0; y < 24; y += 2)
@@ -78,7 +78,7 @@ TEST(EnvironmentPoint, IsTheColorThatAMissBrings) {
     EXPECT_GT(found, 30);
 }
 
-TEST(EnvironmentPoint, WithTheReflectionMapIsWhatASurfaceShows) {
+TEST(EnvironmentPoint, WithReflectionMapIsTheReflectedColor) {
     Settings settings;
     settings.reflectionMap = true;
     const auto world = builtin("environment", settings);
@@ -96,7 +96,7 @@ TEST(EnvironmentPoint, WithTheReflectionMapIsWhatASurfaceShows) {
     EXPECT_GT(found, 50);
 }
 
-TEST(GlossySquare, HoldsTheRaysWithinTheirDeviation) {
+TEST(GlossySquare, ContainsRaysWithinTheirDeviation) {
     Settings settings;
     settings.glossy = true;
     settings.glossySamples = 400;
@@ -110,7 +110,7 @@ TEST(GlossySquare, HoldsTheRaysWithinTheirDeviation) {
                 ASSERT_TRUE(square);
                 if (square->rays < 400) continue;  // deeper reflections take one ray each
                 ++found;
-                // A ray meets the plane of the square where it was displaced to.
+                // A ray intersects the plane of the square at its displacement.
                 const glm::dvec3 normal = glm::normalize(glm::dvec3(square->center - square->origin));
                 double squares = 0.0, count = 0.0;
                 for (const RayNode& child : tree.nodes) {
@@ -128,7 +128,7 @@ TEST(GlossySquare, HoldsTheRaysWithinTheirDeviation) {
     EXPECT_GT(found, 5);
 }
 
-TEST(LensReport, RaysStartWithinTheOutlineAndMeetAtTheFocus) {
+TEST(LensReport, RaysStartInTheOutlineAndConvergeAtTheFocus) {
     for (const LensShape shape : {LensShape::Disk, LensShape::Square, LensShape::Hexagon}) {
         Settings settings;
         settings.lensShape = shape;

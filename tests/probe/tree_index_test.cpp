@@ -11,7 +11,7 @@
 namespace rayscope {
 namespace {
 
-/// A cube of side 2, halved; the right half is cut into two boxes that overlap.
+/// A cube of side 2, halved; the right half has two overlapping children.
 bvh::BinaryTree handMadeTree() {
     bvh::BinaryTree tree;
     tree.nodes = {{{0, 0, 0}, 1, {2, 2, 2}, 0},
@@ -40,7 +40,7 @@ AccelInput gridOf(int n, std::vector<glm::vec3>& vertices, std::vector<glm::uvec
     return input;
 }
 
-TEST(TreeIndex, OfATreeComputedByHand) {
+TEST(TreeIndex, TreeComputedByHand) {
     const bvh::BinaryTree tree = handMadeTree();
     const probe::TreeIndex index = probe::indexTree(tree);
     EXPECT_EQ(index.parent, (std::vector<std::uint32_t>{bvh::kNoNode, 0, 0, 2, 2}));
@@ -68,15 +68,15 @@ TEST(TreeIndex, LevelsAndLeaves) {
     EXPECT_TRUE(probe::primitivesOfLeaf(tree, 2).empty());
 }
 
-TEST(TreeIndex, OverlapIsTheAreaThatBothChildrenHave) {
+TEST(TreeIndex, OverlapIsTheSharedAreaOfTheChildren) {
     const bvh::BinaryTree tree = handMadeTree();
     EXPECT_DOUBLE_EQ(probe::childOverlap(tree, 2), (1.0 * 1.0 + 1.0 * 2.0 + 1.0 * 2.0) / 8.0);
-    // Halves of a box share a face: a line through that face meets both.
+    // Halves of a box share a face: a line through that face intersects both.
     EXPECT_DOUBLE_EQ(probe::childOverlap(tree, 0), 4.0 / 12.0);
     EXPECT_EQ(probe::childOverlap(tree, 1), 0.0);
 }
 
-TEST(TreeIndex, OfNothing) {
+TEST(TreeIndex, EmptyTree) {
     const probe::TreeIndex index = probe::indexTree({});
     EXPECT_TRUE(index.leaves.empty());
     EXPECT_TRUE(probe::nodesAtLevel({}, index, 0, true).empty());
@@ -105,11 +105,11 @@ TEST(TreeIndex, AgreesWithTheStatisticsOfBuiltTrees) {
     }
 }
 
-TEST(TreeIndex, TheHeuristicSavesArea) {
+TEST(TreeIndex, SahReducesArea) {
     std::vector<glm::vec3> vertices;
     std::vector<glm::uvec3> triangles;
     AccelInput input = gridOf(20, vertices, triangles);
-    // Something far away, which halving the number of primitives cannot separate.
+    // A distant object, which the median split does not separate.
     for (const float x : {200.0f, 300.0f, 500.0f}) {
         const auto first = static_cast<std::uint32_t>(vertices.size());
         vertices.insert(vertices.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});

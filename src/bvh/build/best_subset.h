@@ -8,8 +8,8 @@
 
 namespace rayscope::bvh {
 
-/// Up to this many primitives are parted in every possible way. That finds what bins overlook, and takes less
-/// time than filling them.
+/// Up to this many primitives are split by exhaustive search, which finds better splits than bins in less
+/// time.
 constexpr std::size_t kMaxExhaustiveSplit = 4;
 
 struct Subset {
@@ -17,8 +17,8 @@ struct Subset {
     unsigned left = 0;  ///< bit i: primitive i belongs to the left side
 };
 
-/// The cheapest way to part 2 … kMaxExhaustiveSplit primitives by the surface area heuristic; areas are
-/// scaled before they are compared.
+/// The cheapest split of 2 … kMaxExhaustiveSplit primitives by the surface area heuristic; areas are scaled
+/// before they are compared.
 inline Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
     Bounds4 box[1 << kMaxExhaustiveSplit];
     float cost[1 << kMaxExhaustiveSplit];
@@ -31,7 +31,7 @@ inline Subset bestSubset(std::span<const PrimitiveRef> refs, float scale) {
     Subset best;
     for (unsigned left = 1; left < all; left += 2) {
         const float sum = cost[left] + cost[all ^ left];
-        // Halves keep the tree shallow where all ways cost the same.
+        // Among equal costs halves keep the tree shallow.
         const bool isHalf = 2 * static_cast<std::size_t>(std::popcount(left)) == refs.size();
         if (sum < best.cost || (sum == best.cost && isHalf)) best = {sum, left};
     }

@@ -17,8 +17,7 @@ namespace {
 
 void checkRange(const char* name, int value, int lowest, int highest) {
     if (value < lowest || value > highest)
-        throw std::invalid_argument(
-            fmt::format("{} is {}, but must lie in {} … {}", name, value, lowest, highest));
+        throw std::invalid_argument(fmt::format("{} is {}; expected {} … {}", name, value, lowest, highest));
 }
 
 void checkSettings(const BuildSettings& settings) {
@@ -34,13 +33,12 @@ float areaScale(const Bounds4& box) {
     return std::exp2(-static_cast<float>(std::ilogb(longest)) - 1.0f);
 }
 
-/// In the wide layout few triangles come to stand in one block however they are parted. Unless someone wants
-/// to look at the binary tree, they need not be: that takes a tenth of the time, and rays test 1 % more
-/// triangles.
+/// The number of triangles that are not split. In the wide layout so few triangles usually share one block
+/// anyway. Unless the binary tree is kept, not splitting them saves a tenth of the build time, and rays test
+/// 1 % more triangles.
 std::size_t maxUnsplitTriangles(const AccelInput& input, const BuildSettings& settings) {
-    const bool isLookedAt = settings.keepBinaryTree || settings.layout == BvhLayout::Binary;
-    return isLookedAt || !input.spheres.empty() ? 1
-                                                : static_cast<std::size_t>(std::min(settings.leafSize, 4));
+    const bool isKept = settings.keepBinaryTree || settings.layout == BvhLayout::Binary;
+    return isKept || !input.spheres.empty() ? 1 : static_cast<std::size_t>(std::min(settings.leafSize, 4));
 }
 
 }  // namespace
@@ -65,9 +63,9 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     checkSettings(settings);
     PrimitiveRefs collected = collectPrimitiveRefs(input, settings.stop);
     const std::span<PrimitiveRef> refs = collected.refs;
-    const bool isHigh = settings.builder == BvhBuilder::SahReinsertion;
+    const bool reinserts = settings.builder == BvhBuilder::SahReinsertion;
     BuildSettings skeletonSettings = settings;
-    if (isHigh) skeletonSettings.leafSize = 1;  // what stands alone can be moved alone
+    if (reinserts) skeletonSettings.leafSize = 1;  // so that every primitive can be moved
     TreeSkeleton skeleton(refs.size(), skeletonSettings);
     float scale = 1.0f;
     if (!refs.empty()) {
@@ -89,7 +87,7 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     }
     collected.refs = base::BigVector<PrimitiveRef>();
     BinaryTree tree = skeleton.compact();
-    if (isHigh && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
+    if (reinserts && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
     tree.droppedPrimitives = collected.dropped;
     return tree;
 }

@@ -52,7 +52,7 @@ struct Bin {
     }
 };
 
-/// A few on the stack, many on the heap.
+/// Up to kFew elements on the stack, more on the heap.
 template <class T, std::size_t kFew>
 class Buffer {
   public:
@@ -71,8 +71,7 @@ class Buffer {
 };
 constexpr std::size_t kFewBins = 32;
 
-/// What falls into the bins of the three axes, axis by axis. Boxes and counts can be added in any order with
-/// the same result.
+/// The bins of the three axes, axis by axis. The order of additions does not affect boxes and counts.
 using Bins = std::span<Bin>;
 
 void addToBins(Bins bins, std::span<const PrimitiveRef> refs, const BinMapping& mapping) {
@@ -89,7 +88,7 @@ void addToBins(Bins bins, std::span<const PrimitiveRef> refs, const BinMapping& 
     }
 }
 
-/// The same by several threads.
+/// The same in parallel.
 void addToBinsInParallel(Bins bins, std::span<const PrimitiveRef> refs, const BinMapping& mapping,
                          const std::stop_token& stop) {
     using Block = tbb::blocked_range<std::size_t>;
@@ -110,11 +109,11 @@ void addToBinsInParallel(Bins bins, std::span<const PrimitiveRef> refs, const Bi
 
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
-    int axis = -1;  ///< −1: no border of bins separates the centroids
+    int axis = -1;  ///< −1: all centroids are in one bin
     std::size_t firstRightBin = 0;
 };
 
-/// Moves the border from bin to bin, with the areas to its right computed before.
+/// Sweep over the borders between bins.
 Split bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float scale) {
     Buffer<float, kFewBins> buffer(bins.size());
     float* const rightArea = buffer.data();
@@ -141,18 +140,18 @@ struct BinnedBuilder {
     TreeSkeleton& skeleton;
     std::span<PrimitiveRef> refs;
     float scale;
-    std::size_t together;
+    std::size_t maxUnsplit;
 
     void build(const Subtree& tree, const RangeBounds& bounds) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         throwIfStopped(skeleton.settings().stop);
-        if (tree.size() <= together || skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
+        if (tree.size() <= maxUnsplit || skeleton.mustBeLeaf(tree)) return makeLeaf(tree, bounds.box);
 
         RangeBounds sides[2];
-        const std::size_t lefts = tree.size() <= kMaxExhaustiveSplit ? splitFew(tree, bounds, sides)
-                                                                     : splitMany(tree, bounds, sides);
-        if (lefts == 0) return makeLeaf(tree, bounds.box);
-        const auto children = skeleton.split(tree, bounds.box, tree.begin + lefts);
+        const std::size_t leftCount = tree.size() <= kMaxExhaustiveSplit ? splitFew(tree, bounds, sides)
+                                                                         : splitMany(tree, bounds, sides);
+        if (leftCount == 0) return makeLeaf(tree, bounds.box);
+        const auto children = skeleton.split(tree, bounds.box, tree.begin + leftCount);
         if (tree.size() < kTaskSize) {
             build(children.first, sides[0]);
             build(children.second, sides[1]);
@@ -162,19 +161,19 @@ struct BinnedBuilder {
         }
     }
 
-    /// Sorts the primitives of the left child to the front; returns their number, or 0 for a leaf.
+    /// Moves the primitives of the left child to the front; returns their number, or 0 for a leaf.
     std::size_t splitFew(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         const Subset subset = TreeSkeleton::mustSplitAtMedian(tree) ? Subset{} : bestSubset(range, scale);
         if (isLeafCheaper(tree, bounds, subset.cost)) return 0;
-        if (subset.left == 0) return halve(range, bounds, sides);
-        std::size_t lefts = 0;
+        if (subset.left == 0) return splitInHalf(range, bounds, sides);
+        std::size_t leftCount = 0;
         for (std::size_t i = 0; i < range.size(); ++i) {
             const bool isLeft = subset.left >> i & 1;
             sides[isLeft ? 0 : 1].extend(range[i]);
-            if (isLeft) std::swap(range[lefts++], range[i]);
+            if (isLeft) std::swap(range[leftCount++], range[i]);
         }
-        return lefts;
+        return leftCount;
     }
 
     /// The same by bins.
@@ -184,11 +183,11 @@ struct BinnedBuilder {
         const Split split =
             TreeSkeleton::mustSplitAtMedian(tree) ? Split{} : bestSplitOf(range, mapping, sides);
         if (isLeafCheaper(tree, bounds, split.cost)) return 0;
-        return split.axis >= 0 ? partition(range, mapping, split, sides) : halve(range, bounds, sides);
+        return split.axis >= 0 ? partition(range, mapping, split, sides) : splitInHalf(range, bounds, sides);
     }
 
-    /// Few primitives do not need many bins: on scanned meshes the SAH cost rises by a quarter of a percent
-    /// at most, on long thin triangles by 1.6 %.
+    /// Fewer bins for few primitives: on scanned meshes the SAH cost rises by at most a quarter of a percent,
+    /// on long thin triangles by 1.6 %.
     int binCountFor(std::size_t size) const {
         return static_cast<int>(
             std::clamp<std::size_t>(4 + size / 8, 2, static_cast<std::size_t>(skeleton.settings().bins)));
@@ -199,7 +198,7 @@ struct BinnedBuilder {
         for (std::size_t i = tree.begin; i < tree.end; ++i) skeleton.slot(i) = refs[i].primitive;
     }
 
-    /// Sets the boxes of both sides as well.
+    /// Also sets the boxes of both sides.
     Split bestSplitOf(std::span<const PrimitiveRef> range, const BinMapping& mapping,
                       RangeBounds (&sides)[2]) const {
         const auto binCount = static_cast<std::size_t>(mapping.last[0]) + 1;
@@ -230,21 +229,21 @@ struct BinnedBuilder {
                    splitCost(bounds.box.halfArea(scale), childrenCost);
     }
 
-    /// Moves the primitives left of the border to the front, and bounds the centroids of both sides on the
-    /// way. Which side comes next cannot be predicted, so there is no branch on it: a centroid that belongs
-    /// to the other side is made NaN, and comparisons pass over it.
+    /// Moves the primitives left of the border to the front, and computes the bounds of the centroids of both
+    /// sides. The side of a primitive is unpredictable, so there is no branch on it: for the other side its
+    /// centroid is NaN, which Bounds4::extend() ignores.
     std::size_t partition(std::span<PrimitiveRef> range, const BinMapping& mapping, const Split& split,
                           RangeBounds (&sides)[2]) const {
         const auto firstRightBin = static_cast<float>(split.firstRightBin);
         Bounds4 left, right;
-        std::size_t lefts = 0;
+        std::size_t leftCount = 0;
         for (std::size_t i = 0; i < range.size(); ++i) {
             if (i % kTaskSize == 0) throwIfStopped(skeleton.settings().stop);
             const PrimitiveRef ref = range[i];
             const bool isLeft = mapping.isBefore(ref, split.axis, firstRightBin);
-            range[i] = range[lefts];
-            range[lefts] = ref;
-            lefts += isLeft;
+            range[i] = range[leftCount];
+            range[leftCount] = ref;
+            leftCount += isLeft;
             const Int4 centroid = reinterpret_cast<Int4>(ref.centroid());
             const std::int32_t onlyLeft = -static_cast<std::int32_t>(isLeft);
             left.extend(reinterpret_cast<Float4>(centroid | ~broadcast(onlyLeft)));
@@ -252,12 +251,12 @@ struct BinnedBuilder {
         }
         sides[0].centroids = left;
         sides[1].centroids = right;
-        return lefts;
+        return leftCount;
     }
 
-    /// Where no border separates the centroids, or the tree is about to become too deep.
-    std::size_t halve(std::span<PrimitiveRef> range, const RangeBounds& bounds,
-                      RangeBounds (&sides)[2]) const {
+    /// If all centroids are in one bin, or the tree would become too deep.
+    std::size_t splitInHalf(std::span<PrimitiveRef> range, const RangeBounds& bounds,
+                            RangeBounds (&sides)[2]) const {
         const Float4 size = bounds.centroids.upper - bounds.centroids.lower;
         const int axis = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : (size[1] >= size[2] ? 1 : 2);
         const std::stop_token& stop = skeleton.settings().stop;
@@ -270,9 +269,9 @@ struct BinnedBuilder {
 
 }  // namespace
 
-void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t together) {
-    BinnedBuilder{skeleton, refs, scale, together}.build(skeleton.whole(),
-                                                         boundsOf(refs, skeleton.settings().stop));
+void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t maxUnsplit) {
+    BinnedBuilder{skeleton, refs, scale, maxUnsplit}.build(skeleton.whole(),
+                                                           boundsOf(refs, skeleton.settings().stop));
 }
 
 }  // namespace rayscope::bvh

@@ -13,7 +13,7 @@
 namespace rayscope::bvh {
 namespace {
 
-/// On the dragons the third round is the last that saves more than kMinRelativeGain; needles take five.
+/// On scanned meshes three rounds gain more than kMinRelativeGain, on long thin triangles five.
 constexpr int kMaxRounds = 8;
 constexpr double kMinRelativeGain = 0.002;  ///< of the cost, for another round
 
@@ -22,7 +22,7 @@ constexpr std::size_t kStopInterval = 1024;
 
 using Reinsertions = tbb::concurrent_vector<Reinsertion>;
 
-/// All nodes that would stand better elsewhere as the tree is now, the most valuable first.
+/// All reinsertions with a gain in the current tree, the highest first.
 Reinsertions findReinsertions(const LinkedTree& tree, const std::stop_token& stop) {
     Reinsertions found;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size(), kGrain), [&](const auto& block) {
@@ -39,7 +39,7 @@ Reinsertions findReinsertions(const LinkedTree& tree, const std::stop_token& sto
     return found;
 }
 
-/// One after another, as far as they still are worth it. Returns the saved area.
+/// Applies those that still have a gain, in order. Returns the saved area.
 double reinsert(LinkedTree& tree, const Reinsertions& moves, const BuildSettings& settings) {
     double gain = 0.0;
     std::size_t done = 0;
@@ -61,7 +61,7 @@ BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings
     }
     const LeafPlan plan(tree, source, settings);
     if (plan.cost() <= costBefore) return plan.make();
-    // Less area of inner nodes may come with fewer leaves of several primitives.
+    // With less area of inner nodes there may be fewer leaves of several primitives, at a higher cost.
     const LinkedTree unchanged(source, scale, settings.stop);
     return LeafPlan(unchanged, source, settings).make();
 }

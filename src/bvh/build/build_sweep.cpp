@@ -11,7 +11,7 @@
 namespace rayscope::bvh {
 namespace {
 
-constexpr std::size_t kParallelAxes = 65536;  ///< … and axes are swept at the same time
+constexpr std::size_t kParallelAxes = 65536;  ///< ranges from here on sweep the axes in parallel
 constexpr std::size_t kStopInterval = 16384;
 
 struct Split {
@@ -66,7 +66,7 @@ class SweepBuilder {
     }
 
   private:
-    /// The axes are independent of one another; for long ranges they are worked on at the same time.
+    /// In parallel for long ranges.
     template <class Work>
     static void forEachAxis(std::size_t size, const Work& work) {
         if (size < kParallelAxes) {
@@ -109,7 +109,7 @@ class SweepBuilder {
         return false;
     }
 
-    /// Areas of all boxes from the right, then costs from the left.
+    /// Areas from the right, then costs from the left.
     Split sweep(int axis, std::size_t begin, std::size_t end, Bounds4& box) {
         const base::BigVector<std::uint32_t>& order = order_[axis];
         base::BigVector<float>& rightArea = areas_[axis];
@@ -134,7 +134,7 @@ class SweepBuilder {
         return best;
     }
 
-    /// Moves what belongs to the left child to the front in all three orders, and keeps each order otherwise.
+    /// Stable partition of all three orders by child.
     void partition(std::size_t begin, std::size_t end, const Split& split) {
         for (std::size_t i = begin; i < end; ++i) onRight_[order_[split.axis][i]] = i >= split.middle;
         forEachAxis(end - begin, [&](int axis) {
@@ -145,19 +145,19 @@ class SweepBuilder {
     void partition(int axis, std::size_t begin, std::size_t end) {
         base::BigVector<std::uint32_t>& order = order_[axis];
         base::BigVector<std::uint32_t>& right = scratch_[axis];
-        std::size_t lefts = begin, rights = begin;
+        std::size_t leftEnd = begin, rightEnd = begin;
         for (std::size_t i = begin; i < end; ++i) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
             const std::uint32_t ref = order[i];
             if (onRight_[ref]) {
-                right[rights++] = ref;
+                right[rightEnd++] = ref;
             } else {
-                order[lefts++] = ref;
+                order[leftEnd++] = ref;
             }
         }
         std::copy(right.begin() + static_cast<std::ptrdiff_t>(begin),
-                  right.begin() + static_cast<std::ptrdiff_t>(rights),
-                  order.begin() + static_cast<std::ptrdiff_t>(lefts));
+                  right.begin() + static_cast<std::ptrdiff_t>(rightEnd),
+                  order.begin() + static_cast<std::ptrdiff_t>(leftEnd));
     }
 
     TreeSkeleton& skeleton_;

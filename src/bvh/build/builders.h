@@ -1,6 +1,5 @@
 #pragma once
-// The builders. Three fill the skeleton for a range of primitives; the fourth improves what another has
-// built.
+// The builders. Three fill the skeleton for a range of primitives; the fourth optimises a finished tree.
 #include <span>
 
 #include "bvh/bounds.h"
@@ -9,7 +8,7 @@
 
 namespace rayscope::bvh {
 
-/// What the surface area heuristic needs of a range of primitives.
+/// The bounds of a range of primitives and of their centroids.
 struct RangeBounds {
     Bounds4 box;
     Bounds4 centroids;
@@ -34,7 +33,7 @@ inline float splitCost(float area, float children) {
 /// size.
 std::size_t splitAtMedian(std::span<PrimitiveRef> refs, int axis, const std::stop_token& stop);
 
-/// Object median: halves at the median centroid; the axes take turns with the level.
+/// Object median: splits at the median centroid; the axis is the level modulo 3.
 void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);
 
 /// Surface area heuristic over all centroids of all axes: sorts once per axis and partitions stably.
@@ -42,13 +41,13 @@ void buildMedian(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs);
 void buildSweep(TreeSkeleton& skeleton, std::span<const PrimitiveRef> refs, const Subtree& tree, float scale);
 
 /// Surface area heuristic over the borders of equally wide bins between the centroids; ranges with no more
-/// primitives than bins are swept. Up to `together` primitives become a leaf whatever that costs.
-void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t together);
+/// primitives than bins are swept. Up to `maxUnsplit` primitives become a leaf at any cost.
+void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float scale, std::size_t maxUnsplit);
 
-/// Moves subtrees to where they make the areas of all inner nodes smaller, in rounds: good places are
-/// searched for all nodes at the same time, then taken one by one, the most valuable first (Meister, Bittner
-/// 2018). The result has leaves of up to settings.leafSize primitives and costs no more than `source` with
-/// such leaves; `source` should have leaves of one primitive and must not be empty.
+/// Moves subtrees to reduce the areas of inner nodes, in rounds: the best reinsertion of every node is
+/// computed in parallel, then they are applied in order of gain (Meister, Bittner 2018). The result has
+/// leaves of up to settings.leafSize primitives and costs no more than `source` with such leaves; `source`
+/// should have leaves of one primitive and must not be empty.
 BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale);
 
 }  // namespace rayscope::bvh

@@ -6,8 +6,8 @@
 
 namespace rayscope::bvh {
 
-/// Which subtrees of a linked tree become leaves so that the SAH cost is least: those with at most `leafSize`
-/// primitives where testing all of them is not dearer than searching the subtree.
+/// The subtrees of a linked tree that become leaves so that the SAH cost is least: those with at most
+/// `leafSize` primitives whose cost as a leaf is not higher.
 class LeafPlan {
   public:
     LeafPlan(const LinkedTree& tree, const BinaryTree& source, const BuildSettings& settings);

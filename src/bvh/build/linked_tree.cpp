@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t kStopInterval = 65536;
 
-/// Gains below this share of what is moved are rounding errors.
-constexpr double kLeastGain = 1e-6;
+/// Gains below this fraction of the area saved by detaching are rounding errors.
+constexpr double kMinRelativeGain = 1e-6;
 
 bool isSame(const Bounds4& a, const Bounds4& b) {
     for (int axis = 0; axis < 3; ++axis)
@@ -26,7 +26,7 @@ Bounds4 unionOf(Bounds4 a, const Bounds4& b) {
 }  // namespace
 
 Bounds4 LinkedTree::Node::box() const {
-    // Numbers of nodes read as floats may be denormal, which slows down arithmetic a hundredfold.
+    // Node numbers as floats may be denormal, which makes arithmetic a hundred times slower.
     constexpr Int4 kAxes{-1, -1, -1, 0};
     Bounds4 box;
     std::memcpy(&box.lower, lower, sizeof box.lower);
@@ -77,7 +77,7 @@ void LinkedTree::replaceChild(std::uint32_t parent, std::uint32_t child, std::ui
         (nodes_[parent].left == child ? nodes_[parent].left : nodes_[parent].right) = by;
 }
 
-/// Makes boxes and heights from `node` up those of their children again. Returns by how much the areas fell.
+/// Updates boxes and heights from `node` up. Returns the reduction of the areas.
 double LinkedTree::refitFrom(std::uint32_t number) {
     double saved = 0.0;
     for (; number != kNoNode; number = parents_[number]) {
@@ -93,14 +93,14 @@ double LinkedTree::refitFrom(std::uint32_t number) {
     return saved;
 }
 
-/// Takes out a node and its parent; the sibling moves up.
+/// Removes a node and its parent; the sibling moves up.
 double LinkedTree::detach(std::uint32_t node) {
     const std::uint32_t parent = parents_[node], other = sibling(node), above = parents_[parent];
     replaceChild(above, parent, other);
     return area(nodes_[parent].box()) + refitFrom(above);
 }
 
-/// Puts `parent`, being outside the tree, in the place of `target`, and `node` and `target` below it.
+/// Replaces `target` by `parent`, which is outside the tree, with the children `target` and `node`.
 double LinkedTree::attach(std::uint32_t node, std::uint32_t parent, std::uint32_t target) {
     const std::uint32_t above = parents_[target];
     replaceChild(above, target, parent);
@@ -113,7 +113,7 @@ double LinkedTree::attach(std::uint32_t node, std::uint32_t parent, std::uint32_
     return refitFrom(above) - area(box);
 }
 
-/// The level of a node, or −1 if it lies in `subtree`.
+/// The level of a node, or −1 if it is in `subtree`.
 int LinkedTree::levelOutside(std::uint32_t node, std::uint32_t subtree) const {
     int level = 0;
     for (; node != subtree && parents_[node] != kNoNode; node = parents_[node]) ++level;
@@ -129,7 +129,7 @@ double LinkedTree::moveIfBetter(std::uint32_t node, std::uint32_t target, int de
     if (level < 0 || level + 1 + std::max(heights_[node], heights_[target]) > deepestLevel) return 0.0;
     const double saved = detach(node);
     const double gain = saved + attach(node, parent, target);
-    if (gain > kLeastGain * saved) return gain;
+    if (gain > kMinRelativeGain * saved) return gain;
     detach(node);
     attach(node, parent, home);
     return 0.0;

@@ -8,12 +8,12 @@
 
 namespace rayscope::bvh {
 
-/// Nodes keep their numbers when they are moved, and boxes always are those of what lies below.
+/// Nodes keep their numbers when they are moved; boxes are always up to date.
 class LinkedTree {
   public:
     struct Node {
         float lower[3];
-        std::uint32_t left;  ///< kNoNode: a leaf, with the primitives of the node of that number in `source`
+        std::uint32_t left;  ///< kNoNode: a leaf, with the primitives of the same node of `source`
         float upper[3];
         std::uint32_t right;
 
@@ -35,10 +35,9 @@ class LinkedTree {
     }
     float scale() const { return scale_; }
 
-    /// Takes `node` out of its place and makes it the sibling of `target`, if the areas of all inner nodes
-    /// then sum up to less and no node gets below `deepestLevel`. Otherwise changes nothing. Returns how much
-    /// the sum fell, or 0. Leaves of several primitives never get a smaller level: they are what builders
-    /// make of a range that has reached the deepest level.
+    /// Makes `node` the sibling of `target`, if that reduces the total area of the inner nodes and no node
+    /// gets below `deepestLevel`; otherwise changes nothing. Returns the reduction, or 0. Leaves of several
+    /// primitives are never moved up: they are ranges that reached the deepest level.
     double moveIfBetter(std::uint32_t node, std::uint32_t target, int deepestLevel);
 
   private:
@@ -53,7 +52,7 @@ class LinkedTree {
     base::BigVector<Node> nodes_;
     base::BigVector<std::uint32_t> parents_;  ///< kNoNode: the root
     std::vector<std::uint8_t> heights_;       ///< levels below the node
-    std::vector<std::uint8_t> mayMoveUp_;     ///< no leaf of several primitives lies there or below
+    std::vector<std::uint8_t> mayMoveUp_;     ///< the subtree has no leaf of several primitives
     std::uint32_t root_ = 0;
     float scale_;
 };

@@ -49,7 +49,7 @@ void setBoxOfChild(kernel::WideNode& node, int child, const Box& box) {
     }
 }
 
-bool isThere(const kernel::WideNode& node, int child) {
+bool isPresent(const kernel::WideNode& node, int child) {
     return node.planes[0][child] <= node.planes[1][child];
 }
 
@@ -59,15 +59,15 @@ Box boxOfNode(const kernel::WideNode& node) {
     return box;
 }
 
-/// Runs move(i) for all i < count; whether all of them returned true.
+/// Calls move(i) for all i < count, in parallel; whether all calls returned true.
 template <class Move>
-bool allOf(std::size_t count, const std::stop_token& stop, const Move& move) {
+bool moveAll(std::size_t count, const std::stop_token& stop, const Move& move) {
     return tbb::parallel_reduce(
         Block(0, count, kGrain), true,
-        [&](const Block& block, bool good) {
+        [&](const Block& block, bool isFinite) {
             throwIfStopped(stop);
-            for (std::size_t i = block.begin(); i < block.end(); ++i) good &= move(i);
-            return good;
+            for (std::size_t i = block.begin(); i < block.end(); ++i) isFinite &= move(i);
+            return isFinite;
         },
         std::logical_and<>{});
 }
@@ -83,8 +83,8 @@ class WideRefitter {
         to_.spheres = from_.spheres;
         to_.root = from_.root;
         boxOfBlock_.resize(from_.blocks.size());
-        if (!allOf(from_.blocks.size(), stop_, [this](std::size_t i) { return moveBlock(i); }) ||
-            !allOf(from_.spheres.size(), stop_, [this](std::size_t i) { return moveSphere(i); }))
+        if (!moveAll(from_.blocks.size(), stop_, [this](std::size_t i) { return moveBlock(i); }) ||
+            !moveAll(from_.spheres.size(), stop_, [this](std::size_t i) { return moveSphere(i); }))
             return std::nullopt;
         // Children have larger numbers than their parents.
         for (std::size_t i = to_.nodes.size(); i-- > 0;) {
@@ -92,15 +92,15 @@ class WideRefitter {
             fit(to_.nodes[i]);
         }
         const Box whole = boxOf(to_.root);
-        const glm::vec3 reach = glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
-        to_.maxCoordinate = glm::max(reach.x, glm::max(reach.y, reach.z));
+        const glm::vec3 farthest = glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
+        to_.maxCoordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
         return std::move(to_);
     }
 
   private:
     bool moveBlock(std::size_t number) {
         kernel::TriangleBlock& block = to_.blocks[number];
-        bool good = true;
+        bool isFinite = true;
         for (int lane = 0; lane < kWidth; ++lane) {
             const std::uint32_t triangle = from_.blocks[number].primitive[lane];
             const glm::uvec3& index = input_.triangles[triangle];
@@ -109,9 +109,9 @@ class WideRefitter {
                     block.corner[corner][axis][lane] = input_.vertices[index[corner]][axis];
             block.primitive[lane] = triangle;
             boxOfBlock_[number].extend(boxOfPrimitive(input_, triangle));
-            good &= hasFiniteCoordinates(input_, triangle);
+            isFinite &= hasFiniteCoordinates(input_, triangle);
         }
-        return good;
+        return isFinite;
     }
 
     bool moveSphere(std::size_t number) {
@@ -132,7 +132,7 @@ class WideRefitter {
 
     void fit(kernel::WideNode& node) const {
         for (int child = 0; child < kWidth; ++child)
-            if (isThere(node, child)) setBoxOfChild(node, child, boxOf(node.child[child]));
+            if (isPresent(node, child)) setBoxOfChild(node, child, boxOf(node.child[child]));
     }
 
     const WideTree& from_;
@@ -155,16 +155,16 @@ std::optional<BinaryTree> refitted(const BinaryTree& tree, const AccelInput& inp
         BinaryNode& node = result.nodes[number];
         if (!node.isLeaf()) return true;
         Box box;
-        bool good = true;
+        bool isFinite = true;
         for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot) {
             box.extend(boxOfPrimitive(input, tree.primitives[slot]));
-            good &= hasFiniteCoordinates(input, tree.primitives[slot]);
+            isFinite &= hasFiniteCoordinates(input, tree.primitives[slot]);
         }
         node.lower = box.lower;
         node.upper = box.upper;
-        return good;
+        return isFinite;
     };
-    if (!allOf(result.nodes.size(), stop, fitLeaf)) return std::nullopt;
+    if (!moveAll(result.nodes.size(), stop, fitLeaf)) return std::nullopt;
     // Children have larger numbers than their parents.
     for (std::size_t i = result.nodes.size(); i-- > 0;) {
         if (i % kStopInterval == 0) throwIfStopped(stop);
@@ -184,7 +184,7 @@ double sahCostOf(const WideTree& tree) {
     std::size_t children = 0;
     for (const kernel::WideNode& node : tree.nodes)
         for (int child = 0; child < kWidth; ++child) {
-            if (!isThere(node, child)) continue;
+            if (!isPresent(node, child)) continue;
             sum += boxOfChild(node, child).halfArea();
             ++children;
         }

@@ -5,7 +5,7 @@
 namespace rayscope::bvh {
 namespace {
 
-/// Long thin boxes that overlap many others open tens of thousands; more than these find nothing better.
+/// Long thin boxes that overlap many others would visit tens of thousands of nodes, without better results.
 constexpr int kMaxVisited = 256;
 
 class ReinsertionSearch {
@@ -16,7 +16,7 @@ class ReinsertionSearch {
     Reinsertion run() {
         const std::uint32_t parent = tree_.parent(best_.node);
         if (parent == kNoNode) return best_;
-        // What is saved below and at `pivot` when the node is taken out, and the box of what is left there.
+        // The area saved up to `pivot` when the node is removed, and the box of the rest.
         float saved = areaOf(tree_[parent].box());
         const std::uint32_t sibling = tree_.sibling(best_.node);
         Bounds4 rest = tree_[sibling].box();
@@ -47,7 +47,7 @@ class ReinsertionSearch {
         if (saved - merged > best_.gain) best_ = {best_.node, target, saved - merged};
     }
 
-    /// Tries all places strictly below `top`, where `saved` counts what the way down to `top` has cost.
+    /// Tries all targets strictly below `top`; `saved` includes the growth of the boxes above it.
     void searchBelow(std::uint32_t top, float saved) {
         StackEntry stack[kMaxTreeLevel + 2];
         int stackSize = 0;
@@ -58,9 +58,9 @@ class ReinsertionSearch {
         push(top, saved, mergedArea(top));
         while (stackSize > 0) {
             const StackEntry at = stack[--stackSize];
-            // No new parent is smaller than the node.
+            // The box of the new parent is at least as large as the node.
             if (at.saved - area_ <= best_.gain) continue;
-            if (++opened_ > kMaxVisited) return;
+            if (++visited_ > kMaxVisited) return;
             std::uint32_t near = tree_[at.node].left, far = tree_[at.node].right;
             float nearMerged = mergedArea(near), farMerged = mergedArea(far);
             if (farMerged < nearMerged) {
@@ -74,7 +74,7 @@ class ReinsertionSearch {
         }
     }
 
-    /// A node to be opened, and what is saved less the growth of all boxes down to its own.
+    /// A node to visit, and the saved area minus the growth of all boxes down to its own.
     struct StackEntry {
         std::uint32_t node;
         float saved;
@@ -84,7 +84,7 @@ class ReinsertionSearch {
     const Bounds4 box_;
     const float area_;
     Reinsertion best_;
-    int opened_ = 0;
+    int visited_ = 0;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ std::uint32_t keyOf(float x) {
 }
 
 constexpr std::size_t kStopInterval = 65536;
-constexpr std::size_t kSmall = 1024;  ///< below that, comparing is faster than counting
+constexpr std::size_t kSmall = 1024;  ///< up to here std::sort is faster
 constexpr int kDigitBits = 11;
 
 /// One stable pass of a least-significant-digit radix sort.

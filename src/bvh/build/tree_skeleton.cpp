@@ -29,19 +29,19 @@ TreeSkeleton::TreeSkeleton(std::size_t primitives, const BuildSettings& settings
       settings_(settings),
       chunks_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
       allocated_(1),
-      // No thread takes a piece before its last one is full.
+      // A thread allocates a chunk only when its last one is full.
       nodes_(2 * primitives + kChunkSize * chunks_.size()),
       primitives_(primitives) {}
 
 std::size_t TreeSkeleton::allocatePair() {
-    // Negative before a thread has had its first task: then it is alone.
+    // Negative before the first task of the thread, when there are no others.
     const int thread = std::max(0, tbb::this_task_arena::current_thread_index());
-    NodeChunk& piece = chunks_[static_cast<std::size_t>(thread)];
-    if (piece.next == piece.end) {
-        piece.next = allocated_.fetch_add(kChunkSize);
-        piece.end = piece.next + kChunkSize;
+    NodeChunk& chunk = chunks_[static_cast<std::size_t>(thread)];
+    if (chunk.next == chunk.end) {
+        chunk.next = allocated_.fetch_add(kChunkSize);
+        chunk.end = chunk.next + kChunkSize;
     }
-    return std::exchange(piece.next, piece.next + 2);
+    return std::exchange(chunk.next, chunk.next + 2);
 }
 
 std::pair<Subtree, Subtree> TreeSkeleton::split(const Subtree& tree, const Bounds4& box, std::size_t middle) {
@@ -58,8 +58,8 @@ bool TreeSkeleton::mustSplitAtMedian(const Subtree& tree) {
     return static_cast<int>(std::bit_width(tree.size())) >= kMaxTreeLevel - tree.level;
 }
 
-/// Copies a skeleton's nodes to the front. In the upper levels several threads work on it, so there the sizes
-/// of subtrees have to be known beforehand.
+/// Copies the nodes of a skeleton in depth-first order. The upper levels are processed in parallel, which
+/// needs the sizes of their subtrees.
 class TreeSkeleton::Compaction {
   public:
     explicit Compaction(const TreeSkeleton& from)
@@ -117,7 +117,8 @@ class TreeSkeleton::Compaction {
         return count;
     }
 
-    /// Puts a root at `at` and the rest from `below` on. Returns the levels of the whole tree down to there.
+    /// Writes a root to `at` and its subtree from `below` on. Returns the number of levels down to its
+    /// leaves.
     int place(const Root& root, std::size_t at, std::size_t below) {
         const BinaryNode& node = tree_.nodes[at] = from_.nodes_[root.node];
         if (node.isLeaf()) return root.level + 1;

@@ -1,5 +1,5 @@
 #pragma once
-// How far the hit of a ray and a primitive can be from the exact answer.
+// Error bounds of hits.
 #include "bvh/intersect/intersect_sphere.h"
 #include "bvh/intersect/intersect_triangle.h"
 
@@ -14,9 +14,9 @@ namespace rayscope::bvh {
 /// 1.5 · 2^-52 of its value, is off by at most 4 · 2^-50 mX + 1.5 · 2^-52 · 2X² < 6 · 2^-50 mX (`edge`,
 /// because X ≤ 2m + 2^-50 m). The determinant is off by three of those. As long as that is less than a
 /// quarter of it, a weight is off by at most 4 · 4/3 edge errors over the determinant and a few roundings,
-/// and t, the mean of depths of at most m with these weights, by m times 6 · 4/3. Slivers that are nearly
-/// seen edge-on have a smaller determinant: their weights lie in [0, 1] and their depth between those of the
-/// corners, more is not known.
+/// and t, the mean of depths of at most m with these weights, by m times 6 · 4/3. Slivers that
+/// are nearly edge-on have a smaller determinant: only that their weights lie in [0, 1], and their depth
+/// between those of the corners, is known.
 struct HitError {
     double edge = 0.0;    ///< of an edge function of sheared corners
     double t = 0.0;       ///< in units of the ray's direction
@@ -35,8 +35,8 @@ struct HitError {
 /// the line from the center: p is off by less than 4εD across the line, so Δ by less than 8εrD + 4εr², its
 /// root by that over 2√Δ, and b by 4εD|d|. The far root adds those; the near root is c/q, whose numerator is
 /// off by 4εD(D + r) and whose denominator is at least √Δ|d|, and at least 0.8 D|d| beyond two radii.
-/// Together less than 2^-49 (D + r)(1 + r/√Δ)/|d|. Infinite for lines that graze the sphere within what Δ may
-/// be off.
+/// Together less than 2^-49 (D + r)(1 + r/√Δ)/|d|. Infinite for lines that graze the sphere within the error
+/// of Δ.
 double sphereHitError(const Ray& ray, const Sphere& sphere);
 
 }  // namespace rayscope::bvh

@@ -5,7 +5,7 @@
 
 namespace rayscope::bvh {
 
-/// A ray as the eight numbers that kernels take.
+/// A ray as the eight floats of the kernels.
 inline kernel::RayData rayData(const Ray& ray) {
     static_assert(sizeof(Ray) == 8 * sizeof(float));
     return reinterpret_cast<const float*>(&ray);
@@ -17,7 +17,7 @@ inline const float* sphereData(const Sphere& sphere) {
     return reinterpret_cast<const float*>(&sphere);
 }
 
-/// Hits as kernels fill them in.
+/// Hits in the layout of the kernels.
 inline kernel::HitData* hitData(Hit* hit) {
     static_assert(sizeof(Hit) == sizeof(kernel::HitData));
     return reinterpret_cast<kernel::HitData*>(hit);

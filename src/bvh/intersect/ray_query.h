@@ -1,5 +1,5 @@
 #pragma once
-// When does a ray hit a primitive? The answer depends on the two alone, never on the way the search took.
+// Tests of single primitives, with order-independent hit acceptance.
 #include <rayscope/accel.h>
 #include <algorithm>
 
@@ -21,11 +21,10 @@ inline PrimitiveBox boxOf(const glm::vec3& a, const glm::vec3& b, const glm::vec
     return {{lower.x, lower.y, lower.z, 0.0f, upper.x, upper.y, upper.z, 0.0f}};
 }
 
-/// Rounded outward, because center ± radius is not a float in general.
+/// See kernel::sphereBox().
 PrimitiveBox boxOf(const Sphere& sphere);
 
-/// A ray prepared for boxes, triangles and spheres. One test per primitive; production rays go through the
-/// kernels, which give the same answers.
+/// A ray prepared for boxes, triangles and spheres. The kernels of the wide tree give the same hits.
 struct RayQuery {
     static bool isTraceable(const Ray& ray) { return kernel::isTraceable(rayData(ray)); }
 

@@ -16,8 +16,7 @@ struct TriangleHit {
     double t, u, v;
 };
 
-/// A vertex in the space in which the ray starts at the origin and runs along z; z is not divided by the
-/// direction.
+/// A vertex in the space of the ray; z is not divided by the direction.
 struct ShearedVertex {
     double x, y, z;
 };

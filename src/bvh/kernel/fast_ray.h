@@ -10,12 +10,12 @@ namespace rayscope::bvh::kernel {
 /// (u = 2^-24); tests that move near planes 16u of the distance and 8u of the constant nearer, and far planes
 /// farther, find all that kernel::intersectBox() finds, which itself moves them by no more than 10u.
 struct FastRay {
-    Float4 inverse, constant;  ///< of vectors the first three numbers count
+    Float4 inverse, constant;  ///< the first three elements are used
     float tMin;                ///< scaled, not negative
     float scale;               ///< power of two: distance = t * scale
 
-    /// The ray must be traceable. Multiplying by a power of two is exact, and does not wait for it as a
-    /// division would; where the reciprocal alone overflows, the ray does not suit.
+    /// The ray must be traceable. Multiplication by a power of two is exact, and its latency is shorter than
+    /// that of a division by it; where the reciprocal alone overflows, the ray is not in range.
     RAYSCOPE_INLINE void prepare(RayData ray) {
         const Float4 direction = load4(ray + 3);
         const Float4 scales = powerOfTwoBelow(maxComponentBroadcast(absolute(direction)));
@@ -25,15 +25,15 @@ struct FastRay {
         tMin = (ray[6] > 0.0f ? ray[6] : 0.0f) * scale;
     }
 
-    /// Whether no plane up to `maxCoordinate` away from 0 can bring about an infinity, a NaN or a denormal
-    /// scale. If not, the ray has to be tested with kernel::intersectBox().
+    /// Whether planes with coordinates up to ±`maxCoordinate` give no infinity, NaN or denormal scale.
+    /// Otherwise the ray has to be tested with kernel::intersectBox().
     RAYSCOPE_INLINE bool isInRange(float maxCoordinate) const {
-        const float reach = maxComponent(absolute(constant) + absolute(inverse) * (maxCoordinate + 1.0f));
-        return (reach < 0x1p120f) & (scale > 0x1p-100f) & (scale < 0x1p100f);
+        const float farthest = maxComponent(absolute(constant) + absolute(inverse) * (maxCoordinate + 1.0f));
+        return (farthest < 0x1p120f) & (scale > 0x1p-100f) & (scale < 0x1p100f);
     }
 };
 
-/// A FastRay as streams keep it.
+/// A FastRay in streams.
 struct PackedRay {
     float inverse[3], constant[3];
     float pad;  ///< 8u of the maxCoordinate constant
@@ -42,7 +42,7 @@ struct PackedRay {
     RAYSCOPE_INLINE FastRay unpacked() const { return {load4(inverse), load4(constant), tMin, scale}; }
 };
 
-/// The space in which a ray runs along z, in float. Only rays that come to a leaf need it.
+/// The space in which a ray runs along z, in float. Prepared at the first leaf.
 struct FastShear {
     Float4 origin, direction;  ///< in the order of the axes
     RayAxes axes;

@@ -1,5 +1,5 @@
 #pragma once
-// When does a ray hit a triangle? The answer depends on the two alone, never on the way the search took.
+// Order-independent hit acceptance: a hit depends on the ray and the primitive only, not on the traversal.
 #include "bvh/kernel/exact_triangle.h"
 
 namespace rayscope::bvh::kernel {
@@ -21,7 +21,7 @@ RAYSCOPE_INLINE bool intersectBox(Float4 lower, Float4 upper, const BoxRay& ray,
 /// Six planes in the layout of a BinaryNode: lower x, y, z, –, upper x, y, z, –.
 using BoxPlanes = const float*;
 
-/// What stands in the fourth place would be a denormal number, and slow.
+/// Without the fourth number, which may be denormal as a float and slow.
 RAYSCOPE_INLINE Float4 load3(const float* from) {
     return __builtin_bit_cast(Float4, __builtin_bit_cast(Int4, load4(from)) & Int4{-1, -1, -1, 0});
 }
@@ -30,7 +30,7 @@ RAYSCOPE_INLINE bool intersectBox(BoxPlanes box, const BoxRay& ray, float bound,
     return intersectBox(load3(box), load3(box + 4), ray, bound, entry);
 }
 
-/// The words of a Hit.
+/// The layout of a Hit.
 struct HitData {
     float t;
     uint32_t primitive;
@@ -39,7 +39,7 @@ struct HitData {
 
 /// Rounds t, and accepts it if it lies in (tMin, bound] and the ray intersects the primitive's own box. Where
 /// t itself has lost digits (an origin very close to a large triangle) it may round to a value before that
-/// box; then it is moved to where the box begins.
+/// box; then it is moved to the entry of the box.
 RAYSCOPE_INLINE bool acceptHit(const BoxRay& ray, float tMin, double t, Float4 lower, Float4 upper,
                                float bound, float& rounded) {
     rounded = static_cast<float>(t);

@@ -6,7 +6,7 @@
 namespace rayscope::bvh::kernel {
 namespace {
 
-/// Rays and triangles in the space of the rays, as many as there are lanes: the corners of the triangles.
+/// The corners of one triangle per lane, in the space of the ray of that lane.
 struct ShearedCorners {
     Lanes x[3], y[3], z[3];
 
@@ -18,11 +18,11 @@ struct ShearedCorners {
     }
 };
 
-/// What the float test finds: in which lanes the exact test may find a hit, and, asked for, in which it
-/// surely will.
+/// The result of the float test: the lanes in which the exact test may find a hit, and those in which it
+/// certainly does.
 struct FilterResult {
     unsigned possible;
-    Lanes least, most, begin, end;  ///< |det| times the distance and the bounds on it, with their errors
+    Lanes least, most, begin, end;  ///< |det| · t with its error, and |det| times the bounds of t
     Lanes lowest, highest, error;   ///< of the edge functions
     unsigned bounded;               ///< lanes in which nothing overflows
 
@@ -76,7 +76,7 @@ RAYSCOPE_INLINE FilterResult testCorners(const ShearedCorners& at, unsigned pres
     return {possible, least, most, begin, end, lowest, highest, error, bounded};
 }
 
-/// The triangles of a leaf.
+/// One ray and the triangles of a block.
 RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRef leaf, const FastShear& ray,
                                              float tMin, float bound) {
     const Lanes shearX = Lanes::broadcast(ray.shearX), shearY = Lanes::broadcast(ray.shearY);
@@ -91,7 +91,7 @@ RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRe
                        Lanes::broadcast(tMin), Lanes::broadcast(bound));
 }
 
-/// Eight rays, each with its bound, and one triangle of a block.
+/// Eight rays with their bounds, and one triangle of a block.
 RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, int triangle, const RayColumns& rays,
                                              const RayAxes& axes, Lanes bound, unsigned present) {
     const Lanes shearX = Lanes::load(rays.shearX), shearY = Lanes::load(rays.shearY);

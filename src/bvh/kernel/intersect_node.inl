@@ -23,13 +23,13 @@ struct PlaneRows {
     }
 };
 
-/// The ray spread over all lanes, in the arithmetic of intersectBox().
+/// The ray in all lanes, in the arithmetic of intersectBox().
 struct ExactBoxLanes {
     PlaneRows rows;
     Lanes origin[3], nearInverse[3], farInverse[3], tMin;
 
-    RAYSCOPE_INLINE ExactBoxLanes(RayData words, const BoxRay& ray)
-        : rows(words), tMin(Lanes::broadcast(ray.tMin)) {
+    RAYSCOPE_INLINE ExactBoxLanes(RayData data, const BoxRay& ray)
+        : rows(data), tMin(Lanes::broadcast(ray.tMin)) {
         for (int axis = 0; axis < 3; ++axis) {
             origin[axis] = Lanes::broadcast(ray.origin[axis]);
             nearInverse[axis] = Lanes::broadcast(ray.nearInverse[axis]);
@@ -44,13 +44,13 @@ struct ExactBoxLanes {
     }
 };
 
-/// The same in the arithmetic of FastRay, whose margins are worked into scales and constants.
+/// The same in the arithmetic of FastRay, with its margins included in reciprocals and constants.
 struct FastBoxLanes {
     PlaneRows rows;
     Lanes nearInverse[3], nearConstant[3], farInverse[3], farConstant[3], tMin;
 
-    RAYSCOPE_INLINE FastBoxLanes(RayData words, const FastRay& ray)
-        : rows(words), tMin(Lanes::broadcast(ray.tMin)) {
+    RAYSCOPE_INLINE FastBoxLanes(RayData data, const FastRay& ray)
+        : rows(data), tMin(Lanes::broadcast(ray.tMin)) {
         constexpr float kShorter = 1.0f - 0x1p-20f, kLonger = 1.0f + 0x1p-20f;
         const Float4 pad = kernel::absolute(ray.constant) * 0x1p-21f + 0x1p-120f;
         const Float4 inverse[2] = {ray.inverse * kShorter, ray.inverse * kLonger};
@@ -71,7 +71,7 @@ struct FastBoxLanes {
 };
 
 /// Which children the ray intersects between tMin and `bound`: at least those that intersectBox() would find.
-/// A distance that is NaN excludes nothing; an entry never is, for tMin takes its place.
+/// A NaN distance excludes nothing; an entry is never NaN, because maximum() returns tMin then.
 template <class BoxLanes>
 RAYSCOPE_INLINE unsigned intersectChildren(const WideNode& node, const BoxLanes& ray, float bound,
                                            Lanes& entry) {

@@ -1,5 +1,5 @@
 #pragma once
-// The queries of the wide tree, once per instruction set. All give the same answers, bit for bit.
+// The queries of the wide tree, once per instruction set. All give the same hits, bit for bit.
 #include "bvh/kernel/hit_acceptance.h"
 #include "bvh/kernel/wide_layout.h"
 
@@ -9,7 +9,7 @@ struct Kernels {
     /// Leaves `hit` as it is on a miss.
     bool (*closestHit)(const WideTreeView& tree, RayData ray, HitData& hit);
     bool (*anyHit)(const WideTreeView& tree, RayData ray);
-    /// The same for many rays of eight words each; a miss gives what a default Hit holds.
+    /// The same for many rays of eight floats each; a miss gives a default Hit.
     void (*closestHits)(const WideTreeView& tree, const float* rays, HitData* hits, size_t count);
     void (*anyHits)(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count);
 };

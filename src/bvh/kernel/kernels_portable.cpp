@@ -1,4 +1,4 @@
-// Without instructions for several numbers at once a stream of rays gains nothing: they go one by one.
+// Without vector instructions streams are not faster than single rays.
 // clang-format off: the lanes come first
 #include "bvh/kernel/compress_portable.inl"
 #include "bvh/kernel/lanes_portable.inl"

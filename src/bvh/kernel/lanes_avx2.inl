@@ -45,7 +45,7 @@ RAYSCOPE_INLINE unsigned lessOrEqual(Lanes a, Lanes b, Lanes entry, Lanes& neare
     return static_cast<unsigned>(_mm256_movemask_ps(mask));
 }
 
-/// Packs the words whose byte in `chosen` is 1.
+/// Packs the integers whose byte in `chosen` is 1.
 RAYSCOPE_INLINE uint32_t pack(uint64_t chosen, __m256i words, uint32_t* to) {
     const uint64_t lanes = _pext_u64(0x0706050403020100u, chosen * 0xffu);
     const __m256i order = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(lanes)));

@@ -1,4 +1,4 @@
-// Eight floats at a time, for any machine.
+// Eight floats at a time, for every machine.
 #include "bvh/kernel/ray_setup.h"
 
 namespace rayscope::bvh::kernel {
@@ -41,7 +41,7 @@ RAYSCOPE_INLINE Lanes operator*(Lanes a, Lanes b) {
     return eachOf(a, b, [](float x, float y) { return x * y; });
 }
 
-/// The second where either is NaN.
+/// The second argument where either is NaN.
 RAYSCOPE_INLINE Lanes minimum(Lanes a, Lanes b) {
     return eachOf(a, b, [](float x, float y) { return x < y ? x : y; });
 }
@@ -51,12 +51,12 @@ RAYSCOPE_INLINE Lanes maximum(Lanes a, Lanes b) {
 RAYSCOPE_INLINE Lanes absolute(Lanes a) {
     return eachOf(a, a, [](float x, float) { return __builtin_fabsf(x); });
 }
-/// a, negated where b has a minus.
+/// a, negated where the sign bit of b is set.
 RAYSCOPE_INLINE Lanes flipSign(Lanes a, Lanes b) {
     return eachOf(a, b, [](float x, float y) { return __builtin_signbit(y) ? -x : x; });
 }
 
-/// a·b + c and c − a·b with one or two roundings: only for what tolerates either.
+/// a·b + c and c − a·b, with one or two roundings.
 RAYSCOPE_INLINE Lanes multiplyAdd(Lanes a, Lanes b, Lanes c) { return a * b + c; }
 RAYSCOPE_INLINE Lanes subtractProduct(Lanes c, Lanes a, Lanes b) { return c - a * b; }
 
@@ -67,7 +67,7 @@ RAYSCOPE_INLINE unsigned lessOrEqual(Lanes a, Lanes b) {
 RAYSCOPE_INLINE unsigned less(Lanes a, Lanes b) {
     return bitsOf(a, b, [](float x, float y) { return x < y; });
 }
-/// The same; lowers `nearest` to `entry` in the lanes that are 1.
+/// The same; lowers `nearest` to `entry` in the lanes whose bit is set.
 RAYSCOPE_INLINE unsigned lessOrEqual(Lanes a, Lanes b, Lanes entry, Lanes& nearest) {
     const unsigned mask = lessOrEqual(a, b);
     for (int i = 0; i < 8; ++i)

@@ -1,10 +1,9 @@
-// Rays that run alike, tested together. Include after one of the lanes_*.inl.
+// Packets of coherent rays. Include after one of the lanes_*.inl.
 //
-// A packet is sixteen rays that agree in the signs and the longest component of their direction. A node is
-// tested once for all of them, by interval arithmetic: from the least and largest origins and reciprocals of
-// directions follows between which distances any of the rays could be in a box (Boulos, Wald and Shirley
-// 2006). Only at the leaves every ray is tested by itself, eight at a time, against one triangle after the
-// other.
+// A packet is sixteen rays with equal signs and equal longest component of their directions. A node is
+// tested once for all of them, by interval arithmetic: the least and largest origins and reciprocals of
+// directions bound the distances at which any of the rays is in a box (Boulos, Wald and Shirley
+// 2006). At leaves every ray is tested, eight at a time against one triangle.
 #include "bvh/kernel/traverse_wide.inl"
 
 namespace rayscope::bvh::kernel {
@@ -13,8 +12,8 @@ namespace {
 constexpr uint32_t kPacketSize = 16;
 constexpr uint32_t kPacketGroups = kPacketSize / kWidth;  ///< of eight rays
 
-/// Distances that were computed from one difference, one reciprocal and one product, moved as far as the fast
-/// test of a single ray moves them (see FastRay), and by more than the rounding of denormal numbers.
+/// Distances from one difference, one reciprocal and one product, padded as in the fast test of a single ray
+/// (see FastRay) and by more than the rounding of denormal numbers.
 RAYSCOPE_INLINE Lanes padNear(Lanes near) {
     return multiplyAdd(near, Lanes::broadcast(1.0f - 0x1p-20f), Lanes::broadcast(-0x1p-120f));
 }
@@ -37,26 +36,26 @@ struct Packet {
     bool isSheared;
     PlaneRows rows;
     RayAxes axes;
-    // Of all its rays, distances scaled:
-    float nearOrigin[3], farOrigin[3];  ///< the ones closest to and farthest from the planes ahead
+    // Bounds over all rays, distances scaled:
+    float nearOrigin[3], farOrigin[3];  ///< closest to and farthest from the planes ahead
     float leastInverse[3], mostInverse[3];
     float tMin, bound;
 
-    /// Takes up sixteen rays, whose columns are known, if they are alike.
+    /// Sets all bounds for sixteen rays whose columns are prepared. Returns false if they are not coherent.
     RAYSCOPE_INLINE bool gather(const float* rays, const PackedRay* prepared, uint32_t first) {
-        Lanes leastWords = Lanes::loadUnaligned(rays), mostWords = leastWords;
+        Lanes leastData = Lanes::loadUnaligned(rays), mostData = leastData;
         Lanes leastFast = Lanes::loadUnaligned(prepared->inverse), mostFast = leastFast;
         for (uint32_t i = 1; i < kPacketSize; ++i) {
-            const Lanes words = Lanes::loadUnaligned(rays + 8 * i);
-            leastWords = minimum(leastWords, words);
-            mostWords = maximum(mostWords, words);
+            const Lanes data = Lanes::loadUnaligned(rays + 8 * i);
+            leastData = minimum(leastData, data);
+            mostData = maximum(mostData, data);
             const Lanes fast = Lanes::loadUnaligned(prepared[i].inverse);
             leastFast = minimum(leastFast, fast);
             mostFast = maximum(mostFast, fast);
         }
         alignas(32) float least[8], most[8], leastOf[8], mostOf[8];
-        leastWords.store(least);
-        mostWords.store(most);
+        leastData.store(least);
+        mostData.store(most);
         leastFast.store(leastOf);
         mostFast.store(mostOf);
 
@@ -84,7 +83,7 @@ struct Packet {
         return true;
     }
 
-    /// Which children of a node any of the rays may meet; lowers `nearest` to where.
+    /// The children of a node that any of the rays may hit; lowers `nearest` to their entries.
     RAYSCOPE_INLINE unsigned intersects(const WideNode& node, Lanes& nearest) const {
         Lanes enter, leave;
         for (int axis = 0; axis < 3; ++axis) {
@@ -101,7 +100,7 @@ struct Packet {
         return lessOrEqual(enter, minimum(padFar(leave), Lanes::broadcast(bound)), enter, nearest);
     }
 
-    /// Which of eight rays may meet a child of a node before their bounds.
+    /// Which of eight rays may hit a child of a node before their bounds.
     RAYSCOPE_INLINE unsigned intersects(const WideNode& node, int child, uint32_t group,
                                         const float* bounds) const {
         const RayColumns& ray = columns[group];

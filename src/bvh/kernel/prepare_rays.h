@@ -1,8 +1,8 @@
 #pragma once
-// Eight rays prepared at once.
+// Preparation of eight rays at once.
 #include "bvh/kernel/fast_ray.h"
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // how eight floats are passed: they never are, all is inlined
+#pragma GCC diagnostic ignored "-Wpsabi"  // about passing eight floats to functions: all of these are inlined
 
 namespace rayscope::bvh::kernel {
 
@@ -41,12 +41,12 @@ RAYSCOPE_INLINE Float8 load8(const float* from) {
 }
 RAYSCOPE_INLINE void store8(float* to, Float8 from) { __builtin_memcpy(to, &from, sizeof from); }
 
-/// What FastRay and FastShear hold of eight rays, each number of all rays in a row.
+/// The numbers of FastRay and FastShear for eight rays, one row per number.
 struct alignas(32) RayColumns {
     float origin[3][8], direction[3][8], inverse[3][8], tMin[8];
     float shearX[8], shearY[8], scaleZ[8];  ///< after shear()
 
-    /// For rays whose directions are longest along the same axis, and whose scale is the same.
+    /// All rays have the same RayAxes::kz and the same scale.
     RAYSCOPE_INLINE void shear(const RayAxes& axes, float scale) {
         const Float8 along = load8(direction[axes.kz]);
         store8(shearX, load8(direction[axes.kx]) / along);
@@ -55,18 +55,18 @@ struct alignas(32) RayColumns {
     }
 };
 
-/// Does what FastRay::prepare() does for eight rays of eight words each. Returns a bit for each that can hit
-/// anything and suits (see isTraceable() and FastRay::isInRange()); `bound` is their scaled tMax.
+/// Does what FastRay::prepare() does for eight rays of eight floats each. Returns a bit for each that is
+/// traceable and in range (see isTraceable() and FastRay::isInRange()); `bound` is their scaled tMax.
 RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float maxCoordinate, PackedRay* prepared,
                                       float* bound, RayColumns& columns) {
-    Float8 word[8];
-    for (int i = 0; i < 8; ++i) word[i] = load8(rays + 8 * i);
-    transpose(word);
-    const Float8 longest = larger(larger(absolute(word[3]), absolute(word[4])), absolute(word[5]));
+    Float8 data[8];
+    for (int i = 0; i < 8; ++i) data[i] = load8(rays + 8 * i);
+    transpose(data);
+    const Float8 longest = larger(larger(absolute(data[3]), absolute(data[4])), absolute(data[5]));
     const Float8 scale = __builtin_bit_cast(Float8, __builtin_bit_cast(Int8, longest) & 0x7f800000);
     Float8 row[8], nothing{}, steepest{}, farthest{};
     for (int axis = 0; axis < 3; ++axis) {
-        const Float8 origin = word[axis], direction = word[3 + axis];
+        const Float8 origin = data[axis], direction = data[3 + axis];
         const Float8 inverse = scale / direction, constant = -origin * inverse;
         row[axis] = inverse;
         row[3 + axis] = constant;
@@ -78,10 +78,10 @@ RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float maxCoordinate, Pa
         store8(columns.inverse[axis], inverse);
     }
     row[6] = steepest * 0x1p-21f + 0x1p-120f;
-    row[7] = (word[6] > 0.0f ? word[6] : Float8{}) * scale;
+    row[7] = (data[6] > 0.0f ? data[6] : Float8{}) * scale;
     store8(columns.tMin, row[7]);
-    store8(bound, (word[7] < kMaxFloat ? word[7] : Float8{} + kMaxFloat) * scale);
-    const Int8 usable = (nothing == 0.0f) & (word[6] < word[7]) & (word[7] > 0.0f) & (farthest < 0x1p120f) &
+    store8(bound, (data[7] < kMaxFloat ? data[7] : Float8{} + kMaxFloat) * scale);
+    const Int8 usable = (nothing == 0.0f) & (data[6] < data[7]) & (data[7] > 0.0f) & (farthest < 0x1p120f) &
                         (scale > 0x1p-100f) & (scale < 0x1p100f);
     transpose(row);
     unsigned mask = 0;

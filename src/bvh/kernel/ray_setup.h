@@ -1,5 +1,5 @@
 #pragma once
-// What a ray needs to be tested against boxes and triangles, computed once.
+// Rays prepared for tests against boxes and triangles; README.md lists all types of rays.
 //
 // The files of this folder are compiled once per instruction set. They hold plain data and functions that are
 // always inlined, and include nothing else: an inline function of another header, compiled for AVX, might be
@@ -14,7 +14,7 @@ constexpr float kInfinity = __builtin_inff();
 constexpr float kMaxFloat = __FLT_MAX__;
 constexpr uint32_t kNoPrimitive = 0xffffffffu;
 
-/// The words of a Ray: origin, direction, tMin, tMax.
+/// The eight floats of a Ray: origin, direction, tMin, tMax.
 using RayData = const float*;
 
 using Float4 = float __attribute__((vector_size(16)));
@@ -34,7 +34,7 @@ RAYSCOPE_INLINE float maxComponent(Float4 x) {
     return x[2] > ab ? x[2] : ab;
 }
 
-/// The same in all places.
+/// The same in all elements.
 RAYSCOPE_INLINE Float4 maxComponentBroadcast(Float4 x) {
     const Float4 second = __builtin_shuffle(x, Int4{1, 2, 0, 1}),
                  third = __builtin_shuffle(x, Int4{2, 0, 1, 2});
@@ -50,7 +50,7 @@ RAYSCOPE_INLINE float powerOfTwoBelow(float x) {
     return __builtin_bit_cast(float, __builtin_bit_cast(uint32_t, x) & 0x7f800000u);
 }
 
-/// The distance, scaled, behind which nothing counts as hit: neither behind tMax, nor where t is no float.
+/// The scaled distance beyond which there are no hits: that of tMax, or of the largest float.
 RAYSCOPE_INLINE float scaledTMax(float tMax, double scale) {
     return static_cast<float>((tMax < kMaxFloat ? tMax : kMaxFloat) * scale);
 }
@@ -58,13 +58,13 @@ RAYSCOPE_INLINE float scaledTMax(float tMax, double scale) {
 /// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
 RAYSCOPE_INLINE bool isTraceable(RayData ray) {
     const Float4 direction = load4(ray + 3);
-    const Float4 nothing = load4(ray) * 0.0f + direction * 0.0f;  // NaN where infinite or NaN
+    const Float4 nothing = load4(ray) * 0.0f + direction * 0.0f;  // NaN for infinity and NaN
     const bool finite = nothing[0] + nothing[1] + nothing[2] == 0.0f;
     return finite & (maxComponent(absolute(direction)) > 0.0f) & (ray[6] < ray[7]) & (ray[7] > 0.0f);
 }
 
 /// For the test against boxes; see intersect_box.h. The direction must be finite and not zero. Of all vectors
-/// the first three numbers count.
+/// the first three elements are used.
 ///
 /// Distances are measured in units of the direction divided by a power of two, chosen so that its longest
 /// component lies in [1, 2): nothing overflows or underflows because of the length of the direction.
@@ -94,7 +94,7 @@ struct BoxRay {
         nearInverse = direction == 0.0f ? shorter : finite;
     }
 
-    /// The distance that stands for t; never below any float distance that does not exceed the true value.
+    /// The scaled t; never below any float distance that does not exceed the true value.
     RAYSCOPE_INLINE float distance(float t) const { return static_cast<float>(t * scale); }
 };
 

@@ -1,24 +1,23 @@
-// How many rays walk the wide tree together. Include after one of the lanes_*.inl.
+// Traversal of the wide tree by a stream of rays. Include after one of the lanes_*.inl.
 //
-// A stream goes down the tree once: every node is visited with the list of all rays that meet its box, so it
-// is fetched once for all of them, and their tests do not wait for one another. The children's lists are
-// gathered from one byte per ray; the nearest child comes first. Lists that have become short go on ray by
-// ray. Rays that run alike go down as packets, until it turns out that too few rays of a packet meet the same
-// leaves.
+// A stream traverses the tree once: every node is visited with the list of all rays that hit its box, so that
+// it is fetched once for all of them and their tests are independent. The lists of the children are gathered
+// from one byte per ray; the nearest child is visited first. Rays of short lists are traversed one by one.
+// Coherent rays are traversed as packets, which are split when too few rays of a packet hit the same leaves.
 #include "bvh/kernel/stream_rays.inl"
 
 namespace rayscope::bvh::kernel {
 namespace {
 
 constexpr uint32_t kMaxPackets = kStreamSize / kPacketSize;
-constexpr uint32_t kMinStreamRays = 4;                ///< fewer are not worth a stream
-constexpr uint32_t kMaxSingleRays = 1;                ///< rays that go on by themselves
-constexpr uint32_t kListCapacity = 32 * kStreamSize;  ///< rays and packets in all lists that wait
-constexpr int kCoherenceBudget = 16;                  ///< that packets start with, and the most they can have
-constexpr int kMinActiveRays = 4;                     ///< rays that must meet a leaf for a packet to pay
-constexpr int kMinGroupRays = 3;                      ///< fewer rays of a group are tested one by one
+constexpr uint32_t kMinStreamRays = 4;                ///< for a stream; fewer are traversed one by one
+constexpr uint32_t kMaxSingleRays = 1;                ///< lists up to this length are traversed ray by ray
+constexpr uint32_t kListCapacity = 32 * kStreamSize;  ///< rays and packets in all lists on the stack
+constexpr int kCoherenceBudget = 16;                  ///< initial and maximum
+constexpr int kMinActiveRays = 4;                     ///< of a packet at a leaf, to break even
+constexpr int kMinGroupRays = 3;                      ///< for testing a group of eight rays together
 
-/// The rays of a stream, or the packets, that have to visit a subtree: a child of a node, or the root.
+/// The rays or packets of a stream that visit a subtree: a child of a node, or the root.
 struct StreamList {
     ChildRef ref;
     uint32_t begin, count;  ///< in Stream::lists
@@ -32,20 +31,20 @@ struct Stream {
     const WideTreeView& tree;
     StreamRays<kAny> rays;
     Packet packets[kMaxPackets];
-    int coherenceBudget =
-        kCoherenceBudget;  ///< of packets: rays that hits leaves, less those that would have paid
+    /// Of packets: rays that hit leaves, minus kMinActiveRays for each visit of a packet to a leaf.
+    int coherenceBudget = kCoherenceBudget;
     uint8_t masks[kStreamSize + 64];
-    uint32_t lists[kListCapacity + kStreamSize + 64];  ///< with room for packets that come apart
+    uint32_t lists[kListCapacity + kStreamSize + 64];  ///< with room for split packets
 
-    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* words, HitData* best, uint8_t* occluded)
-        : tree(t), rays(t, words, best, occluded) {}
+    RAYSCOPE_INLINE Stream(const WideTreeView& t, const float* data, HitData* best, uint8_t* occluded)
+        : tree(t), rays(t, data, best, occluded) {}
 
-    /// Prepares the rays, answers those that do not suit, and then the others.
+    /// Rays that are not in the range of FastRay are traversed one by one.
     RAYSCOPE_INLINE void traverse(uint32_t count) {
         struct PacketInfo {
             unsigned usable;  ///< a bit for each ray
             bool isPacket;
-        } all[kMaxPackets];
+        } infos[kMaxPackets];
         uint32_t gathered = 0;
         for (uint32_t first = 0; first < count; first += kPacketSize) {
             const uint32_t size = count - first < kPacketSize ? count - first : kPacketSize;
@@ -55,17 +54,17 @@ struct Stream {
                 rays.queryOne(first + static_cast<uint32_t>(__builtin_ctz(others)));
             const bool isPacket = usable == (1u << kPacketSize) - 1u && (tree.root & kTagMask) == 0 &&
                                   packet.gather(rays.rayData(first), rays.prepared + first, first);
-            all[first / kPacketSize] = {usable, isPacket};
+            infos[first / kPacketSize] = {usable, isPacket};
             gathered += isPacket ? 1 : 0;
         }
         if (gathered * kPacketSize < count / 2) gathered = 0;
         uint32_t loose = 0;
         for (uint32_t first = 0; first < count; first += kPacketSize) {
-            const PacketInfo& these = all[first / kPacketSize];
-            if (these.isPacket && gathered > 0) continue;
+            const PacketInfo& info = infos[first / kPacketSize];
+            if (info.isPacket && gathered > 0) continue;
             for (uint32_t i = 0; i < kPacketSize; ++i) {
                 lists[loose] = first + i;
-                loose += these.usable >> i & 1u;
+                loose += info.usable >> i & 1u;
             }
         }
         run(loose, gathered);
@@ -102,10 +101,10 @@ struct Stream {
             int order[kWidth], children = 0;
             for (; any != 0; any &= any - 1) {  // far to near
                 const int child = __builtin_ctz(any);
-                int place = children++;
-                for (; place > 0 && entries[order[place - 1]] < entries[child]; --place)
-                    order[place] = order[place - 1];
-                order[place] = child;
+                int position = children++;
+                for (; position > 0 && entries[order[position - 1]] < entries[child]; --position)
+                    order[position] = order[position - 1];
+                order[position] = child;
             }
             for (int i = 0; i < children; ++i) {
                 const ChildRef ref = node.child[order[i]];
@@ -117,7 +116,8 @@ struct Stream {
         }
     }
 
-    /// Tests all rays of a list against a node; returns which children are hits at all, and lowers `nearest`.
+    /// Tests all rays of a list against a node; returns which children any of them hits, and lowers
+    /// `nearest`.
     RAYSCOPE_INLINE unsigned testRays(const WideNode& node, const uint32_t* list, uint32_t count,
                                       Lanes& nearest) {
         const Lanes planes[6] = {Lanes::load(node.planes[0]), Lanes::load(node.planes[1]),
@@ -163,24 +163,24 @@ struct Stream {
         return any;
     }
 
-    /// For the lists of eight children.
+    /// Whether there may be no room for the lists of eight children.
     RAYSCOPE_INLINE static bool exceedsCapacity(const StreamList& list) {
         return list.begin + (1 + kWidth) * list.count > kListCapacity;
     }
 
-    /// The rays of packets, behind their list.
+    /// A list of the rays of packets, after their own list.
     RAYSCOPE_INLINE StreamList splitPackets(const StreamList& list) {
-        StreamList apart{list.ref, list.begin + list.count, 0, false, nullptr, 0};
+        StreamList rayList{list.ref, list.begin + list.count, 0, false, nullptr, 0};
         for (uint32_t i = 0; i < list.count; ++i)
             for (uint32_t k = 0; k < kPacketSize; ++k) {
                 const uint32_t ray = packets[lists[list.begin + i]].firstRay + k;
-                lists[apart.begin + apart.count] = ray;
-                apart.count += rays.isDone(ray) ? 0 : 1;
+                lists[rayList.begin + rayList.count] = ray;
+                rayList.count += rays.isDone(ray) ? 0 : 1;
             }
-        return apart;
+        return rayList;
     }
 
-    /// Those rays of packets that meet a leaf visit it.
+    /// Tests the rays of packets against the box of a leaf, and those that hit it against its primitives.
     [[gnu::noinline]] void visitLeafWithPackets(const StreamList& top) {
         for (uint32_t i = 0; i < top.count; ++i) {
             Packet& packet = packets[lists[top.begin + i]];

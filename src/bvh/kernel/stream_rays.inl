@@ -12,20 +12,20 @@ struct StreamRays {
     const float* allRayData;                ///< eight of each ray
     HitData* best;                          ///< of closest-hit queries, one per ray
     uint8_t* occluded;                      ///< of any-hit queries, one per ray
-    alignas(64) float bounds[kStreamSize];  ///< scaled best.t; negative if the ray has been answered
+    alignas(64) float bounds[kStreamSize];  ///< scaled best.t; negative: occluded
     PackedRay prepared[kStreamSize];
     FastShear shears[kStreamSize];
-    bool hasShear[kStreamSize];  ///< or shears[ray] is yet to be set
+    bool hasShear[kStreamSize];  ///< whether shears[ray] is set
 
-    RAYSCOPE_INLINE StreamRays(const WideTreeView& t, const float* words, HitData* b, uint8_t* o)
-        : tree(t), allRayData(words), best(b), occluded(o) {}
+    RAYSCOPE_INLINE StreamRays(const WideTreeView& t, const float* data, HitData* b, uint8_t* o)
+        : tree(t), allRayData(data), best(b), occluded(o) {}
     RAYSCOPE_INLINE RayData rayData(uint32_t ray) const { return allRayData + size_t{8} * ray; }
 
-    /// Prepares sixteen rays, or those that are left. Returns a bit for each that usable FastRay and can hit
-    /// anything; the others are to be answered by the state for one ray.
+    /// Prepares up to sixteen rays. Returns a bit for each that is traceable and in the range of FastRay; the
+    /// others are left to queryOne().
     RAYSCOPE_INLINE unsigned prepare(uint32_t first, uint32_t size, Packet& packet) {
         const float* from = rayData(first);
-        float padded[8 * kPacketSize] = {};  // what is no ray does not suit
+        float padded[8 * kPacketSize] = {};  // zeros are not traceable
         if (size < kPacketSize) {
             __builtin_memcpy(padded, from, 8 * size * sizeof(float));
             from = padded;
@@ -52,7 +52,7 @@ struct StreamRays {
         occluded[ray] = 1;
         bounds[ray] = -1.0f;
     }
-    /// Takes up a result.
+    /// Stores a result.
     RAYSCOPE_INLINE void keep(uint32_t ray, const QueryState& state) {
         if constexpr (kAny) {
             occlude(ray);
@@ -78,8 +78,8 @@ struct StreamRays {
         QueryState state = stateOf(ray);
         if (testSphere(sphere, state)) keep(ray, state);
     }
-    /// Does what visitLeaf() for one ray does, but takes up the state only where something may be hit: on
-    /// long thin triangles that saves 5 % of the time.
+    /// Like visitLeaf() for one ray, but loads the state only if a hit is possible, which saves 5 % of the
+    /// time on long thin triangles.
     RAYSCOPE_INLINE void visitBlock(const TriangleBlock& block, ChildRef leaf, uint32_t ray) {
         FastShear& shear = shearOf(ray);
         shear.prepareOnce(rayData(ray), prepared[ray].scale);
@@ -106,7 +106,7 @@ struct StreamRays {
         }
     }
 
-    /// Goes on with each ray by itself.
+    /// Traverses a subtree with each ray of a list.
     RAYSCOPE_INLINE void traverseSingleRays(ChildRef ref, const uint32_t* list, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t ray = list[i];

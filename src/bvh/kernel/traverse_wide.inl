@@ -84,7 +84,7 @@ RAYSCOPE_INLINE bool visitLeaf(const WideTreeView& tree, FastShear& shear, Child
 }
 
 /// Reports the box tests of the children of a node: where the bit in `mask` is set the box was hit at
-/// `entry`, scaled. For the others the exact test tells whether they are missed or begin behind the closest
+/// `entry`, scaled. For the others the exact test decides whether they are missed or begin behind the closest
 /// hit.
 template <TraversalObserver O>
 RAYSCOPE_INLINE void reportChildren(const WideNode& node, unsigned mask, Lanes entry, const QueryState& state,

@@ -1,6 +1,5 @@
 #pragma once
-// The tree that production rays walk: eight children per node, eight triangles per leaf, both in columns, so
-// that one instruction tests all of them.
+// The wide tree: eight children per node and up to eight triangles per leaf, both as structures of arrays.
 #include <stddef.h>
 #include <stdint.h>
 
@@ -28,20 +27,20 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 256);
 
-/// The corners of up to eight triangles, and which they are.
+/// The corners and numbers of up to eight triangles.
 struct alignas(64) TriangleBlock {
     float corner[3][3][kWidth];  ///< corner, axis, triangle
     uint32_t primitive[kWidth];
 };
 static_assert(sizeof(TriangleBlock) == 320);
 
-/// A sphere and which primitive it is.
+/// A sphere and its primitive number.
 struct SphereRecord {
     float sphere[4];  ///< center, radius
     uint32_t primitive;
 };
 
-/// Inner nodes and leaves; the root is `root`. The longest path has at most kMaxWideLevels inner nodes.
+/// Inner nodes and leaves. The longest path has at most kMaxWideLevels inner nodes.
 struct WideTreeView {
     const WideNode* nodes;
     const TriangleBlock* blocks;

@@ -15,8 +15,8 @@ namespace {
 using kernel::ChildRef;
 using kernel::kWidth;
 
-/// Where a subtree puts its nodes, blocks and spheres.
-using Place = WideTreeSize;
+/// The index of the first node, block and sphere of a subtree.
+using Offsets = WideTreeSize;
 
 constexpr std::uint32_t kParallelNodes = 512;
 
@@ -27,7 +27,7 @@ void setBox(kernel::WideNode& node, int child, const float* lower, const float* 
     }
 }
 
-void leaveEmpty(kernel::WideNode& node, int from) {
+void setEmpty(kernel::WideNode& node, int from) {
     const glm::vec3 highest(kernel::kInfinity), lowest(-kernel::kInfinity);
     for (int child = from; child < kWidth; ++child) {
         setBox(node, child, &highest.x, &lowest.x);
@@ -43,37 +43,37 @@ class Collapser {
     WideTree run() {
         const WideTreeSize& count = plan_.countOf(0);
         if (count.blocks > kernel::kBlockIndexMask || count.spheres > kernel::kSphereIndexMask)
-            throw std::length_error(fmt::format(
-                "{} blocks of triangles and {} spheres are more than one tree can hold; split the scene",
-                count.blocks, count.spheres));
+            throw std::length_error(
+                fmt::format("{} triangle blocks and {} spheres exceed the limit of one BVH; split the scene",
+                            count.blocks, count.spheres));
         wide_.nodes.resize(count.nodes);
         wide_.blocks.resize(count.blocks);
         wide_.spheres.resize(count.spheres);
         wide_.root = place(0, {});
-        const glm::vec3 reach = glm::max(glm::abs(tree_.nodes[0].lower), glm::abs(tree_.nodes[0].upper));
-        wide_.maxCoordinate = glm::max(reach.x, glm::max(reach.y, reach.z));
+        const glm::vec3 farthest = glm::max(glm::abs(tree_.nodes[0].lower), glm::abs(tree_.nodes[0].upper));
+        wide_.maxCoordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
         return std::move(wide_);
     }
 
   private:
-    /// Puts a node and all below it at its place.
-    ChildRef place(std::uint32_t number, Place at) {
+    /// Writes the subtree of a node from `at` on.
+    ChildRef place(std::uint32_t number, Offsets at) {
         const BinaryNode& node = tree_.nodes[number];
         if (plan_.isLeaf(number))
             return node.isLeaf() ? placeLeaf(node, at) : placeBlock(slotsOf(number), at);
         const ChildRef ref = at.nodes++;
         const CollapsePlan::Children children = plan_.childrenOf(number);
         kernel::WideNode& wide = wide_.nodes[ref];
-        std::array<Place, kWidth> places;
+        std::array<Offsets, kWidth> offsets;
         for (int i = 0; i < children.count; ++i) {
             const auto index = static_cast<std::size_t>(i);
             const BinaryNode& child = tree_.nodes[children.node[index]];
             setBox(wide, i, &child.lower.x, &child.upper.x);
-            places[index] = at;
+            offsets[index] = at;
             at = at + plan_.countOf(children.node[index]);
         }
-        leaveEmpty(wide, children.count);
-        const auto placeChild = [&](std::size_t i) { wide.child[i] = place(children.node[i], places[i]); };
+        setEmpty(wide, children.count);
+        const auto placeChild = [&](std::size_t i) { wide.child[i] = place(children.node[i], offsets[i]); };
         if (plan_.countOf(number).nodes > kParallelNodes) {
             throwIfStopped(stop_);
             tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(children.count), placeChild);
@@ -83,7 +83,7 @@ class Collapser {
         return ref;
     }
 
-    /// The primitives of a subtree stand side by side.
+    /// The primitives of a subtree are adjacent.
     std::span<const std::uint32_t> slotsOf(std::uint32_t number) const {
         const BinaryNode* first = &tree_.nodes[number];
         const BinaryNode* last = first;
@@ -92,7 +92,7 @@ class Collapser {
         return {tree_.primitives.data() + first->first, tree_.primitives.data() + last->first + last->count};
     }
 
-    ChildRef placeBlock(std::span<const std::uint32_t> triangles, Place at) {
+    ChildRef placeBlock(std::span<const std::uint32_t> triangles, Offsets at) {
         kernel::TriangleBlock& block = wide_.blocks[at.blocks];
         for (std::size_t lane = 0; lane < kWidth; ++lane) {
             const std::uint32_t triangle = triangles[std::min(lane, triangles.size() - 1)];
@@ -106,20 +106,20 @@ class Collapser {
                at.blocks;
     }
 
-    ChildRef placeSphere(std::uint32_t primitive, Place at) {
+    ChildRef placeSphere(std::uint32_t primitive, Offsets at) {
         const Sphere& sphere = input_.spheres[primitive - input_.triangles.size()];
         wide_.spheres[at.spheres] = {{sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius},
                                      primitive};
         return kernel::kSphereTag | at.spheres;
     }
 
-    /// What stands in a binary leaf: blocks of triangles, then spheres.
+    /// A child for part of a binary leaf: a block of triangles or a sphere.
     struct Item {
         std::span<const std::uint32_t> primitives;
         glm::vec3 lower{kernel::kInfinity}, upper{-kernel::kInfinity};
     };
 
-    ChildRef placeLeaf(const BinaryNode& leaf, Place at) {
+    ChildRef placeLeaf(const BinaryNode& leaf, Offsets at) {
         std::vector<std::uint32_t> order(tree_.primitives.begin() + leaf.first,
                                          tree_.primitives.begin() + leaf.first + leaf.count);
         const std::uint32_t triangles = trianglesIn(tree_, input_, leaf);
@@ -146,15 +146,15 @@ class Collapser {
         return item;
     }
 
-    /// Puts several items below nodes of eight. Advances `at`.
-    ChildRef placeItems(std::span<const Item> items, Place& at) {
+    /// Writes several items and the nodes above them. Advances `at`.
+    ChildRef placeItems(std::span<const Item> items, Offsets& at) {
         if (items.size() == 1) return placeItem(items[0], at);
         const ChildRef ref = at.nodes++;
         kernel::WideNode& node = wide_.nodes[ref];
-        const std::size_t share = (items.size() + kWidth - 1) / kWidth;
+        const std::size_t perChild = (items.size() + kWidth - 1) / kWidth;
         int child = 0;
-        for (std::size_t i = 0; i < items.size(); i += share, ++child) {
-            const auto part = items.subspan(i, std::min(share, items.size() - i));
+        for (std::size_t i = 0; i < items.size(); i += perChild, ++child) {
+            const auto part = items.subspan(i, std::min(perChild, items.size() - i));
             Item whole{{}};
             for (const Item& item : part) {
                 whole.lower = glm::min(whole.lower, item.lower);
@@ -163,11 +163,11 @@ class Collapser {
             setBox(node, child, &whole.lower.x, &whole.upper.x);
             node.child[child] = placeItems(part, at);
         }
-        leaveEmpty(node, child);
+        setEmpty(node, child);
         return ref;
     }
 
-    ChildRef placeItem(const Item& item, Place& at) {
+    ChildRef placeItem(const Item& item, Offsets& at) {
         if (item.primitives[0] >= input_.triangles.size()) {
             const ChildRef ref = placeSphere(item.primitives[0], at);
             ++at.spheres;

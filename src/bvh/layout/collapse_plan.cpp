@@ -25,8 +25,8 @@ std::uint32_t blocksFor(std::uint32_t triangles) { return (triangles + kernel::k
 std::uint32_t nodesOver(std::uint32_t items) {
     if (items <= 1) return 0;
     if (items <= kernel::kWidth) return 1;
-    const std::uint32_t share = (items + kernel::kWidth - 1) / kernel::kWidth;
-    return 1 + items / share * nodesOver(share) + nodesOver(items % share);
+    const std::uint32_t perChild = (items + kernel::kWidth - 1) / kernel::kWidth;
+    return 1 + items / perChild * nodesOver(perChild) + nodesOver(items % perChild);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ WideTreeSize countOfLeaf(std::uint32_t triangles, std::uint32_t spheres) {
     return {nodesOver(blocks + spheres), blocks, spheres};
 }
 
-/// What a subtree costs if it may take up to i + 1 places.
+/// The cost of a subtree with up to i + 1 child slots.
 struct CollapsePlan::Options {
     std::array<float, 8> cost;
     std::array<WideTreeSize, 8> count;
@@ -65,7 +65,7 @@ CollapsePlan::Options CollapsePlan::planLeaf(std::uint32_t node) {
     Options options;
     options.triangles = trianglesIn(tree_, input_, leaf);
     options.onlyTriangles = options.triangles == leaf.count;
-    plans_[node].leftPlaces.fill(0);
+    plans_[node].leftSlots.fill(0);
     plans_[node].count = countOfLeaf(options.triangles, leaf.count - options.triangles);
     options.cost.fill(areaOf(leaf) * (kBlockCost + static_cast<float>(plans_[node].count.nodes) * kNodeCost));
     options.count.fill(plans_[node].count);
@@ -89,54 +89,54 @@ CollapsePlan::Options CollapsePlan::plan(std::uint32_t number, int level) {
     options.triangles = left.triangles + right.triangles;
     options.onlyTriangles = left.onlyTriangles && right.onlyTriangles;
 
-    const auto share = [&](int places, std::uint8_t& leftPlaces, WideTreeSize& count) {
+    const auto distribute = [&](int slots, std::uint8_t& leftSlots, WideTreeSize& count) {
         float cheapest = kernel::kInfinity;
-        leftPlaces = 1;
-        for (int k = 1; k < places; ++k) {
+        leftSlots = 1;
+        for (int k = 1; k < slots; ++k) {
             const float cost = left.cost[static_cast<std::size_t>(k - 1)] +
-                               right.cost[static_cast<std::size_t>(places - k - 1)];
+                               right.cost[static_cast<std::size_t>(slots - k - 1)];
             if (cost >= cheapest) continue;
             cheapest = cost;
-            leftPlaces = static_cast<std::uint8_t>(k);
+            leftSlots = static_cast<std::uint8_t>(k);
         }
-        count = left.count[leftPlaces - 1u] + right.count[static_cast<std::size_t>(places - leftPlaces - 1)];
+        count = left.count[leftSlots - 1u] + right.count[static_cast<std::size_t>(slots - leftSlots - 1)];
         return cheapest;
     };
     const float area = areaOf(node);
-    options.cost[0] = area * kNodeCost + share(kernel::kWidth, plan.leftPlaces[0], options.count[0]);
+    options.cost[0] = area * kNodeCost + distribute(kernel::kWidth, plan.leftSlots[0], options.count[0]);
     ++options.count[0].nodes;
     if (options.onlyTriangles && options.triangles <= kernel::kWidth &&
         area * kBlockCost <= options.cost[0]) {
         options.cost[0] = area * kBlockCost;
         options.count[0] = {0, 1, 0};
-        plan.leftPlaces[0] = 0;
+        plan.leftSlots[0] = 0;
     }
     for (std::size_t i = 1; i < 8; ++i) {
-        options.cost[i] = share(static_cast<int>(i) + 1, plan.leftPlaces[i], options.count[i]);
+        options.cost[i] = distribute(static_cast<int>(i) + 1, plan.leftSlots[i], options.count[i]);
         if (options.cost[i] < options.cost[i - 1]) continue;
         options.cost[i] = options.cost[i - 1];
         options.count[i] = options.count[i - 1];
-        plan.leftPlaces[i] = 0;
+        plan.leftSlots[i] = 0;
     }
     plan.count = options.count[0];
     return options;
 }
 
-void CollapsePlan::take(std::uint32_t node, std::uint8_t places, Children& children) const {
+void CollapsePlan::take(std::uint32_t node, std::uint8_t slots, Children& children) const {
     const Plan& plan = plans_[node];
-    while (places > 1 && (tree_.nodes[node].isLeaf() || plan.leftPlaces[places - 1u] == 0)) --places;
-    if (places == 1) {
+    while (slots > 1 && (tree_.nodes[node].isLeaf() || plan.leftSlots[slots - 1u] == 0)) --slots;
+    if (slots == 1) {
         children.node[static_cast<std::size_t>(children.count++)] = node;
         return;
     }
-    const std::uint8_t left = plan.leftPlaces[places - 1u];
+    const std::uint8_t left = plan.leftSlots[slots - 1u];
     take(tree_.nodes[node].first, left, children);
-    take(tree_.nodes[node].first + 1, static_cast<std::uint8_t>(places - left), children);
+    take(tree_.nodes[node].first + 1, static_cast<std::uint8_t>(slots - left), children);
 }
 
 CollapsePlan::Children CollapsePlan::childrenOf(std::uint32_t node) const {
     Children children;
-    const std::uint8_t left = plans_[node].leftPlaces[0];
+    const std::uint8_t left = plans_[node].leftSlots[0];
     take(tree_.nodes[node].first, left, children);
     take(tree_.nodes[node].first + 1, static_cast<std::uint8_t>(kernel::kWidth - left), children);
     return children;

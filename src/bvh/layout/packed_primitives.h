@@ -6,9 +6,8 @@
 
 namespace rayscope::bvh {
 
-/// The corners of all primitives side by side in the order of the leaves, so that testing a leaf touches one
-/// or two cache lines. A sphere has its center in place of the first corner and its radius in place of the
-/// second's x.
+/// Copies of the corners of all primitives in the order of the leaves, so that a leaf takes one or two cache
+/// lines. A sphere has its center in the first corner and its radius in the x of the second.
 class PackedPrimitives {
   public:
     PackedPrimitives() = default;

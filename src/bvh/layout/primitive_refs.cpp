@@ -17,19 +17,17 @@ namespace {
 
 using Block = tbb::blocked_range<std::size_t>;
 
-/// Places of nodes are numbered with 32 bits. n primitives may need 2n − 1 of them, and threads leave some
-/// empty.
+/// Node numbers have 32 bits. n primitives may need 2n − 1 nodes, and threads leave some unused.
 constexpr std::size_t kMaxPrimitives = (std::size_t{1} << 31) - (std::size_t{1} << 20);
 
 void checkSize(const AccelInput& input) {
     const std::size_t count = input.triangles.size() + input.spheres.size();
     if (count > kMaxPrimitives)
-        throw std::length_error(
-            fmt::format("{} primitives are more than the {} that one tree can hold; split the scene", count,
-                        kMaxPrimitives));
+        throw std::length_error(fmt::format(
+            "{} primitives exceed the limit of {} of one BVH; split the scene", count, kMaxPrimitives));
 }
 
-/// The number of the first triangle that names a missing vertex, or the number of triangles.
+/// The number of the first triangle with an invalid vertex index, or the number of triangles.
 std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t count = input.triangles.size();
     return tbb::parallel_reduce(
@@ -51,9 +49,8 @@ void checkIndices(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t bad = firstBadTriangle(input, stop);
     if (bad == input.triangles.size()) return;
     const glm::uvec3& corner = input.triangles[bad];
-    throw std::invalid_argument(fmt::format("triangle {} names vertex {}, but there are only {} vertices",
-                                            bad, std::max({corner.x, corner.y, corner.z}),
-                                            input.vertices.size()));
+    throw std::invalid_argument(fmt::format("triangle {} has vertex index {}, but there are {} vertices", bad,
+                                            std::max({corner.x, corner.y, corner.z}), input.vertices.size()));
 }
 
 PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive) {
@@ -68,7 +65,7 @@ bool hasFiniteCoordinates(const AccelInput& input, std::size_t primitive) {
         const PrimitiveBox box = boxOfPrimitive(input, primitive);
         return std::all_of(box.planes, box.planes + 8, finite);
     }
-    // min() and max() may drop a NaN, so look at the vertices themselves.
+    // The box does not tell: min() and max() may drop a NaN.
     const glm::uvec3& corner = input.triangles[primitive];
     for (int k = 0; k < 3; ++k) {
         const glm::vec3& v = input.vertices[corner[k]];

@@ -7,11 +7,10 @@
 
 namespace rayscope::bvh {
 
-/// The surface area heuristic's cost model: visiting an inner node costs as much as testing a primitive.
+/// SAH cost model: visiting an inner node costs as much as testing a primitive.
 inline constexpr double kTraversalCost = 1.0;
 inline constexpr double kIntersectionCost = 1.0;
 
-/// The shape of a tree in numbers.
 struct TreeStatistics {
     /// Expected cost of a random line that intersects the root's box: the sum over all nodes of the area of
     /// their box relative to the root's, times kTraversalCost for inner nodes and kIntersectionCost per

@@ -7,7 +7,7 @@
 
 namespace rayscope::bvh {
 
-/// Owns what kernel::WideTreeView shows.
+/// Owns the data of a kernel::WideTreeView.
 struct WideTree {
     base::BigVector<kernel::WideNode> nodes;
     base::BigVector<kernel::TriangleBlock> blocks;
@@ -21,9 +21,9 @@ struct WideTree {
     std::size_t bytes() const;
 };
 
-/// Gathers the nodes of a binary tree that is not empty into nodes of eight children, such that the expected
-/// cost of a random ray is least (dynamic programming over the binary tree: Ylitie, Karras, Laine 2017, §3).
-/// Throws std::length_error if there are more leaves than a child reference can name.
+/// Collapses a binary tree that is not empty to nodes of eight children, such that the SAH cost is least
+/// (dynamic programming over the binary tree: Ylitie, Karras, Laine 2017, §3). Throws std::length_error if
+/// there are more leaves than a ChildRef can address.
 WideTree collapse(const BinaryTree& tree, const AccelInput& input, const std::stop_token& stop);
 
 }  // namespace rayscope::bvh

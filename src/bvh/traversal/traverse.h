@@ -119,7 +119,7 @@ bool traverse(const BinaryTree& tree, const AccelInput& input, const Ray& ray, H
     return traverse<kKind>(tree, IndexedPrimitives{input, tree.primitives}, ray, hit, observer);
 }
 
-/// Tests every primitive. Same answers as Accel, bit for bit.
+/// Tests every primitive. Same hits as Accel, bit for bit.
 bool closestHitBruteForce(const AccelInput& input, const Ray& ray, Hit& hit);
 bool anyHitBruteForce(const AccelInput& input, const Ray& ray);
 
