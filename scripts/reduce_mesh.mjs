@@ -118,7 +118,7 @@ class Reducer {
       const unit = n.map(x => x / area)
       const quadric = planeQuadric(unit, -dot(unit, this.positions[cell[0]]), area)
       for (const v of cell) addTo(this.quadrics[v], quadric)
-      // The rim of a hole is held by planes that stand on it.
+      // Boundary edges get a plane perpendicular to their triangle, which keeps them in place.
       for (let i = 0; i < 3; i++) {
         const a = cell[i], b = cell[(i + 1) % 3]
         if (this.shared(a, b).length > 1) continue
@@ -138,7 +138,7 @@ class Reducer {
     const p = this.positions[a], q = this.positions[b]
     const candidates = [p, q, p.map((x, i) => 0.5 * (x + q[i]))]
     const best = minimumOf(quadric)
-    // A nearly flat form may put its minimum far away.
+    // The minimum of a nearly singular quadric may lie far away.
     if (best && length(subtract(best, candidates[2])) <= 2 * length(subtract(p, q))) candidates.push(best)
     let point = null, cost = Infinity
     for (const candidate of candidates) {
@@ -207,7 +207,7 @@ function writeObj(path, positions, cells) {
   const lines = [`# ${cells.length} triangles, centred and scaled to radius 1`]
   for (const p of points) lines.push('v ' + subtract(p, center).map(x => (x * scale).toFixed(7)).join(' '))
   for (const cell of cells) lines.push('f ' + cell.map(v => used.get(v)).join(' '))
-  // Written beside the target and renamed, so that an interrupted run leaves no half file.
+  // Written to a temporary file and renamed, so that an interrupted run leaves no partial file.
   writeFileSync(path + '.part', lines.join('\n') + '\n')
   renameSync(path + '.part', path)
 }
