@@ -42,8 +42,8 @@ def shadows(viewer):
 
 
 def show_boxes(viewer, level, leaf):
-    """The boxes of a level below the root, and the leaf under a pixel."""
-    viewer.click(*ui.TAB_BVH)
+    """The boxes of a level and the leaf under a pixel."""
+    viewer.click("BVH")
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     viewer.key("b")
@@ -60,34 +60,33 @@ def levels(viewer):
 
 def normals(viewer):
     viewer.shoot((440, 330))
-    viewer.click(*ui.RECORDED)
-    viewer.click(*ui.WHY)
-    viewer.click(*ui.LEGEND_VERTEX_NORMALS)
+    viewer.click("Recorded rays")
+    viewer.click("Diagnosis")
+    viewer.click("vertex normals")
     viewer.wheel((500, 330), 5)
     take(viewer, "normals")
 
 
 def surface(viewer):
     viewer.shoot((440, 330))
-    viewer.click(*ui.RECORDED)
+    viewer.click("Recorded rays")
     take(viewer, "texels")
 
 
 def environment(viewer):
     viewer.shoot((340, 300))
-    viewer.click(*ui.RECORDED)
-    viewer.click(*ui.WHY)
+    viewer.click("Recorded rays")
+    viewer.click("Diagnosis")
     take(viewer, "environment")
 
 
 def bloom(viewer):
-    viewer.click(*ui.TAB_SETTINGS)
+    viewer.click("Settings")
     viewer.key("Tab")
-    viewer.scroll_to_end((1100, 500))
+    viewer.scroll_to_end(ui.PANEL)
     stages = []
-    for row in (24, 42, 60):
-        viewer.click(*ui.BLOOM_STAGE)
-        viewer.click(ui.BLOOM_STAGE[0], ui.BLOOM_STAGE[1] + row)
+    for stage in ui.BLOOM_STAGES:
+        viewer.choose("Bloom stage", stage)
         viewer.point(*ui.ASIDE)
         viewer.settled_picture()
         stages.append(viewer.capture().crop(150, 150, 640, 420))
@@ -102,10 +101,9 @@ def glossy(viewer):
 
 def transparency(viewer):
     viewer.shoot((420, 430))
-    viewer.click(*ui.RECORDED)
-    viewer.click(*ui.WHY)
-    viewer.click(*ui.RAY_COLORS)
-    viewer.click(ui.RAY_COLORS[0], ui.RAY_COLORS[1] + 42)
+    viewer.click("Recorded rays")
+    viewer.click("Diagnosis")
+    viewer.choose("Filters/Colour", "surface")
     take(viewer, "transparency")
 
 
@@ -124,7 +122,7 @@ def replay(viewer):
     viewer.key("Tab")
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
-    viewer.click(*ui.TAB_RAYS)
+    viewer.click("Rays")
     viewer.point(440, 480)
     viewer.key("r")
     take(viewer, "replay", PANEL)
@@ -132,7 +130,8 @@ def replay(viewer):
 
 def table(viewer):
     viewer.shoot((440, 340))
-    viewer.click(ui.FIRST_RAY[0], ui.FIRST_RAY[1] + 40)
+    x, y = viewer.within("Recorded rays/camera 0", 0.5)
+    viewer.click(x, y + 40)
     take(viewer, "table")
 
 
@@ -144,15 +143,15 @@ def why(viewer):
 def search(viewer):
     viewer.shoot((390, 480))
     viewer.key("t")
-    viewer.click(*ui.RECORDED)
-    viewer.click(*ui.WHY)
-    viewer.click(*ui.TREE_WIDE)
+    viewer.click("Recorded rays")
+    viewer.click("Diagnosis")
+    viewer.click("Wide")
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     for _ in range(2):
         viewer.key("shift+Right")
     take(viewer, "search-wide")
-    viewer.click(*ui.TREE_BINARY)
+    viewer.click("Binary")
     for _ in range(12):
         viewer.key("Right")
     take(viewer, "search-binary")
@@ -160,21 +159,20 @@ def search(viewer):
 
 def hierarchy(viewer):
     show_boxes(viewer, 3, (460, 400))
-    viewer.click(*ui.BVH_SAVINGS)
+    viewer.click("Compare with another BVH")
     take(viewer, "builds")
 
 
 def nodes(viewer):
-    viewer.click(*ui.TAB_BVH)
+    viewer.click("BVH")
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
-    for place in ui.NODE_ARROW, ui.NODE_CHILD:
-        viewer.click(*place)
+    ui.open_root(viewer)
     take(viewer, "nodes")
 
 
 def heat(viewer):
-    viewer.click(*ui.TAB_MAP)
+    viewer.click("Map")
     viewer.point(*ui.ASIDE)
     viewer.key("m")
     ui.wait_for("the map", lambda: viewer.settled_picture().count(ui.is_map_yellow) > 300)
@@ -183,15 +181,15 @@ def heat(viewer):
 
 def pins(viewer):
     viewer.key("Tab")
-    viewer.click(*ui.TAB_RAYS)
+    viewer.click("Rays")
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     for place in (560, 500), (440, 480), (330, 300):
         viewer.point(*place)
         viewer.key("r")
         viewer.key("p")
-    viewer.click(*ui.RECORDED)
-    viewer.scroll_to_end((1100, 500))
+    viewer.click("Recorded rays")
+    viewer.scroll_to_end(ui.PANEL)
     take(viewer, "pins", PANEL)
 
 
@@ -200,14 +198,14 @@ def comparison(viewer):
     viewer.point(*ui.ASIDE)
     viewer.settled_picture()
     viewer.key("k")
-    viewer.click(*ui.TAB_SETTINGS)
-    viewer.click(*ui.HARD_SHADOWS)
-    viewer.click(*ui.TAB_COMPARE)
+    viewer.click("Settings")
+    viewer.click("Hard shadows")
+    viewer.click("A/B")
     take(viewer, "comparison")
 
 
 def probe(program):
-    """What a terminal shows of the twin of the window."""
+    """The output of rayscope probe as a terminal shows it."""
     command = "rayscope probe builtin:cornell --pixel 300,420 --explain"
     words = subprocess.run([program, *command.split()[1:]], check=True, stdout=subprocess.PIPE, text=True).stdout
     lines = [f"$ {command}", *(line for part in words.splitlines() for line in textwrap.wrap(part, 100, subsequent_indent="      "))]

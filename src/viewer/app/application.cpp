@@ -62,6 +62,7 @@ void Application::frame(double seconds) {
     if (workspace_.job) workspace_.job->update();
 
     window_.beginFrame();
+    ui::beginFrame();
     takeKeys();
     drawMenuBar(workspace_);
     const Layout parts = layout();
@@ -73,6 +74,7 @@ void Application::frame(double seconds) {
     renderDialog_.draw(workspace_);
     drawErrorDialog(workspace_);
     workspace_.closeDialogs = false;
+    ui::writeItemMap();
     drawPicture(parts, seconds);
     commitUndoStep();
     // The picture is above the status bar, at the left edge.

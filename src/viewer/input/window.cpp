@@ -53,9 +53,9 @@ Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindow
 Window::Window(int width, int height) {
     glfwSetErrorCallback(nullptr);
     if (!glfwInit())
-        throw NoDisplay(fmt::format(
-            "no display to open a window on ({}); 'rayscope render SCENE -o FILE' works without one",
-            lastGlfwError()));
+        throw NoDisplay(
+            fmt::format("cannot open a window: no display ({}); 'rayscope render SCENE -o FILE' needs none",
+                        lastGlfwError()));
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -66,8 +66,7 @@ Window::Window(int width, int height) {
         const std::string reason = lastGlfwError();
         glfwTerminate();
         throw NoDisplay(fmt::format(
-            "the display offers no OpenGL 3.3 ({}); 'rayscope render SCENE -o FILE' works without it",
-            reason));
+            "cannot open a window: no OpenGL 3.3 ({}); 'rayscope render SCENE -o FILE' needs none", reason));
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);

@@ -196,13 +196,13 @@ std::vector<RayLegendEntry> debugRayLegend() {
         {"mirror reflection", palette::kReflectedRay, LineStyle::Solid, &F::reflections},
         {"glossy reflection", palette::kReflectedRay, LineStyle::Dashed, &F::glossy},
         {"glossy, below the surface", palette::kBelowSurfaceRay, LineStyle::Dotted, &F::rejected},
-        {"behind transparent", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
-        {"misses everything", palette::kMissedRay, LineStyle::Dashed, &F::missed},
-        {"light visible: in its colour", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
-        {"light blocked", palette::kOccludedRay, LineStyle::Dotted, &F::shadowOccluded},
+        {"transmitted", palette::kTransmittedRay, LineStyle::Dashed, &F::transparent},
+        {"miss", palette::kMissedRay, LineStyle::Dashed, &F::missed},
+        {"light visible (in its colour)", {1.0f, 1.0f, 1.0f, 0.9f}, LineStyle::Solid, &F::shadowVisible},
+        {"light occluded", palette::kOccludedRay, LineStyle::Dotted, &F::shadowOccluded},
         {"light behind the surface", palette::kBehindSurfaceRay, LineStyle::Dotted, &F::shadowBehindSurface},
         {"shading normal", palette::kNormal, LineStyle::Solid, &F::normals},
-        {"normals of the vertices", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
+        {"vertex normals", palette::kVertexNormal, LineStyle::Solid, &F::vertexNormals}};
 }
 
 }  // namespace rayscope::viewer

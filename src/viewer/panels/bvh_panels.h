@@ -1,5 +1,5 @@
 #pragma once
-// Parts of the panel of the hierarchy.
+// Parts of the BVH panel.
 #include <string_view>
 
 #include "viewer/workspace/workspace.h"
@@ -8,10 +8,10 @@ namespace rayscope::viewer {
 
 std::string_view nameOf(BvhBuilder builder);
 
-/// Another build of the same primitives: how it is built, and what the two cost.
+/// Builder settings of the reference tree, and the cost of both trees.
 void drawReferenceTree(Workspace& workspace, const BvhInspector::InspectedTree& seen);
 
-/// What it would cost to split the selected node elsewhere.
+/// SAH cost of the selected node over all candidate split planes.
 void drawSplitCurve(BvhInspector& bvh, int bins);
 
 }  // namespace rayscope::viewer

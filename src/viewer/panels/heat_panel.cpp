@@ -13,40 +13,38 @@ namespace {
 
 void drawChoices(HeatMap& heat) {
     labelledRow("Quantity", false, probe::infoOf(heat.aov).help);
-    if (ImGui::BeginCombo("##aov", std::string(probe::infoOf(heat.aov).name).c_str(),
-                          ImGuiComboFlags_HeightLarge)) {
+    const auto drawQuantities = [&] {
         for (const probe::AovInfo& info : probe::aovTable()) {
             if (info.isColor) continue;
-            if (ImGui::Selectable(std::string(info.name).c_str(), info.aov == heat.aov)) {
+            if (ui::selectable(std::string(info.name).c_str(), info.aov == heat.aov)) {
                 heat.aov = info.aov;
                 heat.fitRange = true;
             }
             tooltip(info.help);
         }
-        ImGui::EndCombo();
-    }
-    labelledRow("Colours", false,
-                "All grow evenly in lightness, which every kind of colour vision tells apart.");
-    if (ImGui::BeginCombo("##map", post::kColorMapNames[static_cast<int>(heat.map)].data())) {
+    };
+    ui::combo("##aov", std::string(probe::infoOf(heat.aov).name).c_str(), drawQuantities,
+              ImGuiComboFlags_HeightLarge);
+    labelledRow("Colour map", false, "All are uniform in lightness and safe for colour-blind readers.");
+    ui::combo("##map", post::kColorMapNames[static_cast<int>(heat.map)].data(), [&] {
         for (int i = 0; i < 3; ++i)
-            if (ImGui::Selectable(post::kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
+            if (ui::selectable(post::kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
                 heat.map = static_cast<post::ColorMap>(i);
                 heat.recolor();
             }
-        ImGui::EndCombo();
-    }
-    labelledRow("Samples", false, "How many samples of each pixel are counted.");
-    ImGui::SliderInt("##samples", &heat.samples, 1, 64, "%d",
-                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    });
+    labelledRow("Samples", false, "Samples per pixel that are counted.");
+    ui::sliderInt("##samples", &heat.samples, 1, 64, "%d",
+                  ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
 }
 
-/// The histogram in the colours of the picture; its ends can be dragged.
+/// The histogram of the values in the colours of the map; the ends of the range can be dragged.
 void drawHistogram(HeatMap& heat) {
     const HeatStatistics& s = heat.statistics();
     const float width = ImGui::GetContentRegionAvail().x, height = scaled(80.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::InvisibleButton("##histogram", {width, height});
+    ui::area("Histogram", {width, height});
     draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
     const std::size_t most = std::max<std::size_t>(1, *std::max_element(s.counts.begin(), s.counts.end()));
     const auto bars = static_cast<float>(s.counts.size());
@@ -58,7 +56,7 @@ void drawHistogram(HeatMap& heat) {
             post::mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
         const ImU32 color = ImGui::ColorConvertFloat4ToU32(
             {image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
-        // The square root lets rare values show beside common ones.
+        // The square root keeps rare values visible beside common ones.
         const float share = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
         const float x = at.x + width * static_cast<float>(i) / bars;
         draw.AddRectFilled({x, at.y + height * (1.0f - share)}, {x + width / bars, at.y + height}, color);
@@ -77,35 +75,34 @@ void drawHistogram(HeatMap& heat) {
         const float x = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
         draw.AddLine({x, at.y}, {x, at.y + height}, IM_COL32(255, 255, 255, 220), scaled(1.5f));
     }
-    tooltip("Pixels by value. Drag the ends of the range that the colours span.");
+    tooltip("Number of pixels by value. Drag the ends of the colour range.");
     dimText(fmt::format("{:.4g} to {:.4g}, mean {:.4g}", s.lowest, s.highest, s.mean));
 }
 
 void drawRange(HeatMap& heat) {
     labelledRow("Range");
     float ends[] = {heat.from, heat.to};
-    if (ImGui::DragFloat2("##range", ends, std::max(1e-6f, 0.005f * std::abs(heat.to - heat.from)), 0.0f,
-                          0.0f, "%.4g")) {
+    const float speed = std::max(1e-6f, 0.005f * std::abs(heat.to - heat.from));
+    if (ui::noted("##range", ImGui::DragFloat2("##range", ends, speed, 0.0f, 0.0f, "%.4g"))) {
         heat.from = ends[0];
         heat.to = ends[1];
         heat.fitRange = false;
         heat.recolor();
     }
-    if (ImGui::Button("Fit the range to the values", {-1.0f, 0.0f})) {
+    if (ui::button("Fit range to values", {-1.0f, 0.0f})) {
         heat.fitRange = true;
         heat.from = static_cast<float>(std::min(heat.statistics().lowest, 0.0));
         heat.to = static_cast<float>(heat.statistics().upperPercentile);
         heat.recolor();
     }
-    tooltip("From zero, or the lowest value, to the value that 99 % of the pixels do not exceed.");
+    tooltip("From zero, or the lowest value if it is negative, to the 99th percentile.");
 }
 
 }  // namespace
 
 void drawHeatPanel(Workspace& workspace) {
     HeatMap& heat = workspace.heat;
-    if (ImGui::Checkbox("Show in place of the traced picture (M)", &heat.shown) && heat.shown)
-        workspace.view.traced = true;
+    if (ui::checkbox("Show heat map (M)", &heat.shown) && heat.shown) workspace.view.traced = true;
     drawChoices(heat);
     if (heat.busy()) dimText("computing ...");
     if (heat.values() == nullptr) return;

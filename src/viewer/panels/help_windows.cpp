@@ -11,15 +11,16 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr const char* kGestures[][2] = {
-    {"drag", "Turn the camera around the point it looks at; in fly mode look around."},
-    {"right drag, middle drag", "Move the camera sideways."},
-    {"wheel", "Come nearer to what the cursor is on, or go away; in fly mode change the speed."},
-    {"right button + W A S D Q E", "Fly as long as the button is held."},
-    {"click on a light", "Select it; its arrows move it, the square moves it freely."},
-    {"Ctrl+click", "Shoot a debug ray, like R."},
+    {"drag", "Orbit the camera around the point it looks at; in fly mode look around."},
+    {"right drag, middle drag", "Pan the camera."},
+    {"wheel", "Zoom toward or away from the cursor; in fly mode change the speed."},
+    {"right button + W A S D Q E", "Fly while the button is held."},
+    {"click on a light",
+     "Select it; its arrows move it along the axes, the square in the plane of the screen."},
+    {"Ctrl+click", "Record the rays of the pixel, like R."},
     {"drop a file", "Open a scene (.toml) or a mesh (.obj)."},
     {"Ctrl+click on a slider", "Type a number."},
-    {"double-click on a name", "Reset a setting."},
+    {"double-click on a label", "Reset the setting."},
 };
 
 void row(std::string_view left, std::string_view right) {
@@ -48,6 +49,7 @@ void drawKeysWindow(Workspace& workspace) {
         ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and gestures", &workspace.view.showKeys,
                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs)) {
+        const ui::Scope scope("Keys and gestures");
         const char* menu = "";
         bool inTable = false;
         for (const CommandInfo& info : commandTable()) {
@@ -75,36 +77,37 @@ void drawStatisticsWindow(Workspace& workspace) {
     if (ImGui::Begin(
             "Statistics", &workspace.view.showStatistics,
             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoNavInputs)) {
+        const ui::Scope scope("Statistics");
         const FrameTimes& times = workspace.frameTimes;
         const double median = times.quantile(0.5);
-        text(fmt::format("last {} frames: median {:.1f} ms ({:.0f}/s), 95 % below {:.1f} ms", times.count(),
-                         median * 1e3, median > 0.0 ? 1.0 / median : 0.0, times.quantile(0.95) * 1e3));
+        text(fmt::format("last {} frames: median {:.1f} ms ({:.0f}/s), 95th percentile {:.1f} ms",
+                         times.count(), median * 1e3, median > 0.0 ? 1.0 / median : 0.0,
+                         times.quantile(0.95) * 1e3));
         ImGui::PlotLines("##times", times.latest().data(), static_cast<int>(times.latest().size()), 0,
                          nullptr, 0.0f, 0.1f, {scaled(380.0f), scaled(60.0f)});
         const RenderStatus& status = workspace.render.status();
         text(fmt::format("tracing threads: {}", workspace.render.threads()));
-        text(fmt::format("rays: {} ({:.2f} million per second)", status.rays,
-                         workspace.render.raysPerSecond() * 1e-6));
-        text(fmt::format("preparing the scene: {:.3f} s, of it {:.3f} s for the BVH", status.compileSeconds,
+        text(fmt::format("rays: {} ({:.2f} Mray/s)", status.rays, workspace.render.raysPerSecond() * 1e-6));
+        text(fmt::format("scene preparation: {:.3f} s, including {:.3f} s for the BVH", status.compileSeconds,
                          status.buildSeconds));
         if (status.sahCostGrowth != 1.0)
-            text(fmt::format("refitted BVH: {:.3f} times as dear as when built, by the SAH",
-                             status.sahCostGrowth));
-        if (ImGui::Button("Start anew")) workspace.frameTimes.clear();
+            text(fmt::format("SAH cost after refit: {:.3f}x", status.sahCostGrowth));
+        if (ui::button("Reset")) workspace.frameTimes.clear();
     }
     ImGui::End();
 }
 
 void drawErrorDialog(Workspace& workspace) {
-    constexpr const char* kTitle = "That did not work";
+    constexpr const char* kTitle = "Error";
     if (!workspace.errorMessage.empty() && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.4f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(scaled(560.0f), display.x * 0.9f), 0.0f});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize)) return;
+    const ui::Scope scope(kTitle);
     wrappedText(workspace.errorMessage);
     ImGui::Spacing();
-    if (ImGui::Button("Close", {scaled(90.0f), 0.0f}) || workspace.closeDialogs) {
+    if (ui::button("Close", {scaled(90.0f), 0.0f}) || workspace.closeDialogs) {
         workspace.errorMessage.clear();
         ImGui::CloseCurrentPopup();
     }

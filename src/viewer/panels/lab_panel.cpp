@@ -12,15 +12,15 @@ void drawStart(Workspace& workspace, LabJob& lab) {
         if (stoppableProgress(lab.fraction())) lab.stop();
         return;
     }
-    if (ImGui::Button("Try this scene at the extremes", {-1.0f, 0.0f}))
+    if (ui::button("Test numerical robustness", {-1.0f, 0.0f}))
         lab.start(workspace.edit.scene, workspace.edit.settings, 0);
     tooltip(
-        "Scales the triangles of the scene from 2^-40 to 2^40, moves them up to 10^7 sizes away, and "
-        "compares what rays hit there with exact arithmetic.");
-    ImGui::Checkbox("Coarse steps", &lab.quick);
+        "Scales the triangles of the scene by 2^-40 to 2^40, offsets them by up to 10^7 times their size, "
+        "and compares the hits of rays with exact arithmetic.");
+    ui::checkbox("Coarse steps", &lab.quick);
 }
 
-/// Failing testPoints of a method as a map: scales down, offsets to the right.
+/// Passed and failed test points of a method as a map: scales downwards, offsets to the right.
 void drawMap(const LabResult& result, LabMethod method) {
     if (result.testPoints.empty()) return;
     const float side = scaled(11.0f);
@@ -41,7 +41,7 @@ void drawMap(const LabResult& result, LabMethod method) {
         columns = std::max(columns, column);
     }
     ImGui::Dummy({side * static_cast<float>(columns), side * static_cast<float>(row + 1)});
-    tooltip("Rows are scales from 2^-40 to 2^40, columns offsets from 0 to 10^7 sizes; red is a mistake.");
+    tooltip("Rows: scales from 2^-40 to 2^40. Columns: offsets from 0 to 10^7 sizes. Red: failed.");
 }
 
 void drawMethod(const LabResult& result, LabMethod method) {
@@ -49,25 +49,24 @@ void drawMethod(const LabResult& result, LabMethod method) {
     const LabCounts sum = result.total(method);
     text(infoOf(method).label);
     drawMap(result, method);
-    dimText(fmt::format("{} of {} cells fail", range.failingTestPoints, result.testPoints.size()));
-    dimText(fmt::format("{} leaks, {} double hits,\n{} false hits, {} lost surfaces", sum.leaks,
+    dimText(fmt::format("{} of {} test points fail", range.failingTestPoints, result.testPoints.size()));
+    dimText(fmt::format("{} leaks, {} double hits,\n{} false hits, {} missed surfaces", sum.leaks,
                         sum.doubleHits, sum.falseHits, sum.missedSurfaces));
     if (range.soundUntransformed)
-        dimText(fmt::format("sound from 2^{} to 2^{} times its size,\nand to {:g} sizes from the origin",
-                            range.lowestScale, range.highestScale, range.largestOffset));
+        dimText(fmt::format("passes for scales 2^{} to 2^{}\nand offsets up to {:g} sizes", range.lowestScale,
+                            range.highestScale, range.largestOffset));
     else
-        dimText("fails with the scene as it is");
+        dimText("fails for the unchanged scene");
     ImGui::Spacing();
 }
 
 void drawOverlayChoice(LabJob& lab) {
-    ImGui::Checkbox("Draw the rays that went wrong", &lab.overlay);
-    labelledRow("Of", false, "Rays are brought back from the scale and place where they went wrong.");
-    if (ImGui::BeginCombo("##method", infoOf(lab.shownMethod).label)) {
+    ui::checkbox("Draw failed rays", &lab.overlay);
+    labelledRow("Method", false, "Rays are transformed back from the scale and offset at which they failed.");
+    ui::combo("##method", infoOf(lab.shownMethod).label, [&] {
         for (const LabMethod method : kLabMethods)
-            if (ImGui::Selectable(infoOf(method).label, method == lab.shownMethod)) lab.shownMethod = method;
-        ImGui::EndCombo();
-    }
+            if (ui::selectable(infoOf(method).label, method == lab.shownMethod)) lab.shownMethod = method;
+    });
 }
 
 }  // namespace
@@ -78,11 +77,10 @@ void drawLabPanel(Workspace& workspace) {
     if (!lab.errorMessage().empty()) wrappedText(lab.errorMessage());
     const LabResult* result = lab.result();
     if (!result) return;
-    if (lab.scene() != workspace.edit.scene.get()) dimText("The scene has changed since.");
+    if (lab.scene() != workspace.edit.scene.get()) dimText("The scene has changed since the test.");
     drawOverlayChoice(lab);
     for (const LabMethod method : kLabMethods) drawMethod(*result, method);
-    dimText(
-        fmt::format("The mesh keeps its triangles\nup to {:g} sizes from the origin.", result->meshOffset));
+    dimText(fmt::format("No triangle degenerates\nat offsets up to {:g} sizes.", result->meshOffset));
     for (const std::string& remark : result->remarks) wrappedText(remark);
 }
 

@@ -39,16 +39,16 @@ bool drawShape(ParallelogramLight& light, float speed) {
     return edited;
 }
 
-/// A new light hangs above the middle of the scene and is a good part of it in size.
+/// A new light just below the top of the scene bounds, above their centre, sized relative to the scene.
 Light newLight(int kind, const SceneBounds& bounds) {
     const glm::vec3 center = (bounds.lower + bounds.upper) * 0.5f, size = bounds.upper - bounds.lower;
-    const glm::vec3 place(center.x, bounds.upper.y - 0.1f * size.y, center.z);
+    const glm::vec3 position(center.x, bounds.upper.y - 0.1f * size.y, center.z);
     const float half = 0.15f * glm::length(size) / 1.7320508f;
-    if (kind == 0) return {PointLight{place, Rgb(1.0f)}};
+    if (kind == 0) return {PointLight{position, Rgb(1.0f)}};
     if (kind == 1)
-        return {SegmentLight{{place - glm::vec3(half, 0, 0), place + glm::vec3(half, 0, 0)},
+        return {SegmentLight{{position - glm::vec3(half, 0, 0), position + glm::vec3(half, 0, 0)},
                              {Rgb(1.0f, 0.5f, 0.4f), Rgb(0.4f, 0.5f, 1.0f)}}};
-    return {ParallelogramLight{place - glm::vec3(half, 0, half),
+    return {ParallelogramLight{position - glm::vec3(half, 0, half),
                                {glm::vec3(2 * half, 0, 0), glm::vec3(0, 0, 2 * half)},
                                {Rgb(1.0f), Rgb(1.0f), Rgb(1.0f), Rgb(1.0f)}}};
 }
@@ -59,7 +59,7 @@ void drawAddButtons(Workspace& workspace) {
     const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
     for (int kind = 0; kind < 3; ++kind) {
         if (kind > 0) ImGui::SameLine();
-        if (!ImGui::Button(kLabels[kind], {kShares[kind] * width, 0.0f})) continue;
+        if (!ui::button(kLabels[kind], {kShares[kind] * width, 0.0f})) continue;
         std::vector<Light> lights = workspace.edit.scene->lights;
         lights.push_back(newLight(kind, boundsOf(*workspace.edit.scene)));
         workspace.view.selectedLight = static_cast<int>(lights.size()) - 1;
@@ -73,11 +73,11 @@ void drawList(Workspace& workspace) {
     for (int i = 0; i < static_cast<int>(lights.size()); ++i) {
         const bool selected = i == workspace.view.selectedLight;
         const std::string label = fmt::format("Light {}: {}", i, kindOf(lights[static_cast<std::size_t>(i)]));
-        if (!ImGui::Selectable(label.c_str(), selected)) continue;
+        if (!ui::selectable(label.c_str(), selected)) continue;
         workspace.view.selectedLight = selected ? -1 : i;
         workspace.view.selectedHandle = 0;
     }
-    if (lights.empty()) dimText("No light: surfaces stay black unless shading is off.");
+    if (lights.empty()) dimText("No lights: surfaces are black unless shading is off.");
 }
 
 void drawSelected(Workspace& workspace) {
@@ -88,22 +88,21 @@ void drawSelected(Workspace& workspace) {
     const float speed = 0.002f * glm::distance(bounds.lower, bounds.upper);
 
     labelledRow("Handle");
-    if (ImGui::BeginCombo("##handle", handleName(light, workspace.view.selectedHandle))) {
+    ui::combo("##handle", handleName(light, workspace.view.selectedHandle), [&] {
         for (int handle = 0; handle < static_cast<int>(handlePositions(light).size()); ++handle)
-            if (ImGui::Selectable(handleName(light, handle), handle == workspace.view.selectedHandle))
+            if (ui::selectable(handleName(light, handle), handle == workspace.view.selectedHandle))
                 workspace.view.selectedHandle = handle;
-        ImGui::EndCombo();
-    }
-    tooltip("The point that the three arrows in the picture move. A click on a light picks one too.");
+    });
+    tooltip("The point that the arrows in the picture move. A click on a light selects one, too.");
     bool edited = std::visit([&](auto& shape) { return drawShape(shape, speed); }, light.shape);
     bool inverseSquare = light.falloff == Falloff::InverseSquare;
     labelledRow("Inverse-square");
-    if (ImGui::Checkbox("##falloff", &inverseSquare)) {
+    if (ui::checkbox("##falloff", &inverseSquare)) {
         light.falloff = inverseSquare ? Falloff::InverseSquare : Falloff::None;
         edited = true;
     }
-    tooltip("Light grows weaker with the square of the distance.");
-    if (ImGui::Button("Remove", {-1.0f, 0.0f})) {
+    tooltip("The light falls off with the square of the distance.");
+    if (ui::button("Remove", {-1.0f, 0.0f})) {
         lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(index));
         edited = true;
         workspace.view.selectedLight = -1;

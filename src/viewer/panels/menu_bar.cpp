@@ -11,29 +11,30 @@ namespace {
 
 void drawBuiltinMenu(Workspace& workspace) {
     static const std::vector<BuiltinScene> scenes = builtinScenes();
-    if (!ImGui::BeginMenu("Built-in scenes")) return;
-    for (const BuiltinScene& scene : scenes) {
-        if (ImGui::MenuItem(scene.name.c_str())) workspace.open("builtin:" + scene.name);
-        tooltip(scene.title);
-    }
-    ImGui::EndMenu();
+    ui::menu("Built-in scenes", [&] {
+        for (const BuiltinScene& scene : scenes) {
+            if (ui::menuItem(scene.name.c_str())) workspace.open("builtin:" + scene.name);
+            tooltip(scene.title);
+        }
+    });
 }
 
 void drawRecentMenu(Workspace& workspace) {
-    if (!ImGui::BeginMenu("Recent", !workspace.recent.paths().empty())) return;
     std::string chosen;
-    for (const std::string& path : workspace.recent.paths())
-        if (ImGui::MenuItem(path.c_str())) chosen = path;
+    const auto drawPaths = [&] {
+        for (const std::string& path : workspace.recent.paths())
+            if (ui::menuItem(path.c_str())) chosen = path;
+    };
+    ui::menu("Recent", drawPaths, !workspace.recent.paths().empty());
     if (!chosen.empty()) workspace.open(chosen);
-    ImGui::EndMenu();
 }
 
 void drawCommands(Workspace& workspace, const char* menu) {
     for (const CommandInfo& info : commandTable()) {
         if (std::strcmp(info.menu, menu) != 0) continue;
         if (info.separatorBefore) ImGui::Separator();
-        if (ImGui::MenuItem(info.label, shortcutText(info).c_str(), info.checked && info.checked(workspace),
-                            !info.enabled || info.enabled(workspace)))
+        if (ui::menuItem(info.label, shortcutText(info).c_str(), info.checked && info.checked(workspace),
+                         !info.enabled || info.enabled(workspace)))
             workspace.commands.push_back(info.command);
         tooltip(info.help);
         if (info.command == Command::OpenScene) {
@@ -45,25 +46,26 @@ void drawCommands(Workspace& workspace, const char* menu) {
 
 void drawRasterChoices(Workspace& workspace) {
     ImGui::Separator();
-    ImGui::MenuItem("Smooth normals", nullptr, &workspace.view.raster.smoothNormals);
-    ImGui::MenuItem("Textures", nullptr, &workspace.view.raster.textures);
-    if (!ImGui::BeginMenu("Resolution of the traced view")) return;
-    for (const float resolution : {1.0f, 0.5f, 0.25f})
-        if (ImGui::MenuItem(fmt::format("{:.0f} %", 100.0f * resolution).c_str(), nullptr,
-                            workspace.view.resolution == resolution))
-            workspace.view.resolution = resolution;
-    ImGui::EndMenu();
+    ui::menuItem("Smooth normals", nullptr, &workspace.view.raster.smoothNormals);
+    ui::menuItem("Textures", nullptr, &workspace.view.raster.textures);
+    ui::menu("Resolution of the traced view", [&] {
+        for (const float resolution : {1.0f, 0.5f, 0.25f})
+            if (ui::menuItem(fmt::format("{:.0f} %", 100.0f * resolution).c_str(), nullptr,
+                             workspace.view.resolution == resolution))
+                workspace.view.resolution = resolution;
+    });
 }
 
 }  // namespace
 
 void drawMenuBar(Workspace& workspace) {
     if (!ImGui::BeginMainMenuBar()) return;
+    const ui::Scope scope("Menu");
     for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "BVH", "Help"}) {
-        if (!ImGui::BeginMenu(menu)) continue;
-        drawCommands(workspace, menu);
-        if (std::strcmp(menu, "View") == 0) drawRasterChoices(workspace);
-        ImGui::EndMenu();
+        ui::menu(menu, [&] {
+            drawCommands(workspace, menu);
+            if (std::strcmp(menu, "View") == 0) drawRasterChoices(workspace);
+        });
     }
     ImGui::EndMainMenuBar();
 }

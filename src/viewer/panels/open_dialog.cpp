@@ -49,14 +49,14 @@ void OpenDialog::enter(const std::filesystem::path& folder) {
         entries_.insert(entries_.begin(), {"..", true});
 }
 
-/// Returns whether `typed_` now names the file to open.
+/// Returns whether a double click has put the file to open into `typed_`.
 bool OpenDialog::drawEntries() {
     std::string entered;
     bool chosen = false;
     ImGui::BeginChild("entries", {0.0f, -2.2f * ImGui::GetFrameHeightWithSpacing()}, true);
     for (const Entry& entry : entries_) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
-        if (!ImGui::Selectable(label.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) continue;
+        if (!ui::selectable(label.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) continue;
         if (entry.folder) {
             entered = entry.name;
         } else {
@@ -64,7 +64,7 @@ bool OpenDialog::drawEntries() {
             chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         }
     }
-    if (entries_.empty()) dimText("no folder, .toml or .obj here");
+    if (entries_.empty()) dimText("no folders, .toml or .obj files here");
     ImGui::EndChild();
     if (!entered.empty()) enter((folder_ / entered).lexically_normal());
     return chosen;
@@ -82,18 +82,20 @@ void OpenDialog::draw(Workspace& workspace) {
         {std::min(scaled(620.0f), display.x * 0.9f), std::min(scaled(460.0f), display.y * 0.8f)},
         ImGuiCond_Appearing);
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
+    const ui::Scope scope(kTitle);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    bool open = ImGui::InputText("##path", &typed_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    bool open = ui::noted(
+        "Path", ImGui::InputText("##path", &typed_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll));
     open |= drawEntries();
     if (errorMessage_.empty())
-        dimText("A scene (.toml), a mesh (.obj) or builtin:NAME; double-click opens.");
+        dimText("A scene (.toml), a mesh (.obj) or builtin:NAME. Double-click to open.");
     else
         coloredText(kErrorText, errorMessage_);
-    open |= ImGui::Button("Open", {scaled(90.0f), 0.0f});
+    open |= ui::button("Open", {scaled(90.0f), 0.0f});
     ImGui::SameLine();
-    const bool cancel = ImGui::Button("Cancel", {scaled(90.0f), 0.0f}) || workspace.closeDialogs;
+    const bool cancel = ui::button("Cancel", {scaled(90.0f), 0.0f}) || workspace.closeDialogs;
     std::error_code ignored;
     if (open && std::filesystem::is_directory(typed_, ignored)) {
         enter(std::filesystem::path(typed_).lexically_normal());

@@ -1,6 +1,5 @@
 #pragma once
-// One function per part of the window. Each draws itself from the workspace and writes what the user changes
-// back into it.
+// One function per part of the window. Each draws from the workspace and writes changes back into it.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,13 +31,13 @@ void drawTradePanel(Workspace& workspace);
 void drawComparisonPanel(Workspace& workspace);
 void drawQualityPanel(Workspace& workspace);
 
-/// The divider and the names of compared pictures, over the picture.
+/// The divider and the labels A and B of compared pictures, over the picture.
 void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 size);
 
-/// What the picture lacks while it moves, in its lower left corner.
+/// What is left out while the camera moves, in the lower left corner of the picture.
 void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size);
 
-/// A list of folders and scene files in which one is chosen.
+/// A file dialog for scene files.
 class OpenDialog {
   public:
     /// Opens the dialog at the next draw().
@@ -59,7 +58,7 @@ class OpenDialog {
     std::string typed_, errorMessage_;
 };
 
-/// Size, samples and name of a render to a file, then its progress.
+/// Size, sample count and file name of a render to a file, then its progress.
 class RenderDialog {
   public:
     /// Opens the dialog at the next draw().

@@ -1,4 +1,4 @@
-// The samples of a pixel: where they lie in it, and what each is worth.
+// The samples of a pixel: their positions, and the radiance of each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
 
-/// So many samples can be told apart; of more, only the chosen one is outlined.
+/// With more samples than this, only the selected one is outlined.
 constexpr std::size_t kMaxCircles = 256;
 
 void drawDot(ImDrawList& draw, ImVec2 center, ImU32 color, bool chosen, bool amongMany) {
@@ -27,11 +27,11 @@ void drawDot(ImDrawList& draw, ImVec2 center, ImU32 color, bool chosen, bool amo
     draw.AddCircle(center, radius, chosen ? IM_COL32(255, 255, 255, 255) : IM_COL32(130, 134, 142, 255));
 }
 
-/// The pixel as a square with a dot per sample in its colour; over the grid that jittered samples keep to.
+/// The pixel as a square with a dot per sample in its colour, over the strata of the jittered sampler.
 void drawGrid(DebugRays& rays, const DebugRays::PixelRecording& recording, float side) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::InvisibleButton("##pixel", {side, side});
+    ui::area("Sample positions", {side, side});
     draw.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(20, 22, 26, 255));
     const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(recording.samples))));
     for (int i = 0; i <= cells && cells <= 64; ++i) {
@@ -41,33 +41,33 @@ void drawGrid(DebugRays& rays, const DebugRays::PixelRecording& recording, float
         draw.AddLine({at.x, at.y + offset}, {at.x + side, at.y + offset}, color);
     }
     int nearest = -1;
-    float reach = scaled(6.0f);
+    float nearestDistance = scaled(6.0f);
     for (std::size_t i = 0; i < recording.pixel.positions.size(); ++i) {
-        const glm::vec2 place = glm::vec2(recording.pixel.positions[i]) * side;
-        const ImVec2 center{at.x + place.x, at.y + place.y};
+        const glm::vec2 offset = glm::vec2(recording.pixel.positions[i]) * side;
+        const ImVec2 center{at.x + offset.x, at.y + offset.y};
         const bool chosen = static_cast<int>(i) == recording.tree().name.index;
         drawDot(draw, center, toU32(displayColor(Rgb(recording.pixel.values[i]))), chosen,
                 recording.pixel.positions.size() > kMaxCircles);
         const ImVec2 mouse = ImGui::GetIO().MousePos;
         const float distance = std::hypot(mouse.x - center.x, mouse.y - center.y);
-        if (distance < reach) {
-            reach = distance;
+        if (distance < nearestDistance) {
+            nearestDistance = distance;
             nearest = static_cast<int>(i);
         }
     }
     if (!ImGui::IsItemHovered()) return;
     ImGui::SetTooltip("%s", nearest >= 0 ? fmt::format("sample {}", nearest).c_str()
-                                         : "the pixel, and where its samples lie");
+                                         : "Positions of the samples in the pixel. Click one to select it.");
     if (nearest >= 0 && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) rays.selectSample(nearest);
 }
 
-/// A bar per sample, outliers in orange, and the running mean as a line. A click chooses a sample.
+/// A bar per sample, outliers outlined in orange, and the running mean as a line. A click selects a sample.
 void drawStrip(DebugRays& rays, const DebugRays::PixelRecording& recording, float width, float height) {
     const probe::SampleStatistics& s = recording.statistics;
     const auto count = static_cast<int>(s.luminance.size());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::InvisibleButton("##strip", {width, height});
+    ui::area("Sample strip", {width, height});
     draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
     double highest = 1e-12;
     for (const double x : s.luminance)
@@ -77,7 +77,7 @@ void drawStrip(DebugRays& rays, const DebugRays::PixelRecording& recording, floa
         const double share = std::isfinite(value) ? std::clamp(value / highest, 0.0, 1.0) : 1.0;
         return at.y + height * static_cast<float>(1.0 - share);
     };
-    // Where samples are closer than pixels, the brightest of its neighbours stands for them.
+    // With more samples than pixels, each bar shows the brightest of its samples.
     const int stride = std::max(1, count / std::max(1, static_cast<int>(width)));
     for (int first = 0; first < count; first += stride) {
         int i = first;
@@ -117,16 +117,16 @@ void drawPixelSamples(Workspace& workspace, const DebugRays::PixelRecording& rec
     drawStrip(workspace.rays, recording, ImGui::GetContentRegionAvail().x,
               side - 2.0f * ImGui::GetTextLineHeightWithSpacing());
     text(fmt::format("mean {:.4g} +- {:.2g}", s.mean, s.errorOfMean()));
-    tooltip("Luminance of the pixel, and the standard error of that mean.");
+    tooltip("Mean luminance of the samples and its standard error.");
     dimText(fmt::format("{} outliers of {}", s.outliers.size(), s.luminance.size()));
     ImGui::EndGroup();
 }
 
 void drawPins(Workspace& workspace) {
     DebugRays& rays = workspace.rays;
-    if (rays.pins.empty()) return dimText("P pins the recorded pixel.");
+    if (rays.pins.empty()) return dimText("Press P to pin the recorded pixel.");
     if (!ImGui::BeginTable("pins", 4, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
-    for (const char* name : {"pixel", "mean", "+-", "rays"}) ImGui::TableSetupColumn(name);
+    for (const char* name : {"pixel", "mean", "std. error", "rays"}) ImGui::TableSetupColumn(name);
     ImGui::TableHeadersRow();
     std::size_t removed = rays.pins.size();
     for (std::size_t i = 0; i < rays.pins.size(); ++i) {
@@ -134,15 +134,15 @@ void drawPins(Workspace& workspace) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(fmt::format("{}, {}", pin.pixel.x, pin.pixel.y).c_str(), false,
-                              ImGuiSelectableFlags_SpanAllColumns))
+        if (ui::selectable(fmt::format("{}, {}", pin.pixel.x, pin.pixel.y).c_str(), false,
+                           ImGuiSelectableFlags_SpanAllColumns))
             removed = i;
         ImGui::PopID();
-        tooltip(pin.surface + "\nA click lets go of it.");
-        for (const std::string& words : {fmt::format("{:.4g}", pin.mean), fmt::format("{:.2g}", pin.error),
-                                         fmt::format("{:.1f}", pin.raysPerSample)}) {
+        tooltip(pin.surface + "\nClick to remove.");
+        for (const std::string& content : {fmt::format("{:.4g}", pin.mean), fmt::format("{:.2g}", pin.error),
+                                           fmt::format("{:.1f}", pin.raysPerSample)}) {
             ImGui::TableNextColumn();
-            text(words);
+            text(content);
         }
     }
     ImGui::EndTable();

@@ -1,21 +1,21 @@
 #pragma once
-// Parts of the panel of recorded rays.
+// Parts of the panel Rays.
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {
 
-/// The rays of the chosen sample as a table in which one can be selected, and everything about that one.
+/// The rays of the selected sample as a table, and the details of the selected ray.
 void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recording);
 
-/// The traversal of the selected ray through the hierarchy, step by step.
+/// The BVH traversal of the selected ray, step by step.
 void drawTraversal(Workspace& workspace);
 
-/// Where the samples lie in the pixel, and what each is worth.
+/// Positions of the samples in the pixel, and the radiance of each.
 void drawPixelSamples(Workspace& workspace, const DebugRays::PixelRecording& recording);
-/// Pixels that were pinned, side by side.
+/// Statistics of the pinned pixels.
 void drawPins(Workspace& workspace);
 
-/// Texels, environment, gloss and lens where the selected ray ends.
+/// Texels, environment, glossy lobe, vertex normals and lens at the end of the selected ray.
 void drawSurface(Workspace& workspace, const DebugRays::PixelRecording& recording);
 
 }  // namespace rayscope::viewer

@@ -24,7 +24,7 @@ int levelOf(const RayTree& tree, int node) {
 
 double largest(const RgbSum& c) { return std::max({c.x, c.y, c.z}); }
 
-/// Kind, t and hit, and what it adds.
+/// Kind, hit distance and object, and contribution.
 struct Row {
     std::string kind, where, adds;
 };
@@ -58,17 +58,17 @@ void drawNode(const trace::World& world, const RayNode& node) {
         valueRow("Opacity", fmt::format("{:.4g}", node.opacity));
     }
     valueRow("Throughput", rgbText(node.throughput));
-    valueRow("Adds", rgbText(node.contribution));
-    valueRow("Ends", std::string(probe::nameOf(node.end)));
+    valueRow("Contribution", rgbText(node.contribution));
+    valueRow("End", std::string(probe::nameOf(node.end)));
 }
 
 void drawShadowRay(const ShadowRay& ray) {
     valueRow("From", vectorText(ray.from));
     valueRow("To", vectorText(ray.to));
     valueRow("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
-    valueRow("Verdict", std::string(probe::nameOf(ray.visibility)));
-    valueRow("Its colour", rgbText(RgbSum(ray.color)));
-    valueRow("Adds", rgbText(ray.contribution));
+    valueRow("Visibility", std::string(probe::nameOf(ray.visibility)));
+    valueRow("Colour", rgbText(RgbSum(ray.color)));
+    valueRow("Contribution", rgbText(ray.contribution));
 }
 
 void drawActions(Workspace& workspace) {
@@ -77,7 +77,7 @@ void drawActions(Workspace& workspace) {
         const float gaps = ImGui::GetStyle().ItemSpacing.x * static_cast<float>(perRow - 1);
         static float rowWidth = 0.0f;
         if (ImGui::GetCursorPosX() < scaled(20.0f)) rowWidth = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Button(label, {(rowWidth - gaps) / static_cast<float>(perRow), 0.0f}))
+        if (ui::button(label, {(rowWidth - gaps) / static_cast<float>(perRow), 0.0f}))
             workspace.commands.push_back(command);
         tooltip(help);
     };
@@ -85,14 +85,14 @@ void drawActions(Workspace& workspace) {
     button("Hide (H)", 2, Command::HideRay, "Do not draw the selected ray.");
     ImGui::SameLine();
     button(rays.filter.isolated ? "Show all (I)" : "Isolate (I)", 2, Command::IsolateRay,
-           "Draw only the selected ray, the rays that led to it and its shadow rays.");
+           "Draw only the selected ray, its ancestors and its shadow rays.");
     ImGui::EndDisabled();
-    button("Copy JSON", 3, Command::CopyRays, "Copy the tree of the sample as JSON (J).");
+    button("Copy JSON", 3, Command::CopyRays, "Copy the ray tree of the sample as JSON (J).");
     ImGui::SameLine();
     button("Export OBJ", 3, Command::ExportRays,
-           "Write the rays as line segments to rayscope-0001.obj, and as JSON (Ctrl+J).");
+           "Write the rays as line segments to an OBJ file, and as JSON (Ctrl+J).");
     ImGui::SameLine();
-    button("Clear", 3, Command::ClearRays, "Forget the recorded rays (C).");
+    button("Clear", 3, Command::ClearRays, "Discard the recorded rays (C).");
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recordi
     DebugRays& rays = workspace.rays;
     const RayTree& tree = recording.tree();
     const std::vector<RaySelection> shown = shownRays(tree, rays.filter);
-    dimText(fmt::format("{} of {} rays shown", shown.size(), tree.nodes.size() + tree.shadowRays.size()));
+    dimText(fmt::format("{} of {} rays drawn", shown.size(), tree.nodes.size() + tree.shadowRays.size()));
     static RaySelection revealed;
     const bool reveal = rays.selection() != revealed;
     revealed = rays.selection();
@@ -110,7 +110,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recordi
     if (ImGui::BeginTable("rays", 3, kFlags, {0.0f, scaled(110.0f)})) {
         ImGui::TableSetupScrollFreeze(0, 1);
         ImGui::TableSetupColumn("ray", ImGuiTableColumnFlags_WidthStretch, 0.38f);
-        ImGui::TableSetupColumn("t, meets", ImGuiTableColumnFlags_WidthStretch, 0.43f);
+        ImGui::TableSetupColumn("t, hit", ImGuiTableColumnFlags_WidthStretch, 0.43f);
         ImGui::TableSetupColumn("adds", ImGuiTableColumnFlags_WidthStretch, 0.19f);
         ImGui::TableHeadersRow();
         ImGuiListClipper clipper;
@@ -118,18 +118,18 @@ void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recordi
         while (clipper.Step())
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
                 const RaySelection ray = shown[static_cast<std::size_t>(i)];
-                const Row words = rowOf(*recording.world, tree, ray);
+                const Row row = rowOf(*recording.world, tree, ray);
                 ImGui::TableNextRow();
                 ImGui::TableNextColumn();
                 ImGui::PushID(i);
-                if (ImGui::Selectable(words.kind.c_str(), ray == rays.selection(),
-                                      ImGuiSelectableFlags_SpanAllColumns))
+                if (ui::selectable(row.kind.c_str(), ray == rays.selection(),
+                                   ImGuiSelectableFlags_SpanAllColumns))
                     rays.select(ray == rays.selection() ? RaySelection{} : ray);
                 ImGui::PopID();
                 ImGui::TableNextColumn();
-                text(words.where);
+                text(row.where);
                 ImGui::TableNextColumn();
-                text(words.adds);
+                text(row.adds);
             }
         const auto at = std::find(shown.begin(), shown.end(), rays.selection());
         if (reveal && at != shown.end())
@@ -141,7 +141,7 @@ void drawRayTable(Workspace& workspace, const DebugRays::PixelRecording& recordi
     const RaySelection selected = rays.selection();
     if (selected.node >= 0) drawNode(*recording.world, tree.nodes[static_cast<std::size_t>(selected.node)]);
     if (selected.shadow >= 0) drawShadowRay(tree.shadowRays[static_cast<std::size_t>(selected.shadow)]);
-    if (selected.empty()) dimText("Click a ray for everything about it.");
+    if (selected.empty()) dimText("Click a ray for its details.");
 }
 
 }  // namespace rayscope::viewer

@@ -1,4 +1,4 @@
-// What was recorded of a pixel: samples, the proof that they are those of the picture, and the legend.
+// The recorded rays of a pixel: replay check, samples, diagnosis, legend and filters.
 #include <fmt/format.h>
 
 #include "probe/names.h"
@@ -16,7 +16,7 @@ constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
 
 ImU32 toU32(glm::vec4 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, c.w}); }
 
-/// A piece of line as it looks in the picture, on the line of text that follows.
+/// A line in the style of the picture, in front of the text that follows.
 void drawLineSample(const RayLegendEntry& entry, bool shown) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float y = at.y + 0.5f * ImGui::GetTextLineHeight(), length = scaled(26.0f);
@@ -31,83 +31,87 @@ void drawLineSample(const RayLegendEntry& entry, bool shown) {
     ImGui::Dummy({length, ImGui::GetTextLineHeight()});
 }
 
-/// The legend is the filter: a click on a row shows or hides what it stands for.
+/// The legend doubles as a filter: a click on a row shows or hides that kind of ray.
 void drawLegend(DebugRayFilter& filter) {
     for (const RayLegendEntry& entry : debugRayLegend()) {
         bool& shown = filter.*entry.shown;
         drawLineSample(entry, shown);
         ImGui::SameLine();
         ImGui::PushStyleColor(ImGuiCol_Text, shown ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : kDimText);
-        if (ImGui::Selectable(entry.label)) shown = !shown;
+        if (ui::selectable(entry.label)) shown = !shown;
         ImGui::PopStyleColor();
     }
 }
 
 void drawFilter(Workspace& workspace) {
     DebugRayFilter& filter = workspace.rays.filter;
-    labelledRow("Depth up to", false, "Rays after more reflections than this are not drawn.");
-    ImGui::SliderInt("##depth", &filter.maxDepth, 0, 16, "%d", kClamp);
-    labelledRow("Light", false, "Shadow rays to one light, or to all.");
+    labelledRow("Max depth", false, "Draw only rays with at most this many reflections before them.");
+    ui::sliderInt("##depth", &filter.maxDepth, 0, 16, "%d", kClamp);
+    labelledRow("Light", false, "Draw shadow rays to this light only, or to all.");
     const int lights = static_cast<int>(workspace.edit.scene->lights.size());
     filter.light = std::min(filter.light, lights - 1);
-    ImGui::SliderInt("##light", &filter.light, -1, lights - 1, filter.light < 0 ? "all" : "%d", kClamp);
-    labelledRow("Adds at least", false, "Hides what adds less than this to the radiance of the sample.");
-    ImGui::SliderFloat("##least", &filter.minContribution, 0.0f, 1.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
+    ui::sliderInt("##light", &filter.light, -1, lights - 1, filter.light < 0 ? "all" : "%d", kClamp);
+    labelledRow("Min contribution", false,
+                "Hide rays that add less than this to the radiance of the sample.");
+    ui::sliderFloat("##least", &filter.minContribution, 0.0f, 1.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
     labelledRow(
         "Colour", false,
-        "By kind as in the legend; in what the surface at the end of the ray shows of its own, thin where "
-        "it lets light through; or in the light that comes along the ray.");
-    constexpr const char* kNames[] = {"kind", "surface", "arriving light"};
-    int colors = static_cast<int>(filter.colors);
-    if (ImGui::Combo("##colors", &colors, kNames, 3)) filter.colors = static_cast<RayColors>(colors);
+        "kind: as in the legend. surface: the colour of the surface that is hit, thin in proportion to its "
+        "opacity. radiance: the radiance that arrives along the ray.");
+    constexpr const char* kNames[] = {"kind", "surface", "radiance"};
+    ui::combo("##colors", kNames[static_cast<int>(filter.colors)], [&] {
+        for (int i = 0; i < 3; ++i)
+            if (ui::selectable(kNames[i], static_cast<int>(filter.colors) == i))
+                filter.colors = static_cast<RayColors>(i);
+    });
     if (!filter.hidden.empty() &&
-        ImGui::Button(fmt::format("Show {} hidden rays", filter.hidden.size()).c_str(), {-1.0f, 0.0f}))
+        ui::button(fmt::format("Show {} hidden rays", filter.hidden.size()).c_str(), {-1.0f, 0.0f}))
         filter.hidden.clear();
 }
 
 std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
 
-/// The proof that the rays shown are those of the picture.
-void drawVerdict(const ReplayResult& verdict) {
+/// Result of the replay: whether the recorded rays are those of the picture.
+void drawReplay(const ReplayResult& verdict) {
     if (verdict.samples == 0) return;
     coloredText(verdict.good() ? kGoodText : kErrorText,
-                verdict.good() ? fmt::format("[x] replay of {} samples: same bits", verdict.samples)
-                               : "[ ] the replay differs from the picture");
+                verdict.good() ? fmt::format("[x] replay of {} samples: bit-identical", verdict.samples)
+                               : "[ ] replay differs from the picture");
     tooltip(
-        "All samples of the pixel were traced again with the recorder. The tick says that their sum has the "
-        "same bits as the picture's, and that the contributions in every tree add up to its radiance.");
+        "All samples of the pixel were traced again with the recorder. [x]: their sum is bit-identical to "
+        "the pixel of the picture, and the contributions of each ray tree add up to its radiance.");
     if (verdict.good()) return;
     if (!verdict.matchesFilm) {
         text(fmt::format("picture {} {} {}", verdict.film.r, verdict.film.g, verdict.film.b));
         text(fmt::format("replay  {} {} {}", verdict.replayed.r, verdict.replayed.g, verdict.replayed.b));
     }
-    if (!verdict.sumMatches) text("the contributions of a tree do not add up to its radiance");
+    if (!verdict.sumMatches) text("contributions do not add up to the radiance");
 }
 
 void drawReplayProgress(DebugRays& rays) {
     dimText(fmt::format("replaying samples: {:.0f} %", 100.0 * rays.replayProgress()));
     ImGui::SameLine();
-    if (ImGui::SmallButton("Stop")) rays.cancelReplay();
+    if (ui::smallButton("Stop replay")) rays.cancelReplay();
 }
 
 void drawSamples(DebugRays& rays, const DebugRays::PixelRecording& recording) {
     int sample = recording.tree().name.index;
     labelledRow("Sample");
-    if (ImGui::SliderInt("##sample", &sample, 0, std::max(0, recording.samples - 1), "%d", kClamp))
+    if (ui::sliderInt("##sample", &sample, 0, std::max(0, recording.samples - 1), "%d", kClamp))
         rays.selectSample(sample);
-    tooltip("Which sample of the pixel the table lists.");
+    tooltip("Sample of the pixel that the table lists.");
     bool all = rays.filter.allSamples;
-    if (ImGui::Checkbox("Draw all samples", &all)) rays.showAllSamples(all);
+    if (ui::checkbox("Draw all samples", &all)) rays.showAllSamples(all);
     if (!all) return;
-    const std::string words = fmt::format("{} of {} shown", recording.trees.size(), recording.samples);
+    const std::string drawn = fmt::format("{} of {} drawn", recording.trees.size(), recording.samples);
     ImGui::SameLine();
     if (static_cast<int>(recording.trees.size()) < recording.samples)
-        coloredText(kWarningText, words);
+        coloredText(kWarningText, drawn);
     else
-        dimText(words);
-    labelledRow("Budget", false, "How much memory the recorded rays may take.");
+        dimText(drawn);
+    labelledRow("Memory limit", false, "Memory for the recorded rays.");
     int mebibytes = static_cast<int>(rays.budget >> 20);
-    if (ImGui::SliderInt("##budget", &mebibytes, 1, 1024, "%d MiB", kClamp | ImGuiSliderFlags_Logarithmic)) {
+    if (ui::sliderInt("##budget", &mebibytes, 1, 1024, "%d MiB", kClamp | ImGuiSliderFlags_Logarithmic)) {
         rays.budget = static_cast<std::size_t>(mebibytes) << 20;
         rays.showAllSamples(true);
     }
@@ -119,18 +123,18 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
     text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
                      tree.shadowRays.size()));
     if (rays.isStaleFor(workspace.edit, workspace.imageSize()))
-        coloredText(kWarningText, "Stale: something has changed since");
+        coloredText(kWarningText, "Outdated: scene, settings or camera changed");
     if (rays.replaying())
         drawReplayProgress(rays);
     else if (recording.verdict)
-        drawVerdict(*recording.verdict);
+        drawReplay(*recording.verdict);
     valueRow("Radiance", rgbText(tree.radiance));
     drawPixelSamples(workspace, recording);
     drawSamples(rays, recording);
     drawRayTable(workspace, recording);
 }
 
-/// Sentences about the pixel; a click goes to a ray that they rest on.
+/// Findings about the pixel, with buttons that select the rays that support them.
 void drawDiagnosis(DebugRays& rays) {
     const std::vector<probe::Diagnosis>* diagnosis = rays.diagnose();
     if (diagnosis == nullptr) {
@@ -138,13 +142,13 @@ void drawDiagnosis(DebugRays& rays) {
             if (stoppableProgress(rays.diagnosisProgress())) rays.cancelDiagnosis();
         } else {
             if (!rays.diagnosisError().empty()) coloredText(kErrorText, rays.diagnosisError());
-            if (ImGui::Button("Diagnose", {-1.0f, 0.0f})) rays.restartDiagnosis();
+            if (ui::button("Diagnose", {-1.0f, 0.0f})) rays.restartDiagnosis();
         }
         return;
     }
     // A copy, because a click below selects another ray.
     const std::vector<probe::Diagnosis> all = *diagnosis;
-    if (all.empty()) dimText("Nothing stands out about this pixel.");
+    if (all.empty()) dimText("Nothing unusual about this pixel.");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const probe::Diagnosis& why = all[i];
         coloredText(kWarningText,
@@ -153,8 +157,8 @@ void drawDiagnosis(DebugRays& rays) {
         ImGui::PushID(static_cast<int>(i));
         for (std::size_t e = 0; e < std::min<std::size_t>(why.evidence.size(), 8); ++e) {
             if (e % 4 > 0) ImGui::SameLine();
-            if (ImGui::SmallButton(fmt::format("ray {}", e + 1).c_str())) rays.show(why.evidence[e]);
-            tooltip("Go to a ray that this rests on.");
+            if (ui::smallButton(fmt::format("ray {}", e + 1).c_str())) rays.show(why.evidence[e]);
+            tooltip("Select a ray that supports this finding.");
         }
         ImGui::PopID();
     }
@@ -163,24 +167,21 @@ void drawDiagnosis(DebugRays& rays) {
 }  // namespace
 
 void drawRaysPanel(Workspace& workspace) {
-    const auto section = [](const char* name) {
-        return ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
-    };
     const DebugRays::PixelRecording* recording = workspace.rays.recording();
-    if (section("Recorded rays")) {
+    if (ui::section("Recorded rays")) {
         if (recording != nullptr)
             drawRecording(workspace, *recording);
         else
-            wrappedText("Point at a pixel and press R: its rays are recorded, drawn and listed here.");
+            wrappedText("Point at a pixel and press R to record its rays.");
         ImGui::Spacing();
     }
-    if (recording != nullptr && !workspace.view.liveRay && section("Why is it so?"))
+    if (recording != nullptr && !workspace.view.liveRay && ui::section("Diagnosis"))
         drawDiagnosis(workspace.rays);
-    if (recording != nullptr && section("Search (T)")) drawTraversal(workspace);
-    if (recording != nullptr && section("Where it ends")) drawSurface(workspace, *recording);
-    if (section("Legend: click to show or hide")) drawLegend(workspace.rays.filter);
-    if (section("Shown")) drawFilter(workspace);
-    if (section("Pinned pixels")) drawPins(workspace);
+    if (recording != nullptr && ui::section("Traversal (T)")) drawTraversal(workspace);
+    if (recording != nullptr && ui::section("Shading inputs")) drawSurface(workspace, *recording);
+    if (ui::section("Legend (click to show or hide)")) drawLegend(workspace.rays.filter);
+    if (ui::section("Filters")) drawFilter(workspace);
+    if (ui::section("Pinned pixels")) drawPins(workspace);
 }
 
 }  // namespace rayscope::viewer

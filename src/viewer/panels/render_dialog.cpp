@@ -19,7 +19,7 @@ void drawOutcome(const RenderJob& job) {
             coloredText(kGoodText, "Written: " + job.path());
             break;
         case RenderJob::Phase::Cancelled:
-            coloredText(kWarningText, "Cancelled; nothing was written.");
+            coloredText(kWarningText, "Cancelled: no file written.");
             break;
         case RenderJob::Phase::Failed:
             ImGui::PushStyleColor(ImGuiCol_Text, kErrorText);
@@ -35,11 +35,11 @@ void drawOutcome(const RenderJob& job) {
 
 void RenderDialog::drawForm(Workspace& workspace) {
     labelledRow("Size in pixels");
-    ImGui::InputInt2("##size", size_);
+    ui::noted("##size", ImGui::InputInt2("##size", size_));
     labelledRow("Samples per pixel");
-    ImGui::InputInt("##samples", &samples_, 0);
+    ui::noted("##samples", ImGui::InputInt("##samples", &samples_, 0));
     labelledRow("File (.png .exr .pfm .hdr)");
-    ImGui::InputText("##file", &path_);
+    ui::noted("##file", ImGui::InputText("##file", &path_));
     for (int& side : size_) side = std::clamp(side, 1, 32768);
     samples_ = std::clamp(samples_, 1, 1 << 20);
     if (!errorMessage_.empty()) {
@@ -51,7 +51,7 @@ void RenderDialog::drawForm(Workspace& workspace) {
     ImGui::Spacing();
     const bool entered =
         !ImGui::IsWindowAppearing() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false);
-    if (ImGui::Button("Render", {scaled(110.0f), 0.0f}) || entered) {
+    if (ui::button("Render", {scaled(110.0f), 0.0f}) || entered) {
         EditState state = workspace.edit;
         state.settings.spp = samples_;
         try {
@@ -64,7 +64,7 @@ void RenderDialog::drawForm(Workspace& workspace) {
         }
     }
     ImGui::SameLine();
-    if (ImGui::Button("Close", {scaled(110.0f), 0.0f}) || workspace.closeDialogs) {
+    if (ui::button("Close", {scaled(110.0f), 0.0f}) || workspace.closeDialogs) {
         workspace.job.reset();
         ImGui::CloseCurrentPopup();
     }
@@ -80,10 +80,10 @@ void RenderDialog::drawProgress(Workspace& workspace) {
     ImGui::ProgressBar(static_cast<float>(status.progress), {-1.0f, 0.0f}, label.c_str());
     text(fmt::format("{} of {} samples, {:.1f} s, {}", status.samples, status.targetSamples,
                      status.elapsedSeconds,
-                     status.remainingSeconds > 0.0 ? fmt::format("{:.1f} s to go", status.remainingSeconds)
+                     status.remainingSeconds > 0.0 ? fmt::format("{:.1f} s left", status.remainingSeconds)
                                                    : std::string("estimating")));
     ImGui::Spacing();
-    if (ImGui::Button("Cancel", {scaled(110.0f), 0.0f}) || workspace.closeDialogs) workspace.job->cancel();
+    if (ui::button("Cancel", {scaled(110.0f), 0.0f}) || workspace.closeDialogs) workspace.job->cancel();
 }
 
 void RenderDialog::draw(Workspace& workspace) {
@@ -98,6 +98,7 @@ void RenderDialog::draw(Workspace& workspace) {
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.45f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(scaled(460.0f), display.x * 0.9f), 0.0f});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize)) return;
+    const ui::Scope scope(kTitle);
     if (workspace.job && workspace.job->running())
         drawProgress(workspace);
     else

@@ -11,39 +11,40 @@ namespace {
 void drawSceneChoice(Workspace& workspace) {
     static const std::vector<BuiltinScene> scenes = builtinScenes();
     const std::string& path = workspace.edit.scene->path;
-    const std::string shown = workspace.loader.busy() ? "opening " + workspace.loader.path() : path;
+    const std::string shown = workspace.loader.busy() ? "loading " + workspace.loader.path() : path;
     ImGui::SetNextItemWidth(-scaled(64.0f));
-    if (ImGui::BeginCombo("##scenes", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
+    ui::noteRow("File");
+    const auto drawScenes = [&] {
         for (const BuiltinScene& scene : scenes) {
             const std::string name = "builtin:" + scene.name;
-            if (ImGui::Selectable(scene.name.c_str(), name == path)) workspace.open(name);
+            if (ui::selectable(scene.name.c_str(), name == path)) workspace.open(name);
             tooltip(scene.title);
         }
-        ImGui::EndCombo();
-    }
+    };
+    ui::combo("##scenes", shown.c_str(), drawScenes, ImGuiComboFlags_HeightLarge);
     ImGui::SameLine();
-    if (ImGui::Button("Open...", {-1.0f, 0.0f})) workspace.commands.push_back(Command::OpenScene);
+    if (ui::button("Open...", {-1.0f, 0.0f})) workspace.commands.push_back(Command::OpenScene);
 }
 
-/// "1 mesh", "5 materials"; nothing for none.
-void appendCount(std::string& words, std::size_t count, const char* one, const char* many) {
+/// Appends "1 mesh" or "5 materials"; nothing for a count of 0.
+void appendCount(std::string& counts, std::size_t count, const char* one, const char* many) {
     if (count == 0) return;
-    if (!words.empty()) words += ", ";
-    words += fmt::format("{} {}", count, count == 1 ? one : many);
+    if (!counts.empty()) counts += ", ";
+    counts += fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 void drawCounts(const SceneDescription& scene, const SceneRequirements& needs) {
-    std::string words;
-    appendCount(words, needs.triangles, "triangle", "triangles");
-    appendCount(words, scene.meshes.size(), "mesh", "meshes");
-    appendCount(words, needs.spheres, "sphere", "spheres");
-    appendCount(words, scene.materials.size(), "material", "materials");
-    appendCount(words, scene.lights.size(), "light", "lights");
-    wrappedText(words.empty() ? "empty" : words);
+    std::string counts;
+    appendCount(counts, needs.triangles, "triangle", "triangles");
+    appendCount(counts, scene.meshes.size(), "mesh", "meshes");
+    appendCount(counts, needs.spheres, "sphere", "spheres");
+    appendCount(counts, scene.materials.size(), "material", "materials");
+    appendCount(counts, scene.lights.size(), "light", "lights");
+    wrappedText(counts.empty() ? "empty" : counts);
 }
 
 void drawRequirements(const SceneRequirements& needs) {
-    if (!ImGui::TreeNode("What it needs")) return;
+    if (!ui::treeNode("Required features")) return;
     for (const Requirement& requirement : needs.list) {
         labelledRow(requirement.name, requirement.needed);
         ImGui::PushTextWrapPos(0.0f);

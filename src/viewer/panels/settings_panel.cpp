@@ -1,4 +1,4 @@
-// Every row of the settings table as a control.
+// A control for each row of the settings table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,42 +13,40 @@ namespace rayscope::viewer {
 namespace {
 
 void drawControl(const settings::Toggle& row, Settings& settings) {
-    ImGui::Checkbox("##value", &(settings.*row.member));
+    ui::checkbox("##value", &(settings.*row.member));
 }
 
-/// A slider where its whole range fits, else a field to drag whose speed goes with its value.
 void drawControl(const settings::Range<int>& row, Settings& settings) {
     int& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (row.logarithmic)
-        ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d",
-                         flags | ImGuiSliderFlags_Logarithmic);
+        ui::sliderInt("##value", &value, row.lowest, row.highest, "%d", flags | ImGuiSliderFlags_Logarithmic);
     else
-        ImGui::SliderInt("##value", &value, row.lowest, row.highest, "%d", flags);
+        ui::sliderInt("##value", &value, row.lowest, row.highest, "%d", flags);
 }
 
+/// A slider for small ranges, else a drag field with a speed proportional to the value.
 void drawControl(const settings::Range<float>& row, Settings& settings) {
     constexpr float kWidestSlider = 120.0f;
     float& value = settings.*row.member;
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
     if (row.highest - row.lowest <= kWidestSlider)
-        ImGui::SliderFloat(
-            "##value", &value, row.lowest, row.highest, "%.3g",
-            flags | (row.logarithmic || row.lowest == 0.0f ? ImGuiSliderFlags_Logarithmic : 0));
+        ui::sliderFloat("##value", &value, row.lowest, row.highest, "%.3g",
+                        flags | (row.logarithmic || row.lowest == 0.0f ? ImGuiSliderFlags_Logarithmic : 0));
     else
-        ImGui::DragFloat("##value", &value, std::max(0.005f, 0.01f * std::abs(value)), row.lowest,
-                         row.highest, "%.4g", flags);
+        ui::dragFloat("##value", &value, std::max(0.005f, 0.01f * std::abs(value)), row.lowest, row.highest,
+                      "%.4g", flags);
 }
 
 template <class E, std::size_t N>
 void drawControl(const settings::Choice<E, N>& row, Settings& settings) {
     const auto current = static_cast<std::size_t>(settings.*row.member);
     const std::string shown(row.names[current]);
-    if (!ImGui::BeginCombo("##value", shown.c_str())) return;
-    for (std::size_t i = 0; i < N; ++i)
-        if (ImGui::Selectable(std::string(row.names[i]).c_str(), i == current))
-            settings.*row.member = static_cast<E>(i);
-    ImGui::EndCombo();
+    ui::combo("##value", shown.c_str(), [&] {
+        for (std::size_t i = 0; i < N; ++i)
+            if (ui::selectable(std::string(row.names[i]).c_str(), i == current))
+                settings.*row.member = static_cast<E>(i);
+    });
 }
 
 std::string rangeText(const settings::Toggle&) { return "on or off"; }
@@ -62,34 +60,34 @@ std::string rangeText(const settings::Choice<E, N>& row) {
 }
 
 template <class Row>
-std::string explain(const Row& row, std::string_view idleReason) {
+std::string helpOf(const Row& row, std::string_view inactiveReason) {
     const Settings defaults;
-    std::string words =
-        fmt::format("{}\n\n--set {}={}\n{}{}{}\nDouble-click the name or right-click to reset.",
+    std::string help =
+        fmt::format("{}\n\n--set {}={}\n{}{}{}\nDouble-click the label or right-click to reset.",
                     row.text.help, row.text.key, textOf(defaults, row.text.key), rangeText(row),
                     row.text.unit.empty() ? "" : " ", row.text.unit);
-    if (!idleReason.empty()) words = fmt::format("Without effect: {}.\n\n{}", idleReason, words);
-    return words;
+    if (!inactiveReason.empty()) help = fmt::format("Inactive: {}.\n\n{}", inactiveReason, help);
+    return help;
 }
 
 template <class Row>
 void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs) {
     const Settings defaults;
     const bool edited = settings.*row.member != defaults.*row.member;
-    // What the scene does not contain comes first: no other setting could change that.
-    std::string_view idleReason = inactiveReason(needs, row.text.key);
-    if (idleReason.empty()) idleReason = row.inactive(settings);
+    // Missing scene content takes precedence: no other setting could change it.
+    std::string_view reason = inactiveReason(needs, row.text.key);
+    if (reason.empty()) reason = row.inactive(settings);
     const std::string id(row.text.key);
     ImGui::PushID(id.c_str());
-    ImGui::BeginDisabled(!idleReason.empty());
-    const std::string help = explain(row, idleReason);
+    ImGui::BeginDisabled(!reason.empty());
+    const std::string help = helpOf(row, reason);
     bool reset = labelledRow(row.text.label, edited, help);
     drawControl(row, settings);
     tooltip(help);
     ImGui::EndDisabled();
     if (ImGui::BeginPopupContextItem("reset")) {
-        if (ImGui::MenuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr,
-                            false, edited))
+        if (ui::menuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr, false,
+                         edited))
             reset = true;
         ImGui::EndPopup();
     }
@@ -109,20 +107,19 @@ std::vector<std::string_view> groupsOfTable() {
 }  // namespace
 
 void drawSettingsPanel(Workspace& workspace) {
-    if (ImGui::CollapsingHeader("Speed and accuracy", ImGuiTreeNodeFlags_DefaultOpen))
-        drawQualityPanel(workspace);
-    if (ImGui::CollapsingHeader("Measured on this scene")) drawTradePanel(workspace);
+    if (ui::section("Quality")) drawQualityPanel(workspace);
+    if (ui::section("Quality-speed study", 0)) drawTradePanel(workspace);
     static const std::vector<std::string_view> groups = groupsOfTable();
     for (const std::string_view group : groups) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
-        if (!ImGui::CollapsingHeader(std::string(group).c_str(), open)) continue;
+        if (!ui::section(std::string(group).c_str(), open)) continue;
         settings::forEachSetting([&](const auto& row) {
             if (row.text.group == group) drawRow(row, workspace.edit.settings, workspace.needs());
         });
         ImGui::Spacing();
     }
-    if (ImGui::Button("Reset all settings", {-1.0f, 0.0f})) workspace.edit.settings = Settings{};
-    tooltip("Every setting back to its default; undo takes it back.");
+    if (ui::button("Reset all settings", {-1.0f, 0.0f})) workspace.edit.settings = Settings{};
+    tooltip("Reset every setting to its default; can be undone.");
 }
 
 }  // namespace rayscope::viewer

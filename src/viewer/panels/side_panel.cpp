@@ -17,10 +17,10 @@ void drawViewChoice(ViewState& view) {
 }
 
 void drawSceneTab(Workspace& workspace) {
-    if (ImGui::CollapsingHeader("Contents", ImGuiTreeNodeFlags_DefaultOpen)) drawScenePanel(workspace);
-    if (ImGui::CollapsingHeader("Camera", ImGuiTreeNodeFlags_DefaultOpen)) drawCameraPanel(workspace);
-    if (ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen)) drawLightsPanel(workspace);
-    if (ImGui::CollapsingHeader("Numerical robustness")) drawLabPanel(workspace);
+    if (ui::section("Contents")) drawScenePanel(workspace);
+    if (ui::section("Camera")) drawCameraPanel(workspace);
+    if (ui::section("Lights")) drawLightsPanel(workspace);
+    if (ui::section("Numerical robustness", 0)) drawLabPanel(workspace);
 }
 
 struct Tab {
@@ -36,13 +36,7 @@ constexpr Tab kTabs[] = {{"Scene", drawSceneTab}, {"Settings", drawSettingsPanel
 void drawSidePanelContents(Workspace& workspace) {
     drawViewChoice(workspace.view);
     if (!ImGui::BeginTabBar("##tabs")) return;
-    for (const Tab& tab : kTabs) {
-        if (!ImGui::BeginTabItem(tab.name)) continue;
-        ImGui::BeginChild(tab.name, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
-        tab.draw(workspace);
-        ImGui::EndChild();
-        ImGui::EndTabItem();
-    }
+    for (const Tab& tab : kTabs) ui::tab(tab.name, [&] { tab.draw(workspace); });
     ImGui::EndTabBar();
 }
 

@@ -19,7 +19,7 @@ struct Range {
     double low, high;
 };
 
-/// The costs of splits; what a leaf costs may be far above them.
+/// Without the cost of a leaf, which may be far above those of the splits.
 Range rangeOf(const probe::SplitCurve& curve) {
     Range range{INFINITY, -INFINITY};
     const auto include = [&](double cost) {
@@ -36,7 +36,7 @@ void drawPlot(const probe::SplitCurve& curve, Range range) {
     const float width = ImGui::GetContentRegionAvail().x, height = scaled(90.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::InvisibleButton("##curve", {width, height});
+    ui::area("Split plot", {width, height});
     draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
     const double span = std::max(range.high - range.low, 1e-12);
     const auto yOf = [&](double cost) {
@@ -60,8 +60,8 @@ void drawPlot(const probe::SplitCurve& curve, Range range) {
                          {at.x + std::min(x + scaled(4.0f), width), yOf(curve.made)},
                          IM_COL32(240, 242, 245, 255), scaled(1.0f));
     tooltip(
-        "What it costs to search the node if it is split at the border of a bin: from left to right the "
-        "borders along each axis, below is cheaper. The dashed line is the split that was made.");
+        "SAH cost of the node over the split planes between bins, from left to right along each axis; lower "
+        "is better. Dashed: the split of this tree.");
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ void drawSplitCurve(BvhInspector& bvh, int bins) {
     dimText(fmt::format("{}: {} primitives, {} bins per axis",
                         bvh.shown.node == bvh::kNoNode ? "root" : fmt::format("node {}", bvh.shown.node),
                         curve.primitives, bins));
-    if (!(range.low <= range.high)) return dimText("No border separates its primitives.");
+    if (!(range.low <= range.high)) return dimText("No split plane separates the primitives.");
     drawPlot(curve, range);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine(0.0f, scaled(14.0f));
@@ -84,7 +84,8 @@ void drawSplitCurve(BvhInspector& bvh, int bins) {
     }
     ImGui::SameLine(0.0f, scaled(14.0f));
     dimText(fmt::format("from {:.4g} to {:.4g}", range.low, range.high));
-    valueRow("Split made", std::isnan(curve.made) ? "none: a leaf" : fmt::format("{:.5g}", curve.made));
+    valueRow("Split of this tree",
+             std::isnan(curve.made) ? "none (leaf)" : fmt::format("{:.5g}", curve.made));
     valueRow("As a leaf", fmt::format("{:.5g}", curve.leafCost));
 }
 

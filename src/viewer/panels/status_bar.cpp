@@ -58,19 +58,20 @@ void drawCursor(const CursorInfo& cursor) {
         text(cursor.object);
 }
 
-/// How accurate the picture is, and when it will be good enough.
+/// Estimated error, and when the target will be reached or what error the time limit will leave.
 std::string errorText(const Workspace& workspace) {
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
     if (!forecast || !workspace.view.traced) return "";
     const StopCriteria& stopCriteria = workspace.stopCriteria;
-    std::string words = fmt::format("error {:.2g}   ", forecast->estimate.error);
-    if (workspace.render.status().state != RenderState::Rendering) return words;
+    std::string status = fmt::format("error {:.2g}   ", forecast->estimate.error);
+    if (workspace.render.status().state != RenderState::Rendering) return status;
     if (stopCriteria.byError && forecast->remainingSeconds > 0.0)
-        words += fmt::format("{:.2g} in {}   ", stopCriteria.error, durationText(forecast->remainingSeconds));
+        status +=
+            fmt::format("{:.2g} in {}   ", stopCriteria.error, durationText(forecast->remainingSeconds));
     if (stopCriteria.byTime)
-        words += fmt::format("{:.2g} at {}   ", forecast->errorAtLimit,
-                             durationText(static_cast<double>(stopCriteria.seconds)));
-    return words;
+        status += fmt::format("{:.2g} at {}   ", forecast->errorAtLimit,
+                              durationText(static_cast<double>(stopCriteria.seconds)));
+    return status;
 }
 
 std::string endText(const RenderControl& render) {
@@ -82,16 +83,16 @@ std::string progressText(const Workspace& workspace) {
     const RenderControl& render = workspace.render;
     const RenderStatus& status = render.status();
     const bool openEnded = workspace.stopCriteria.byError && workspace.view.traced;
-    std::string words = openEnded ? fmt::format("{} samples   ", status.samples)
-                                  : fmt::format("{}/{} samples   ", status.samples, status.targetSamples);
-    words += fmt::format("{:.2f} Mray/s   {}   ", render.raysPerSecond() * 1e-6,
-                         durationText(status.elapsedSeconds));
+    std::string progress = openEnded ? fmt::format("{} samples   ", status.samples)
+                                     : fmt::format("{}/{} samples   ", status.samples, status.targetSamples);
+    progress += fmt::format("{:.2f} Mray/s   {}   ", render.raysPerSecond() * 1e-6,
+                            durationText(status.elapsedSeconds));
     if (status.state == RenderState::Rendering && status.remainingSeconds > 0.0 && !openEnded)
-        words += fmt::format("ETA {}   ", durationText(status.remainingSeconds));
-    return words + errorText(workspace) + endText(render);
+        progress += fmt::format("ETA {}   ", durationText(status.remainingSeconds));
+    return progress + errorText(workspace) + endText(render);
 }
 
-/// The share of the work that is done, as far as it is known.
+/// The fraction of the work that is done, as far as it is known: 0 to 1.
 double doneShare(const Workspace& workspace) {
     const RenderStatus& status = workspace.render.status();
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
@@ -103,17 +104,18 @@ double doneShare(const Workspace& workspace) {
     return std::min(share, 1.0);
 }
 
-/// What the bar says on its right.
+/// The text at the right end of the bar.
 struct Progress {
-    std::string words, bad;
+    std::string content, nonFinite;
     float gap = scaled(14.0f);
 
     explicit Progress(const Workspace& workspace)
-        : words(progressText(workspace)),
-          bad(fmt::format("NaN {}", workspace.render.status().nonFiniteSamples)) {}
-    /// Where it begins, from the left of the window.
+        : content(progressText(workspace)),
+          nonFinite(fmt::format("NaN {}", workspace.render.status().nonFiniteSamples)) {}
+    /// Distance from the left edge of the window.
     float start() const {
-        const float width = ImGui::CalcTextSize(words.c_str()).x + ImGui::CalcTextSize(bad.c_str()).x + gap;
+        const float width =
+            ImGui::CalcTextSize(content.c_str()).x + ImGui::CalcTextSize(nonFinite.c_str()).x + gap;
         return ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
     }
 };
@@ -121,16 +123,16 @@ struct Progress {
 void drawProgress(const Workspace& workspace, const Progress& progress) {
     const RenderStatus& status = workspace.render.status();
     ImGui::SameLine(progress.start());
-    text(progress.words);
+    text(progress.content);
     ImGui::SameLine(0.0f, progress.gap);
     if (status.nonFiniteSamples > 0)
-        coloredText(kErrorText, progress.bad);
+        coloredText(kErrorText, progress.nonFinite);
     else
-        dimText(progress.bad);
-    tooltip("Samples that are not a number or infinite. They are left out of the picture and counted here.");
+        dimText(progress.nonFinite);
+    tooltip("Samples that are NaN or infinite. Their pixels are NaN and shown in magenta.");
 
     const ImVec2 at = ImGui::GetWindowPos();
-    // From the first moment on there is something to be seen.
+    // Visible from the start.
     const float done =
         std::max(scaled(10.0f), ImGui::GetWindowWidth() * static_cast<float>(doneShare(workspace)));
     if (workspace.render.busy() || workspace.comparison.busy() || status.state == RenderState::Paused)
@@ -146,10 +148,10 @@ bool isFresh(const Notice& notice) {
 }  // namespace
 
 void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size) {
-    const std::string words = drawnText(counts);
-    if (words.empty()) return;
+    const std::string drawn = drawnText(counts);
+    if (drawn.empty()) return;
     const float height = ImGui::GetFontSize() + scaled(12.0f);
-    pictureLabel(("drawn: " + words).c_str(), {origin.x + scaled(8.0f), origin.y + size.y - height});
+    pictureLabel(("drawn: " + drawn).c_str(), {origin.x + scaled(8.0f), origin.y + size.y - height});
 }
 
 void drawStatusBar(Workspace& workspace, float height) {
@@ -163,23 +165,25 @@ void drawStatusBar(Workspace& workspace, float height) {
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings;
     if (ImGui::Begin("##status", nullptr, kFlags)) {
+        const ui::Scope scope("Status bar");
         const Progress progress(workspace);
         const ImVec2 corner = ImGui::GetWindowPos();
         ImGui::PushClipRect(corner, {corner.x + progress.start() - progress.gap, corner.y + height}, true);
         const std::optional<Notice>& notice = workspace.notice;
         if (workspace.loader.busy())
-            text("opening " + workspace.loader.path() + " ...");
+            text("loading " + workspace.loader.path() + " ...");
         else if (notice && isFresh(*notice))
             coloredText(notice->severity == Severity::Note ? kGoodText : kWarningText, notice->text);
         else if (workspace.render.status().state == RenderState::Failed)
             coloredText(kErrorText, workspace.render.status().message);
         else if (workspace.view.flying)
-            text(fmt::format("fly: W A S D Q E, wheel: speed {:.3g} units/s, Esc: end",
-                             workspace.view.flySpeed));
+            text(fmt::format(
+                "fly mode: W A S D Q E to move, wheel for the speed ({:.3g} units/s), Esc to leave",
+                workspace.view.flySpeed));
         else if (workspace.cursor)
             drawCursor(*workspace.cursor);
         else
-            dimText("F1 lists the keys");
+            dimText("F1: keys and gestures");
         ImGui::PopClipRect();
         drawProgress(workspace, progress);
     }

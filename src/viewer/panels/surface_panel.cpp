@@ -1,4 +1,4 @@
-// What was looked up where the selected ray ends: texels, the environment, the glossy square.
+// Lookups at the end of the selected ray: texels, environment, glossy lobe, vertex normals, lens.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
 
-/// The four texels as squares with their weights, the place that was hit as a cross, and what they mix to.
+/// The four texels as squares with their weights, the hit point as a circle, and the filtered colour.
 void drawTexels(const probe::TexelQuad& quad) {
     const float side = scaled(44.0f);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -40,10 +40,11 @@ void drawTexels(const probe::TexelQuad& quad) {
     const ImVec2 result{at.x + 2.0f * side + scaled(10.0f), at.y};
     draw.AddRectFilled(result, {result.x + side, result.y + 2.0f * side}, toU32(displayColor(quad.result)));
     ImGui::Dummy({3.0f * side + scaled(10.0f), 2.0f * side});
+    ui::note("Texels");
     text(fmt::format("texels {}..{} x {}..{} of {} x {}", quad.x[0], quad.x[1], quad.y[0], quad.y[1],
                      quad.width, quad.height));
     text(fmt::format("uv {:.5g}, {:.5g}", quad.uv.x, quad.uv.y));
-    tooltip("Left the four texels with their weights, right what they mix to.");
+    tooltip("Left: the four texels and their weights. Right: the filtered colour.");
 }
 
 void drawEnvironment(const probe::EnvironmentPoint& point) {
@@ -66,7 +67,7 @@ void drawSurface(Workspace& workspace, const DebugRays::PixelRecording& recordin
     if (const auto point = probe::environmentOf(*recording.world, node)) drawEnvironment(*point), any = true;
     if (const auto square = probe::glossySquareOf(*recording.world, tree, number)) {
         text(fmt::format("glossy: {} rays, {} below the surface", square->rays, square->rejected));
-        text(fmt::format("square at 0.3, half side {:.4g}", glm::length(square->right)));
+        text(fmt::format("square at distance 0.3, half side {:.4g}", glm::length(square->right)));
         any = true;
     }
     if (const auto normals = probe::vertexNormalsOf(*recording.world, node, tree.time)) {
@@ -79,11 +80,11 @@ void drawSurface(Workspace& workspace, const DebugRays::PixelRecording& recordin
                          recording.world->camera.focusDistance()));
         any = true;
     }
-    if (!any) dimText("Nothing was looked up where this ray ends.");
+    if (!any) dimText("No lookups at the end of this ray.");
     SurfaceOverlayOptions& choice = workspace.rays.surface;
-    ImGui::Checkbox("Glossy square", &choice.glossySquare);
+    ui::checkbox("Glossy square", &choice.glossySquare);
     ImGui::SameLine();
-    ImGui::Checkbox("Lens and focus", &choice.lens);
+    ui::checkbox("Lens and focus", &choice.lens);
 }
 
 }  // namespace rayscope::viewer

@@ -51,7 +51,7 @@ void setColors(ImVec4* colors) {
     colors[ImGuiCol_ModalWindowDimBg] = {0.0f, 0.0f, 0.0f, 0.45f};
 }
 
-/// The built-in font is drawn for 13 pixels; only whole multiples of it are crisp.
+/// The built-in bitmap font is 13 pixels high; only whole multiples are sharp.
 void loadFont(float scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();

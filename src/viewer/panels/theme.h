@@ -3,10 +3,10 @@
 
 namespace rayscope::viewer {
 
-/// Calm dark colours, and a font and distances for `scale` pixels per unit. Without a rendering context.
+/// Dark colours, and a font and spacings for `scale` pixels per unit. Needs no rendering context.
 void applyTheme(float scale);
 
-/// Colours with a meaning of their own.
+/// Text colours with a meaning.
 inline const ImVec4 kDimText{0.58f, 0.61f, 0.66f, 1.0f};
 inline const ImVec4 kWarningText{0.95f, 0.75f, 0.35f, 1.0f};
 inline const ImVec4 kErrorText{0.96f, 0.47f, 0.42f, 1.0f};

@@ -1,4 +1,4 @@
-// Where the current settings stand between fast and accurate, on the measured front of this scene.
+// Error over time of measured settings, their Pareto front, and the position of the current settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,24 +13,24 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr ImU32 kFront = IM_COL32(86, 180, 233, 255), kOther = IM_COL32(120, 124, 132, 150),
-                kDial = IM_COL32(230, 159, 0, 255), kHere = IM_COL32(240, 242, 245, 255);
+                kPreset = IM_COL32(230, 159, 0, 255), kHere = IM_COL32(240, 242, 245, 255);
 
 void drawStart(Workspace& workspace, TradeJob& trade) {
     if (trade.busy()) {
         if (stoppableProgress(trade.fraction())) trade.stop();
         return;
     }
-    if (ImGui::Button("Measure speed against accuracy", {-1.0f, 0.0f}))
+    if (ui::button("Measure quality and speed", {-1.0f, 0.0f}))
         trade.start(workspace.edit, workspace.viewSize, workspace.render.threads());
     tooltip(
-        "Renders a small picture of this view with many settings, several times each, and compares it with "
-        "one of far more samples. 'rayscope trade' does the same and writes a report.");
-    labelledRow("Within", false, "More time gives more settings, and narrower intervals.");
-    ImGui::SliderFloat("##budget", &trade.budget, 2.0f, 600.0f, "%.0f s",
-                       ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+        "Renders a small picture of this view with many settings, several times each, and measures the error "
+        "against a reference image. 'rayscope trade' does the same and writes a report.");
+    labelledRow("Time budget", false, "More time measures more settings, with narrower intervals.");
+    ui::sliderFloat("##budget", &trade.budget, 2.0f, 600.0f, "%.0f s",
+                    ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
 }
 
-/// A plane of seconds to the right and errors upwards, both logarithmic.
+/// Seconds to the right, errors upwards, both logarithmic.
 class Chart {
   public:
     Chart(const TradeResult& result, ImVec2 at, ImVec2 size) : at_(at), size_(size) {
@@ -45,7 +45,7 @@ class Chart {
         return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Feature &&
                p.seconds.value > 0.0 && p.error.value > 0.0;
     }
-    ImVec2 place(const TradePoint& p) const {
+    ImVec2 position(const TradePoint& p) const {
         return {at_.x + size_.x * part(seconds_, p.seconds.value),
                 at_.y + size_.y * (1.0f - part(error_, p.error.value))};
     }
@@ -66,14 +66,14 @@ class Chart {
     Span seconds_, error_;
 };
 
-/// The point under the cursor tells what it is.
-void explainNearest(const TradeResult& result, const Chart& chart) {
+/// Tooltip of the point under the cursor.
+void drawPointTooltip(const TradeResult& result, const Chart& chart) {
     const ImVec2 cursor = ImGui::GetMousePos();
     const TradePoint* nearest = nullptr;
     float distance = scaled(8.0f);
     for (const TradePoint& p : result.points) {
         if (!Chart::isDrawn(p)) continue;
-        const ImVec2 at = chart.place(p);
+        const ImVec2 at = chart.position(p);
         const float away = std::hypot(at.x - cursor.x, at.y - cursor.y);
         if (away < distance) {
             distance = away;
@@ -82,8 +82,8 @@ void explainNearest(const TradeResult& result, const Chart& chart) {
     }
     if (nearest == nullptr)
         return tooltip(
-            "Each mark is a picture: left is faster, down is more accurate. On the line nothing measured is "
-            "better in both; the orange marks are the dial, the ring is where you are.");
+            "Each mark is a combination of settings: left is faster, down is more accurate. Blue: Pareto "
+            "front. Orange: presets. Ring: the current settings.");
     tooltip(fmt::format("{}\n{:.3g} s [{:.3g}, {:.3g}]\nRMSE {:.3g} [{:.3g}, {:.3g}]{}", nearest->name,
                         nearest->seconds.value, nearest->seconds.lower, nearest->seconds.upper,
                         nearest->error.value, nearest->error.lower, nearest->error.upper,
@@ -94,37 +94,36 @@ void drawChart(const TradeResult& result, std::optional<std::size_t> here) {
     const ImVec2 size(ImGui::GetContentRegionAvail().x, scaled(170.0f)), at = ImGui::GetCursorScreenPos();
     const Chart chart(result, at, size);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ImGui::InvisibleButton("##front", size);
+    ui::area("Chart", size);
     draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(20, 22, 26, 255));
     for (const TradePoint& p : result.points)
-        if (Chart::isDrawn(p)) draw.AddCircleFilled(chart.place(p), scaled(2.0f), kOther);
+        if (Chart::isDrawn(p)) draw.AddCircleFilled(chart.position(p), scaled(2.0f), kOther);
     for (std::size_t i = 0; i < result.front.size(); ++i) {
-        const ImVec2 to = chart.place(result.points[result.front[i]]);
-        if (i > 0) draw.AddLine(chart.place(result.points[result.front[i - 1]]), to, kFront, scaled(1.5f));
+        const ImVec2 to = chart.position(result.points[result.front[i]]);
+        if (i > 0) draw.AddLine(chart.position(result.points[result.front[i - 1]]), to, kFront, scaled(1.5f));
         draw.AddCircleFilled(to, scaled(2.5f), kFront);
     }
     for (const TradePreset& d : result.presetPoints) {
-        const ImVec2 to = chart.place(result.points[d.point]);
-        draw.AddCircleFilled(to, scaled(4.0f), kDial);
-        const float room = at.x + size.x - ImGui::CalcTextSize(d.preset.c_str()).x - scaled(2.0f);
-        draw.AddText({std::min(to.x + scaled(6.0f), room), to.y - scaled(17.0f)}, kDial, d.preset.c_str());
+        const ImVec2 to = chart.position(result.points[d.point]);
+        draw.AddCircleFilled(to, scaled(4.0f), kPreset);
+        const float rightmost = at.x + size.x - ImGui::CalcTextSize(d.preset.c_str()).x - scaled(2.0f);
+        draw.AddText({std::min(to.x + scaled(6.0f), rightmost), to.y - scaled(17.0f)}, kPreset,
+                     d.preset.c_str());
     }
-    if (here) draw.AddCircle(chart.place(result.points[*here]), scaled(7.0f), kHere, 0, scaled(2.0f));
+    if (here) draw.AddCircle(chart.position(result.points[*here]), scaled(7.0f), kHere, 0, scaled(2.0f));
     const char* axes = "error up, seconds right";
     draw.AddText({at.x + scaled(4.0f), at.y + size.y - scaled(16.0f)}, IM_COL32(148, 156, 168, 255), axes);
-    if (ImGui::IsItemHovered()) explainNearest(result, chart);
+    if (ImGui::IsItemHovered()) drawPointTooltip(result, chart);
 }
 
 void drawPosition(const TradeResult& result, std::optional<std::size_t> here) {
-    labelledRow("You are at", false,
-                "The time and error of the present settings, if they are among those that were measured.");
-    if (!here) return dimText("settings not measured");
+    labelledRow("Current settings", false, "Time and error, if these settings were measured.");
+    if (!here) return dimText("not measured");
     const TradePoint& p = result.points[*here];
     text(fmt::format("{:.2g} s, error {:.2g}", p.seconds.value, p.error.value));
-    labelledRow("Behind the front", false,
-                "How much more time these settings take than the front needs for the same error.");
-    text(p.onParetoFront ? "on the front"
-                         : fmt::format("{:.0f} % more time", 100.0 * excessTime(result, *here)));
+    valueRow("Distance to Pareto front",
+             p.onParetoFront ? "0" : fmt::format("+{:.0f} % time", 100.0 * excessTime(result, *here)),
+             "Extra time of these settings over the Pareto front at equal error.");
 }
 
 }  // namespace
@@ -136,12 +135,12 @@ void drawTradePanel(Workspace& workspace) {
     const TradeResult* result = trade.result();
     if (!result) return;
     if (trade.scene() != workspace.edit.scene.get() || !(trade.camera() == workspace.edit.camera))
-        dimText("The scene or the camera has changed since.");
+        dimText("Scene or camera changed since the measurement.");
     if (result->complete) {
         const std::optional<std::size_t> here = measuredPoint(*result, workspace.edit.settings);
         drawChart(*result, here);
         drawPosition(*result, here);
-        dimText(fmt::format("{} x {} pixels, {} threads; differences\nin time below {:.0f} % are noise",
+        dimText(fmt::format("{} x {} pixels, threads: {};\ntime differences below {:.0f} % are noise",
                             result->width, result->height, result->threads, 100.0 * result->smallestRatio));
     }
     for (const std::string& remark : result->remarks) wrappedText(remark);

@@ -6,21 +6,22 @@
 
 namespace rayscope::viewer {
 
-void coloredText(const ImVec4& color, std::string_view words) {
+void coloredText(const ImVec4& color, std::string_view content) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    text(words);
+    text(content);
     ImGui::PopStyleColor();
 }
 
-void dimText(std::string_view words) { coloredText(kDimText, words); }
+void dimText(std::string_view content) { coloredText(kDimText, content); }
 
-void wrappedText(std::string_view words) {
+void wrappedText(std::string_view content) {
     ImGui::PushTextWrapPos(0.0f);
-    text(words);
+    text(content);
     ImGui::PopTextWrapPos();
 }
 
 bool labelledRow(std::string_view label, bool emphasised, std::string_view help) {
+    ui::noteRow(label);
     constexpr float kShare = 0.49f;
     const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
@@ -35,22 +36,22 @@ bool labelledRow(std::string_view label, bool emphasised, std::string_view help)
     return reset;
 }
 
-void valueRow(std::string_view label, std::string_view words, std::string_view help) {
+void valueRow(std::string_view label, std::string_view content, std::string_view help) {
     const float labelEnd =
         ImGui::GetCursorPosX() + ImGui::CalcTextSize(label.data(), label.data() + label.size()).x;
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     labelledRow(label, false, help);
-    const float width = ImGui::CalcTextSize(words.data(), words.data() + words.size()).x;
+    const float width = ImGui::CalcTextSize(content.data(), content.data() + content.size()).x;
     const float leftmost = labelEnd + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(std::max(leftmost, std::min(ImGui::GetCursorPosX(), right - width)));
-    text(words);
+    text(content);
 }
 
-void tooltip(std::string_view words) {
+void tooltip(std::string_view content) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
-    text(words);
+    text(content);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -58,9 +59,10 @@ void tooltip(std::string_view words) {
 bool colorRow(const char* label, Rgb& color) {
     labelledRow(label);
     ImGui::PushID(label);
-    const bool edited = ImGui::ColorEdit3(
-        "##color", &color.x,
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+    const bool edited =
+        ui::noted("##color", ImGui::ColorEdit3("##color", &color.x,
+                                               ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                                   ImGuiColorEditFlags_NoOptions));
     ImGui::PopID();
     return edited;
 }
@@ -68,31 +70,32 @@ bool colorRow(const char* label, Rgb& color) {
 bool vectorRow(const char* label, glm::vec3& value, float speed) {
     labelledRow(label);
     ImGui::PushID(label);
-    // Three numbers with four digits need all the room there is.
+    // Three numbers of four digits need the full width.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2.0f), ImGui::GetStyle().FramePadding.y});
-    const bool edited = ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g");
+    const bool edited =
+        ui::noted("##vector", ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g"));
     ImGui::PopStyleVar();
     ImGui::PopID();
     return edited;
 }
 
-void pictureLabel(const char* words, ImVec2 place, bool leftOf) {
+void pictureLabel(const char* content, ImVec2 position, bool leftOf) {
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    const ImVec2 extent = ImGui::CalcTextSize(words);
-    const float pad = scaled(5.0f), left = leftOf ? place.x - extent.x - 2.0f * pad : place.x;
-    draw.AddRectFilled({left, place.y}, {left + extent.x + 2.0f * pad, place.y + extent.y + pad},
+    const ImVec2 extent = ImGui::CalcTextSize(content);
+    const float pad = scaled(5.0f), left = leftOf ? position.x - extent.x - 2.0f * pad : position.x;
+    draw.AddRectFilled({left, position.y}, {left + extent.x + 2.0f * pad, position.y + extent.y + pad},
                        IM_COL32(15, 17, 20, 200), scaled(3.0f));
-    draw.AddText({left + pad, place.y + 0.5f * pad}, IM_COL32(235, 237, 240, 255), words);
+    draw.AddText({left + pad, position.y + 0.5f * pad}, IM_COL32(235, 237, 240, 255), content);
 }
 
 bool stoppableProgress(double fraction) {
     ImGui::ProgressBar(static_cast<float>(fraction), {-1.0f, 0.0f});
-    return ImGui::Button("Stop and keep what was measured", {-1.0f, 0.0f});
+    return ui::button("Stop and keep the results so far", {-1.0f, 0.0f});
 }
 
 bool toggleButton(const char* label, bool chosen, float width) {
     if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab));
-    const bool pressed = ImGui::Button(label, {width, 0.0f});
+    const bool pressed = ui::button(label, {width, 0.0f});
     if (chosen) ImGui::PopStyleColor();
     return pressed;
 }

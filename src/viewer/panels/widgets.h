@@ -1,42 +1,45 @@
 #pragma once
-// Small pieces that all panels are put together from.
+// Widgets shared by all panels.
 #include <imgui.h>
 #include <rayscope/vector.h>
 #include <string>
 #include <string_view>
+
+#include "viewer/panels/items.h"
 
 namespace rayscope::viewer {
 
 /// `units` at scale 1 in pixels of this window; a line of text is 13 units high.
 inline float scaled(float units) { return units * ImGui::GetFontSize() / 13.0f; }
 
-inline void text(std::string_view words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+inline void text(std::string_view content) {
+    ImGui::TextUnformatted(content.data(), content.data() + content.size());
+    ui::noteText(content);
 }
-void dimText(std::string_view words);
-void coloredText(const ImVec4& color, std::string_view words);
-void wrappedText(std::string_view words);
+void dimText(std::string_view content);
+void coloredText(const ImVec4& color, std::string_view content);
+void wrappedText(std::string_view content);
 
-/// Starts a row: the label, which explains itself with `help`, on the left; what is drawn next fills the
-/// right part. Returns whether the label was double-clicked.
+/// Starts a row: the label, with `help` as its tooltip, on the left; the next item fills the right part.
+/// Returns whether the label was double-clicked.
 bool labelledRow(std::string_view label, bool emphasised = false, std::string_view help = {});
 
-/// A row of words: in the right part, or, where they are too long for it, as far to the left as it takes.
-void valueRow(std::string_view label, std::string_view words, std::string_view help = {});
+/// A row with a text in the right part; a text that is too long for it starts further left.
+void valueRow(std::string_view label, std::string_view content, std::string_view help = {});
 
-/// Words in a box of readable width beside what the cursor is on, also if that is disabled.
-void tooltip(std::string_view words);
+/// Tooltip of the last item, wrapped to a readable width; also for disabled items.
+void tooltip(std::string_view content);
 
 bool colorRow(const char* label, Rgb& color);
 bool vectorRow(const char* label, glm::vec3& value, float speed);
 
-/// Words on a dark ground over the picture, to the right or to the left of a place.
-void pictureLabel(const char* words, ImVec2 place, bool leftOf = false);
+/// A text on a dark background over the picture, to the right or to the left of `position`.
+void pictureLabel(const char* content, ImVec2 position, bool leftOf = false);
 
-/// How far something is (0 … 1) that takes long, and a button to stop it. Returns whether it was pressed.
+/// Progress (0 … 1) of a measurement and a button that stops it. Returns whether the button was pressed.
 bool stoppableProgress(double fraction);
 
-/// A button that looks pressed when it stands for the current choice.
+/// A button that looks pressed while its choice is the current one.
 bool toggleButton(const char* label, bool chosen, float width);
 
 }  // namespace rayscope::viewer

@@ -1,0 +1,144 @@
+#include "viewer/panels/items.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/atomic_file.h"
+
+namespace rayscope::viewer::ui {
+
+namespace {
+
+/// A scope, and the section in it that was opened last.
+struct Level {
+    std::string name, section;
+};
+
+bool recording = false;
+std::vector<Item> recorded;
+std::vector<Level> levels(1);
+std::string row;
+
+std::string pathOf(std::string_view label) {
+    std::string path;
+    for (const Level& level : levels) {
+        if (!level.name.empty()) path += level.name + "/";
+        if (!level.section.empty()) path += level.section + "/";
+    }
+    if (label.starts_with("##")) path += row;
+    return path.append(label);
+}
+
+}  // namespace
+
+void recordItems(bool on) { recording = on; }
+
+void beginFrame() {
+    recorded.clear();
+    levels.assign(1, {});
+    row.clear();
+}
+
+const std::vector<Item>& items() { return recorded; }
+
+void note(const char* label, bool isText, bool enabled) {
+    if (!recording) return;
+    const ImVec2 lower = ImGui::GetItemRectMin(), upper = ImGui::GetItemRectMax();
+    const ImVec2 clipLower = ImGui::GetWindowDrawList()->GetClipRectMin(),
+                 clipUpper = ImGui::GetWindowDrawList()->GetClipRectMax();
+    Item item{pathOf(label),
+              {std::max(lower.x, clipLower.x), std::max(lower.y, clipLower.y)},
+              {std::min(upper.x, clipUpper.x), std::min(upper.y, clipUpper.y)}};
+    item.isText = isText;
+    item.enabled = enabled && ImGui::GetStyle().Alpha > 0.9f;  // BeginDisabled() fades
+    item.visible = item.upper.x > item.lower.x && item.upper.y > item.lower.y;
+    recorded.push_back(std::move(item));
+}
+
+void noteText(std::string_view text) {
+    if (recording) note(std::string(text).c_str(), true);
+}
+
+void noteRow(std::string_view label) {
+    if (recording) row = label;
+}
+
+Scope::Scope(std::string_view name) {
+    if (recording) levels.push_back({std::string(name), ""});
+}
+
+Scope::~Scope() {
+    if (recording && levels.size() > 1) levels.pop_back();
+}
+
+bool section(const char* label, ImGuiTreeNodeFlags flags) {
+    const bool open = ImGui::CollapsingHeader(label, flags);
+    if (!recording) return open;
+    levels.back().section.clear();
+    note(label);
+    levels.back().section = label;
+    return open;
+}
+
+bool treeNode(const char* label) { return noted(label, ImGui::TreeNode(label)); }
+
+void combo(const char* label, const char* shown, const std::function<void()>& draw, ImGuiComboFlags flags) {
+    const bool open = ImGui::BeginCombo(label, shown, flags);
+    if (!open) return note(label);
+    {
+        // The list is the current window now; the item of the closed list cannot be asked for any more.
+        const Scope scope(row);
+        draw();
+    }
+    ImGui::EndCombo();
+}
+
+void menu(const char* label, const std::function<void()>& draw, bool enabled) {
+    const bool open = ImGui::BeginMenu(label, enabled);
+    if (!open) return note(label);
+    {
+        const Scope scope(label);
+        draw();
+    }
+    ImGui::EndMenu();
+}
+
+void tab(const char* label, const std::function<void()>& draw) {
+    const bool open = ImGui::BeginTabItem(label);
+    note(label);
+    if (!open) return;
+    {
+        const Scope scope(label);
+        ImGui::BeginChild(label, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);
+        draw();
+        ImGui::EndChild();
+    }
+    ImGui::EndTabItem();
+}
+
+std::string toText(const std::vector<Item>& items) {
+    std::string lines;
+    for (const Item& item : items) {
+        if (!item.visible) continue;
+        std::string path = item.path;
+        std::replace(path.begin(), path.end(), '\n', ' ');
+        lines += fmt::format("{:.0f}\t{:.0f}\t{:.0f}\t{:.0f}\t{}\n", item.lower.x, item.lower.y,
+                             item.upper.x - item.lower.x, item.upper.y - item.lower.y, path);
+    }
+    return lines;
+}
+
+void writeItemMap() {
+    static const char* const path = std::getenv("RAYSCOPE_UI_MAP");
+    if (path == nullptr) return;
+    static std::string written;
+    recording = true;
+    if (std::string map = toText(recorded); map != written) {
+        base::writeFileAtomically(path, map);
+        written = std::move(map);
+    }
+}
+
+}  // namespace rayscope::viewer::ui
