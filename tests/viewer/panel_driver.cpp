@@ -66,6 +66,7 @@ void PanelDriver::frame() {
         workspace.heat.update(workspace.render.currentWorld(), workspace.render.session().film(), 1);
     workspace.lab.update();
     workspace.trade.update();
+    workspace.rays.update();
     workspace.rays.updateTraversal();
 
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
@@ -79,8 +80,8 @@ void PanelDriver::frame() {
     ImGui::End();
     drawKeysWindow(workspace);
     drawStatisticsWindow(workspace);
-    openDialog_.draw(workspace);
-    renderDialog_.draw(workspace);
+    openDialog.draw(workspace);
+    renderDialog.draw(workspace);
     drawErrorDialog(workspace);
     drawComparisonMarks(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
     workspace.closeDialogs = false;
@@ -104,8 +105,7 @@ void PanelDriver::recordPixel(int x, int y) {
     waitForWorld();
     workspace.rays.recordPixel(workspace.render.currentWorld(), workspace.edit, workspace.imageSize(),
                                {x, y, 0}, nullptr);
-    frame();
-    frame();
+    waitFor("replay", [this] { return !workspace.rays.busy(); });
 }
 
 const ui::Item* PanelDriver::find(std::string_view label, Kind kind) const {

@@ -23,6 +23,8 @@ class PanelDriver {
     PanelDriver& operator=(const PanelDriver&) = delete;
 
     Workspace workspace;
+    OpenDialog openDialog;
+    RenderDialog renderDialog;
     /// The commands that controls have asked for since the last call.
     std::vector<Command> takeCommands();
 
@@ -63,8 +65,6 @@ class PanelDriver {
     void press(ImVec2 position);
 
     ImGuiContext* context_;
-    OpenDialog openDialog_;
-    RenderDialog renderDialog_;
 };
 
 }  // namespace rayscope::viewer

@@ -6,6 +6,7 @@
 
 #include "panel_driver.h"
 #include "settings/table.h"
+#include "viewer/overlay/debug_rays_overlay.h"
 
 namespace rayscope::viewer {
 namespace {
@@ -254,7 +255,7 @@ TEST(RaysPanel, ShowsTheSamplesOfAPixel) {
     EXPECT_EQ(rays.recording()->tree().name.index, 3);
     driver.click("Draw all samples");
     EXPECT_TRUE(rays.filter.allSamples);
-    EXPECT_TRUE(driver.shows("16 of 16 drawn"));
+    driver.waitFor("samples", [&] { return driver.shows("16 of 16 drawn"); });
     driver.type("Memory limit", "2");
     EXPECT_EQ(rays.budget, std::size_t{2} << 20);
     for (const auto& [label, command] :
@@ -482,7 +483,7 @@ TEST(Dialogs, ShowAnErrorUntilItIsClosed) {
 
 TEST(Dialogs, OpenAFileByItsPath) {
     PanelDriver driver("cornell");
-    driver.workspace.openDialogRequested = true;
+    driver.openDialog.request();
     driver.frame();
     driver.frame();
     ImGui::GetIO().AddInputCharactersUTF8("builtin:cube");
@@ -493,7 +494,7 @@ TEST(Dialogs, OpenAFileByItsPath) {
 
 TEST(Dialogs, RenderToAFile) {
     PanelDriver driver("cube", {{"spp", "1"}});
-    driver.workspace.renderDialogRequested = true;
+    driver.renderDialog.request();
     driver.frame();
     driver.frame();
     const std::string path = testing::TempDir() + "panels_test_render.pfm";
