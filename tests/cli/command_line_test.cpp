@@ -83,7 +83,7 @@ TEST(CommandLine, InfoTellsContentsRequirementsAndLint) {
         EXPECT_THAT(list.out, HasSubstr(name));
 }
 
-TEST(CommandLine, ProbePrintsTheSearchOfARay) {
+TEST(CommandLine, ProbePrintsTheTraversalOfARay) {
     const TemporaryFolder folder;
     const std::string probe = "rayscope probe builtin:cornell --size 40x40 --pixel 20,25 ";
     const ProgramResult camera = run(folder, probe + "--traversal --json tree.json");
@@ -93,7 +93,7 @@ TEST(CommandLine, ProbePrintsTheSearchOfARay) {
     EXPECT_EQ(j["traversal"][0]["hit"]["primitive"], j["nodes"][0]["hit"]["primitive"]);
     EXPECT_THAT(run(folder, probe + "--traversal s0").out, HasSubstr("any hit in the"));
     const ProgramResult wide = run(folder, probe + "--traversal --layout wide --json wide.json");
-    EXPECT_THAT(wide.out, HasSubstr("in the wide tree of body 0"));
+    EXPECT_THAT(wide.out, HasSubstr("in the wide tree of motion group 0"));
     const nlohmann::json w = nlohmann::json::parse(std::ifstream(folder.path() / "wide.json"));
     EXPECT_EQ(w["traversal"][0]["layout"], "wide");
     EXPECT_EQ(w["traversal"][0]["hit"], j["traversal"][0]["hit"]);
