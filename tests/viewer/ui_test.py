@@ -852,7 +852,7 @@ def test_node_tree(viewer):
     open_root(viewer)
     viewer.point(*ASIDE)
     wait_for("the box of the node", lambda: viewer.settled_picture().count(is_node_blue) > bare + 300)
-    expect(viewer.says("Overlap"), "the node has statistics")
+    wait_for("statistics of the node", lambda: viewer.says("/Nodes/Lower"))
     viewer.scroll_to_end(PANEL)
     wait_for("the plot of the node", lambda: viewer.says("/Split costs of the node/node "))
 
