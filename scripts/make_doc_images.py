@@ -32,12 +32,12 @@ def write(ppm, name, scale):
 
 
 def rays(viewer):
-    viewer.shoot((440, 340))
+    viewer.record_rays((440, 340))
     take(viewer, "rays")
 
 
 def shadows(viewer):
-    viewer.shoot((530, 500))
+    viewer.record_rays((530, 500))
     take(viewer, "shadows", PICTURE)
 
 
@@ -59,7 +59,7 @@ def levels(viewer):
 
 
 def normals(viewer):
-    viewer.shoot((440, 330))
+    viewer.record_rays((440, 330))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     viewer.click("vertex normals")
@@ -68,13 +68,13 @@ def normals(viewer):
 
 
 def surface(viewer):
-    viewer.shoot((440, 330))
+    viewer.record_rays((440, 330))
     viewer.click("Recorded rays")
     take(viewer, "texels")
 
 
 def environment(viewer):
-    viewer.shoot((340, 300))
+    viewer.record_rays((340, 300))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     take(viewer, "environment")
@@ -95,12 +95,12 @@ def bloom(viewer):
 
 
 def glossy(viewer):
-    viewer.shoot((440, 330))
+    viewer.record_rays((440, 330))
     take(viewer, "glossy", PICTURE)
 
 
 def transparency(viewer):
-    viewer.shoot((420, 430))
+    viewer.record_rays((420, 430))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     viewer.choose("Filters/Colour", "surface")
@@ -108,13 +108,13 @@ def transparency(viewer):
 
 
 def lens(viewer):
-    viewer.shoot((420, 330))
+    viewer.record_rays((420, 330))
     take(viewer, "lens")
 
 
 def noise(viewer):
     viewer.key("Tab")
-    viewer.shoot((560, 500))
+    viewer.record_rays((560, 500))
     take(viewer, "samples")
 
 
@@ -129,19 +129,19 @@ def replay(viewer):
 
 
 def table(viewer):
-    viewer.shoot((440, 340))
+    viewer.record_rays((440, 340))
     x, y = viewer.within("Recorded rays/camera 0", 0.5)
     viewer.click(x, y + 40)
     take(viewer, "table")
 
 
 def why(viewer):
-    viewer.shoot((387, 375))
+    viewer.record_rays((387, 375))
     take(viewer, "why")
 
 
-def search(viewer):
-    viewer.shoot((390, 480))
+def traversal(viewer):
+    viewer.record_rays((390, 480))
     viewer.key("t")
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
@@ -233,7 +233,7 @@ PICTURES = [
     (["builtin:quad-textured"], surface),
     (["builtin:spheres-dof"], lens),
     (["builtin:cornell-area", "--set", "parallelogram_samples=1"], noise),
-    (["builtin:monkey"], search),
+    (["builtin:monkey"], traversal),
     (["builtin:monkey"], hierarchy),
     (["builtin:monkey"], heat),
     (["builtin:cornell"], comparison),

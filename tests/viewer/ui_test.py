@@ -1,4 +1,4 @@
-"""Drives the real window under a virtual display and judges it by what it shows and saves.
+"""Drives the real window under a virtual display and checks the pictures that it shows and saves.
 
 usage: ui_test.py PROGRAM [TEST …]        exits 77 where Xvfb, xdotool or ImageMagick is missing
 """
@@ -24,7 +24,7 @@ RASTERISED_BUTTON = (960, 37)  # blue while the rasterised view is shown
 PANEL = (1100, 500)  # in the side panel, where the wheel scrolls it
 ASIDE = (100, 600)  # in the picture, where nothing is
 LIGHT = (472, 217)  # of the Cornell box, seen by its camera
-PATIENCE = 90.0  # seconds until a wait counts as failed; the machine may be busy
+TIMEOUT = 90.0  # seconds until a wait counts as failed; the machine may be busy
 
 
 class Failure(Exception):
@@ -76,14 +76,14 @@ def convert_to_ppm(*arguments):
     return subprocess.run([*arguments, "-depth", "8", "ppm:-"], check=True, stdout=subprocess.PIPE).stdout
 
 
-def wait_for(what, condition, patience=PATIENCE):
-    end = time.monotonic() + patience
+def wait_for(what, condition, timeout=TIMEOUT):
+    end = time.monotonic() + timeout
     while time.monotonic() < end:
         result = condition()
         if result:
             return result
         time.sleep(0.05)
-    raise Failure(f"waited {patience:.0f} s in vain for: {what}")
+    raise Failure(f"timed out after {timeout:.0f} s waiting for: {what}")
 
 
 def expect(condition, words):
@@ -267,8 +267,8 @@ class Viewer:
         self.open_by_name(name)
         wait_for("the other scene", lambda: name in self.title())
 
-    def shoot(self, pixel):
-        """Records the rays of a pixel and turns the camera: seen from where it was shot, a ray is a point."""
+    def record_rays(self, pixel):
+        """Records the rays of a pixel and orbits the camera: seen from its origin, a camera ray is a point."""
         self.click("Rays")
         self.point(*ASIDE)
         before = self.settled_picture()
@@ -323,7 +323,7 @@ def is_ray_yellow(red, green, blue):
 
 def test_debug_ray(viewer):
     viewer.click("Ray-traced")
-    yellow = viewer.shoot((360, 300)).count(is_ray_yellow)
+    yellow = viewer.record_rays((360, 300)).count(is_ray_yellow)
     expect(yellow > 100, f"the camera ray is seen in the ray-traced view ({yellow} pixels)")
     without = viewer.save("ctrl+s").count(is_ray_yellow)
     expect(without == 0, "the saved image has no overlay")
@@ -342,7 +342,7 @@ def is_box_white(red, green, blue):
     return min(red, green, blue) > 190 and max(red, green, blue) - min(red, green, blue) < 25
 
 
-def is_rival_red(red, green, blue):
+def is_reference_red(red, green, blue):
     return red > 170 and 40 < green < 110 and blue < 80
 
 
@@ -354,15 +354,15 @@ def is_visited_green(red, green, blue):
     return green > 150 and red < 80 and 90 < blue < 180
 
 
-def test_search(viewer):
-    """The search of a camera ray, step by step; its tree as files; the legend as a filter."""
+def test_traversal(viewer):
+    """The traversal of a camera ray, step by step; exported ray trees; the legend as a filter."""
     viewer.open_scene("builtin:monkey")
-    bare = viewer.shoot((390, 480))
+    bare = viewer.record_rays((390, 480))
     expect(bare.count(is_ray_yellow) > 100, "the camera ray is seen")
     viewer.key("t")
-    searched = viewer.settled_picture()
-    expect(searched.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
-    expect(searched.count(is_leaf_yellow) > bare.count(is_leaf_yellow) + 30, "the triangle that is hit is outlined")
+    traversed = viewer.settled_picture()
+    expect(traversed.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
+    expect(traversed.count(is_leaf_yellow) > bare.count(is_leaf_yellow) + 30, "the triangle that is hit is outlined")
     seen = set()
     for _ in range(6):
         viewer.key("Right")
@@ -397,7 +397,7 @@ def is_square_purple(red, green, blue):
 def test_surfaces(viewer):
     """Texels, the glossy square, the lens and its focus, and samples of the pixel."""
     viewer.open_scene("builtin:quad-textured")
-    viewer.shoot((440, 330))
+    viewer.record_rays((440, 330))
     wait_for("texels in the panel", lambda: viewer.capture().crop(*viewer.rect("Texels")).count(
         lambda r, g, b: r > 200 and g < 120 and b < 120) > 200)
     # A click on the last bar of the strip chooses the last sample, whose camera ray is another one.
@@ -407,11 +407,11 @@ def test_surfaces(viewer):
     wait_for("another sample", lambda: viewer.capture().crop(*viewer.rect("Sample positions")).differing(first) > 10)
     viewer.key("c")
     viewer.open_scene("builtin:cornell-glossy")
-    glossy = viewer.shoot((440, 330))
+    glossy = viewer.record_rays((440, 330))
     expect(glossy.count(is_square_purple) > 60, "the square of the glossy reflection is purple")
     viewer.key("c")
     viewer.open_scene("builtin:spheres-dof")
-    lens = viewer.shoot((420, 330))
+    lens = viewer.record_rays((420, 330))
     expect(lens.count(is_visited_green) > 300, "the plane of focus is green")
     viewer.key("p")
     viewer.key("c")
@@ -439,9 +439,9 @@ def is_vertex_normal(red, green, blue):
 
 
 def test_normals_and_panes(viewer):
-    """Normals of vertices by a click on the legend; segments in the colours of the panes they meet."""
+    """Vertex normals by a click on the legend; segments in the colours of the surfaces they hit."""
     viewer.open_scene("builtin:monkey")
-    viewer.shoot((440, 330))
+    viewer.record_rays((440, 330))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     viewer.point(*ASIDE)
@@ -452,7 +452,7 @@ def test_normals_and_panes(viewer):
     viewer.click("vertex normals")
     viewer.key("c")
     viewer.open_scene("builtin:cornell-transparent")
-    by_kind = viewer.shoot((420, 430))
+    by_kind = viewer.record_rays((420, 430))
     expect(by_kind.count(is_ray_yellow) > 100, "the camera ray is yellow")
     viewer.choose("Filters/Colour", "surface")
     viewer.point(*ASIDE)
@@ -463,7 +463,7 @@ def test_normals_and_panes(viewer):
 
 
 def test_bvh_boxes(viewer):
-    """Boxes of levels, one leaf and its primitives, the rival's boxes, and a tree that ends early."""
+    """Boxes of levels, one leaf and its primitives, the boxes of the reference tree, and a tree of one level."""
     viewer.open_scene("builtin:monkey")
     viewer.click("BVH")
     viewer.point(*ASIDE)
@@ -486,8 +486,8 @@ def test_bvh_boxes(viewer):
     viewer.key("period")
     viewer.click("Compare with another BVH")
     viewer.point(*ASIDE)
-    wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_rival_red) > 500)
-    # The rival with leaves of another size costs the rays of the view something else.
+    wait_for("the boxes of the median split", lambda: viewer.settled_picture().count(is_reference_red) > 500)
+    # Leaves of another size change the cost of the reference tree.
     comparison = "BVH/Comparison with another BVH/"
     table = wait_for("the costs of the reference tree", lambda: "visits per ray" in viewer.below(comparison) and viewer.below(comparison))
     viewer.type_into("Comparison with another BVH/Leaf size", "64")
@@ -504,7 +504,7 @@ def test_bvh_boxes(viewer):
 
 
 def test_light_handle(viewer):
-    """The light of the Cornell box is clicked and its upward arrow pulled down."""
+    """The light of the Cornell box is selected and dragged down by its vertical arrow."""
     before = viewer.settled_picture()
     viewer.click(*LIGHT)
     viewer.point(*ASIDE)
@@ -517,7 +517,7 @@ def test_light_handle(viewer):
     viewer.key("ctrl+z")
     expect(viewer.settled_picture().data == selected.data, "undo puts the light back")
     viewer.click(100, 600)
-    expect(viewer.settled_picture().data == before.data, "a click beside it lets go of the light")
+    expect(viewer.settled_picture().data == before.data, "a click beside the light deselects it")
 
 
 def is_map_yellow(red, green, blue):
@@ -544,7 +544,7 @@ def is_failure_purple(red, green, blue):
 
 
 def test_lab(viewer):
-    """The laboratory runs beside the window; what fails in the usual triangle test is drawn over the scene."""
+    """The robustness test runs in the background; failed rays of the float triangle test are drawn."""
     viewer.open_scene("builtin:monkey")
     viewer.click("Scene")
     viewer.click("Numerical robustness")
@@ -557,21 +557,21 @@ def test_lab(viewer):
 
 
 def test_typing_is_not_a_shortcut(viewer):
-    """Letters in a text field open no panel, switch no view and shoot no ray."""
+    """Letters in a text field open no panel, switch no view and record no rays."""
     viewer.open_scene("builtin:spheres")
     viewer.point(*ASIDE)
     shown = viewer.settled_picture()
     expect(viewer.capture().at(*PANEL_PIXEL) != (0, 0, 0), "the side panel is still there")
-    expect(shown.count(is_ray_yellow) == 0, "no ray was shot")
+    expect(shown.count(is_ray_yellow) == 0, "no rays were recorded")
     viewer.key("n")
     wait_for("a wider picture", lambda: viewer.capture().crop(960, 100, 300, 500).differing(
         viewer.capture().crop(960, 30, 300, 500)) > 0)
 
 
-def test_wide_search(viewer):
-    """The same search through the tree that production rays walk."""
+def test_wide_traversal(viewer):
+    """The same ray in the wide tree that production rays traverse."""
     viewer.open_scene("builtin:monkey")
-    viewer.shoot((390, 480))
+    viewer.record_rays((390, 480))
     viewer.key("t")
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
@@ -585,7 +585,7 @@ def test_wide_search(viewer):
     for _ in range(6):
         viewer.key("Right")
         seen.add(viewer.settled_picture().data)
-    expect(len(seen) >= 4, f"steps of the wide search look different ({len(seen)})")
+    expect(len(seen) >= 4, f"steps of the wide traversal look different ({len(seen)})")
     viewer.key("Left")
     expect(viewer.settled_picture().data in seen, "a step back shows the same as before")
 
@@ -636,8 +636,8 @@ def test_compare(viewer):
     expect(viewer.settled_picture().crop(*below).data == a.crop(*below).data, "V ends the comparison")
 
 
-def test_goal(viewer):
-    """The dial, a target for the error, and a limit of time."""
+def test_stop_criteria(viewer):
+    """Preset slider, error target and time limit."""
     viewer.click("Settings")
     viewer.key("Tab")
     viewer.point(*ASIDE)
@@ -646,7 +646,7 @@ def test_goal(viewer):
     viewer.click(viewer.within("Quality/Preset##preset", 0.02))
     viewer.point(*ASIDE)
     viewer.settled_picture()
-    expect(viewer.saved_property("setting.max_depth") == "2", "the dial's first position is 'preview'")
+    expect(viewer.saved_property("setting.max_depth") == "2", "the first preset is 'preview'")
     viewer.key("ctrl+z")
     viewer.click("Error target##byError")
     viewer.point(*ASIDE)
@@ -663,8 +663,8 @@ def test_goal(viewer):
 
 
 def test_trade(viewer):
-    """The front of the scene, measured beside the window, and where the settings stand on it."""
-    def is_dial_orange(r, g, b):
+    """The Pareto front, measured in the background, and the position of the current settings."""
+    def is_preset_orange(r, g, b):
         return abs(r - 230) < 12 and abs(g - 159) < 12 and b < 25
 
     def is_front_blue(r, g, b):
@@ -680,21 +680,21 @@ def test_trade(viewer):
         viewer.type_into("Time budget", budget)
         viewer.click("Measure quality and speed")
         viewer.point(100, 600)
-        chart = wait_for("the front with positions of the dial", lambda: next(
-            (shown for shown in [viewer.capture().crop(*viewer.rect("Chart"))] if shown.count(is_dial_orange) > 25), None))
+        chart = wait_for("the chart with presets", lambda: next(
+            (shown for shown in [viewer.capture().crop(*viewer.rect("Chart"))] if shown.count(is_preset_orange) > 25), None))
         if chart.count(is_front_blue) > 40:
             break
-    expect(chart.count(is_front_blue) > 40, "the front is a line")
+    expect(chart.count(is_front_blue) > 40, "the Pareto front is a line")
     viewer.click(viewer.within("Quality/Preset##preset", 0.02))
     viewer.point(100, 600)
-    ring = wait_for("where the first position of the dial is", lambda: next(
+    ring = wait_for("the position of the first preset", lambda: next(
         (shown for shown in [viewer.capture().crop(*viewer.rect("Chart"))] if shown.count(is_ring_white) > 15), None))
     expect(ring.differing(chart) > 15, "the ring moved")
 
 
 def test_isolate_and_copy(viewer):
     """One ray and what belongs to it; the tree in the clipboard."""
-    every = viewer.shoot((440, 340))
+    every = viewer.record_rays((440, 340))
     viewer.key("j")
     copied = json.loads(wait_for("the clipboard", x11.clipboard_text))
     viewer.key("ctrl+j")
@@ -716,7 +716,7 @@ def is_missed_red(red, green, blue):
     return 190 < red < 230 and 40 < green < 90 and blue < 60
 
 
-def is_blocked_red(red, green, blue):
+def is_occluded_red(red, green, blue):
     return red > 200 and green < 75 and blue < 70
 
 
@@ -729,7 +729,7 @@ def is_warning_orange(red, green, blue):
 
 
 def test_replay(viewer):
-    """Ctrl and a click record; the proof is ticked, goes stale with the camera, and stays; a ray can be picked."""
+    """Ctrl+click records; the replay is bit-identical, becomes outdated with the camera, and stays; rays can be picked."""
     viewer.click("Rays")
     viewer.key("Tab")
     viewer.point(*ASIDE)
@@ -737,12 +737,12 @@ def test_replay(viewer):
     viewer.do("keydown", "ctrl")
     viewer.click(350, 399)
     viewer.do("keyup", "ctrl")
-    wait_for("the proof", lambda: viewer.says("bit-identical"))
+    wait_for("the result of the replay", lambda: viewer.says("bit-identical"))
     expect(not viewer.says("Outdated"), "fresh rays are not outdated")
     viewer.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
     wait_for("outdated rays", lambda: viewer.says("Outdated"))
     blocked = viewer.settled_picture()
-    expect(blocked.count(is_blocked_red) > 60, "the blocked shadow ray is red")
+    expect(blocked.count(is_occluded_red) > 60, "the occluded shadow ray is red")
     # A sentence names the ray that it rests on; a click on its button selects that ray.
     viewer.click("Diagnosis/ray 1")
     viewer.point(*ASIDE)
@@ -765,8 +765,8 @@ def shown(viewer):
 
 
 def test_filters(viewer):
-    """Rays by depth, contribution and kind; boxes that were met but skipped."""
-    every = viewer.shoot((440, 360))
+    """Rays by depth, contribution and kind; culled boxes."""
+    every = viewer.record_rays((440, 360))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     expect(every.count(is_missed_red) > 60, f"a ray that misses is red ({every.count(is_missed_red)})")
@@ -783,17 +783,17 @@ def test_filters(viewer):
     viewer.type_into("Min contribution", "0")
     expect(shown(viewer).data == every.data, "and comes back")
     viewer.key("t")
-    searched = shown(viewer)
+    traversed = shown(viewer)
     viewer.click("Culled")
-    expect(searched.count(is_square_purple) > shown(viewer).count(is_square_purple) + 100, "skipped boxes are violet")
+    expect(traversed.count(is_square_purple) > shown(viewer).count(is_square_purple) + 100, "culled boxes are violet")
     viewer.click("Culled")
-    expect(shown(viewer).data == searched.data, "and come back")
+    expect(shown(viewer).data == traversed.data, "and come back")
 
 
 def test_parts_of_scenes(viewer):
     """Shadow rays of one light, outlines of the lens, pinned pixels, glossy rays that would go below the surface."""
     viewer.open_scene("builtin:monkey")
-    both = viewer.shoot((440, 330))
+    both = viewer.record_rays((440, 330))
     viewer.click("Recorded rays")
     viewer.click("Diagnosis")
     single = []
@@ -806,7 +806,7 @@ def test_parts_of_scenes(viewer):
     expect(shown(viewer).data == both.data, "all lights again")
     viewer.key("c")
     viewer.open_scene("builtin:spheres-dof")
-    lens = viewer.shoot((420, 330))
+    lens = viewer.record_rays((420, 330))
     viewer.click("Lens and focus")
     # The shading normal is as green as they are.
     expect(shown(viewer).count(is_visited_green) < 0.6 * lens.count(is_visited_green), "lens and focus go away")
@@ -816,7 +816,7 @@ def test_parts_of_scenes(viewer):
     wait_for("the statistics of the pixel", lambda: "420, 311" in viewer.below("Rays/Pinned pixels/"))
     viewer.key("c")
     viewer.open_scene("builtin:cornell-glossy")
-    rejected = viewer.shoot((480, 330)).count(is_square_purple)
+    rejected = viewer.record_rays((480, 330)).count(is_square_purple)
     viewer.click("glossy, below the surface")
     expect(shown(viewer).count(is_square_purple) < rejected - 30, "rays below the surface are dotted violet")
     viewer.click("glossy, below the surface")
@@ -852,7 +852,7 @@ def test_node_tree(viewer):
     open_root(viewer)
     viewer.point(*ASIDE)
     wait_for("the box of the node", lambda: viewer.settled_picture().count(is_node_blue) > bare + 300)
-    expect(viewer.says("Overlap"), "the node has statistics")
+    wait_for("statistics of the node", lambda: viewer.says("/Nodes/Lower"))
     viewer.scroll_to_end(PANEL)
     wait_for("the plot of the node", lambda: viewer.says("/Split costs of the node/node "))
 
@@ -922,7 +922,7 @@ def is_sky_blue(red, green, blue):
 
 
 def test_environment_overlay(viewer):
-    before = viewer.shoot((340, 300))
+    before = viewer.record_rays((340, 300))
     # The sphere shows the sky there, and so does the line along which it is seen.
     line = before.crop(450, 150, 490, 130).count(is_sky_blue)
     expect(line > 100, f"the reflected direction is drawn in the colour of the sky ({line} pixels)")
@@ -948,7 +948,7 @@ cube = { px = "px.png", nx = "nx.png", py = "py.png", ny = "ny.png", pz = "pz.pn
 
 
 def test_cube_map(viewer):
-    """A ray that leaves the scene has the colour of the face that it meets, and the panel names the face."""
+    """A ray that misses has the colour of the cube face it hits, and the panel names the face."""
     colors = {"px": (40, 200, 240), "nx": (240, 60, 240), "py": (250, 250, 250), "ny": (90, 90, 90),
               "pz": (240, 160, 40), "nz": (60, 220, 60)}
     for face, color in colors.items():
@@ -988,12 +988,12 @@ def exported_tree(viewer):
 
 
 def test_light_samples(viewer):
-    """As many shadow rays are recorded as the slider of the kind of light says."""
+    """The number of recorded shadow rays is that of the slider for the kind of light."""
     for scene, slider, words, rays in (("builtin:cornell-area", "Parallelogram samples", "3", 9),
                                        ("builtin:cube", "Segment samples", "5", 5)):
         viewer.open_scene(scene)
         for expected in 16, rays:
-            viewer.shoot((440, 380))
+            viewer.record_rays((440, 380))
             tree = exported_tree(viewer)
             found = len([ray for ray in tree["shadow_rays"] if ray["node"] == 0])
             expect(found == expected, f"{scene}: {found} shadow rays, not {expected}")
@@ -1006,7 +1006,7 @@ def test_light_samples(viewer):
 def test_lens(viewer):
     """Rays through all of the lens, none of them within the sharp zone, whose planes are dashed."""
     def spread():
-        one = viewer.shoot((420, 330))
+        one = viewer.record_rays((420, 330))
         viewer.click("Draw all samples")
         every = shown(viewer)
         viewer.click("Draw all samples")
@@ -1025,11 +1025,11 @@ def test_lens(viewer):
 
 
 def test_pins(viewer):
-    """Pixels that are pinned stand side by side, and a click lets go of one."""
+    """Pinned pixels are listed, and a click removes one."""
     viewer.open_scene("builtin:cornell")
     for x in 300, 500:
         viewer.key("Home")
-        viewer.shoot((x, 480))
+        viewer.record_rays((x, 480))
         viewer.key("p")
         viewer.key("c")
     viewer.point(*ASIDE)
@@ -1046,7 +1046,7 @@ def test_pins(viewer):
 
 def test_byte_budget(viewer):
     """All samples of a pixel, as many as the memory holds."""
-    one = viewer.shoot((440, 480))
+    one = viewer.record_rays((440, 480))
     viewer.click("Draw all samples")
     viewer.point(*ASIDE)
     wait_for("all samples", lambda: viewer.settled_picture().differing(one) > 300)
@@ -1057,8 +1057,8 @@ def test_byte_budget(viewer):
 
 
 def test_moving(viewer):
-    """While the camera moves: all of ten thousand rays, painted, and no secret is made of the coarser picture."""
-    viewer.shoot((440, 480))
+    """While the camera moves: all of ten thousand rays are drawn, and the lower resolution is reported."""
+    viewer.record_rays((440, 480))
     viewer.click("Draw all samples")
     viewer.point(*ASIDE)
     viewer.settled_picture()
@@ -1074,7 +1074,7 @@ def test_moving(viewer):
     expect(moving.differing(bare) > 3000, "the lines are seen")
     viewer.do("mouseup", 1)
     expect(viewer.settled_picture().differing(moving) > 1000, "at rest everything is drawn")
-    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is said")
+    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is reported")
 
 
 def test_full_screen(viewer):
@@ -1120,7 +1120,7 @@ def test_render_to_file(viewer):
 
 def test_without_display(program):
     environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    run = subprocess.run([program, "view"], env=environment, stderr=subprocess.PIPE, text=True, timeout=PATIENCE)
+    run = subprocess.run([program, "view"], env=environment, stderr=subprocess.PIPE, text=True, timeout=TIMEOUT)
     expect(run.returncode == 2, f"without a display the exit code is 2, not {run.returncode}")
     expect("display" in run.stderr and run.stderr.count("\n") == 1, f"one message about the display: {run.stderr!r}")
 
@@ -1128,10 +1128,10 @@ def test_without_display(program):
 # What windows are opened with, and what is tested in windows of their own.
 TESTS = [
     (["--set", "spp=4"],
-     [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_search, test_surfaces, test_normals_and_panes, test_bvh_boxes,
+     [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_traversal, test_surfaces, test_normals_and_panes, test_bvh_boxes,
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
-      test_wide_search]),
-    (["--set", "spp=4"], [test_compare, test_goal, test_trade, test_isolate_and_copy, test_fly, test_drop]),
+      test_wide_traversal]),
+    (["--set", "spp=4"], [test_compare, test_stop_criteria, test_trade, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:spheres-dof", "--set", "spp=16", "--set", "sharp_zone=0.5"], [test_lens]),
     (["--set", "spp=4"], [test_cube_map, test_light_samples, test_pins]),
     (["--set", "spp=4"], [test_replay, test_heat_quantities, test_node_tree, test_filters, test_parts_of_scenes]),

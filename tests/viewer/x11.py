@@ -1,4 +1,4 @@
-"""What xdotool cannot do: look at the screen, read the clipboard, and drop a file. Talks to libX11 directly."""
+"""Screen capture, clipboard and file drops, which xdotool lacks. Calls libX11 directly."""
 import ctypes
 import time
 
@@ -41,12 +41,12 @@ class Event(ctypes.Union):
 
 @ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
 def ignore_error(_display, _error):
-    """A window that is gone is found out by asking its process; by default the library would end this one."""
+    """Errors about closed windows are ignored, since the process is checked anyway; by default libX11 would exit."""
     return 0
 
 
 class Client:
-    """A client of the display with a window of one pixel, which never appears."""
+    """A client of the display with an unmapped window of one pixel."""
 
     def __init__(self):
         self.x = ctypes.CDLL("libX11.so.6")
@@ -80,9 +80,9 @@ class Client:
     def atom(self, name):
         return self.x.XInternAtom(self.display, name.encode(), 0)
 
-    def next_event(self, patience):
-        """The next event, or nothing if none comes in this many seconds."""
-        end = time.monotonic() + patience
+    def next_event(self, timeout):
+        """The next event, or None if none arrives within the timeout in seconds."""
+        end = time.monotonic() + timeout
         while time.monotonic() < end:
             if self.x.XPending(self.display):
                 event = Event()
@@ -99,12 +99,12 @@ class Client:
         self.x.XSendEvent(self.display, ctypes.c_ulong(window), 0, 0, ctypes.byref(event))
         self.x.XFlush(self.display)
 
-    def ping(self, window, patience):
-        """Waits until the window has handled all events that were sent before. Returns whether it did in time."""
+    def ping(self, window, timeout):
+        """Waits until the window has handled all earlier events. Returns whether it did in time."""
         self.pings += 1
         self.x.XSelectInput(self.display, self.root, LONG(SUBSTRUCTURE_NOTIFY))
         self.send(window, "WM_PROTOCOLS", self.atom("_NET_WM_PING"), self.pings, window, 0, 0)
-        end = time.monotonic() + patience
+        end = time.monotonic() + timeout
         while (event := self.next_event(end - time.monotonic())) is not None:
             if event.type == CLIENT_MESSAGE and event.client.data[1] == self.pings:
                 return True
@@ -119,7 +119,7 @@ class Client:
         return ctypes.string_at(data, count.value).decode() if data.value else ""
 
     def answer(self, request, content):
-        """Hands `content` to who asked for the selection."""
+        """Sends `content` to the requestor of the selection."""
         self.x.XChangeProperty(self.display, ctypes.c_ulong(request.requestor), ctypes.c_ulong(request.property),
                                ctypes.c_ulong(request.target), 8, REPLACE, content, len(content))
         event = Event()
@@ -130,22 +130,22 @@ class Client:
         self.x.XFlush(self.display)
 
 
-def clipboard_text(patience=20.0):
-    """What the program that owns the clipboard has copied."""
+def clipboard_text(timeout=20.0):
+    """The text in the clipboard."""
     with Client() as client:
         place = client.atom("RAYSCOPE_TEST")
         client.x.XConvertSelection(client.display, ctypes.c_ulong(client.atom("CLIPBOARD")),
                                    ctypes.c_ulong(client.atom("UTF8_STRING")), ctypes.c_ulong(place), client.window,
                                    ctypes.c_ulong(CURRENT_TIME))
         client.x.XFlush(client.display)
-        while (event := client.next_event(patience)) is not None:
+        while (event := client.next_event(timeout)) is not None:
             if event.type == SELECTION_NOTIFY:
                 return client.read_property(place) if event.selection.property else ""
         return ""
 
 
-def drop_file(window, path, patience=20.0):
-    """Drops a file onto a window by the protocol XDND, version 5. Returns whether it was taken."""
+def drop_file(window, path, timeout=20.0):
+    """Drops a file onto a window by the protocol XDND, version 5. Returns whether it was accepted."""
     with Client() as client:
         uris = client.atom("text/uri-list")
         selection, copy = client.atom("XdndSelection"), client.atom("XdndActionCopy")
@@ -154,7 +154,7 @@ def drop_file(window, path, patience=20.0):
         own = client.window.value
         client.send(window, "XdndEnter", own, 5 << 24, uris, 0, 0)
         client.send(window, "XdndPosition", own, 0, 200 << 16 | 200, CURRENT_TIME, copy)
-        while (event := client.next_event(patience)) is not None:
+        while (event := client.next_event(timeout)) is not None:
             if event.type == SELECTION_REQUEST:
                 client.answer(event.request, f"file://{path}\r\n".encode())
             elif event.type == CLIENT_MESSAGE and event.client.message_type == client.atom("XdndStatus"):

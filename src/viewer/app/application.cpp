@@ -113,7 +113,8 @@ void Application::drawSidePanel(const Layout& parts) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNavInputs |
-                                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                                        ImGuiWindowFlags_NoBringToFrontOnFocus;
     if (ImGui::Begin("##side", nullptr, kFlags)) {
         // The left edge can be dragged.
         const ImVec2 start = ImGui::GetCursorPos();
