@@ -194,6 +194,8 @@ TEST(ScenePanel, OpensBuiltinScenesAndTheDialog) {
     driver.choose("Contents/File", "cube");
     EXPECT_EQ(driver.workspace.loader.path(), "builtin:cube");
     driver.click("Contents/Open...");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::OpenScene});
+    driver.openDialog.request();
     driver.waitFor("dialog", [&] { return driver.has("Open a scene/Cancel"); });
     driver.click("Open a scene/Cancel");
     EXPECT_FALSE(driver.has("Open a scene/Cancel"));
