@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
@@ -78,29 +79,25 @@ int runLabCommand(const LabOptions& options) {
 
 }  // namespace
 
-void addLabCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpLab(OptionList& list) {
     auto options = std::make_shared<LabOptions>();
-    CLI::App* command = program.add_subcommand("lab",
-                                               "Numerical stability at the extremes: put the triangles of a "
-                                               "scene (or shapes made by formula) through "
-                                               "scales and offsets, and compare with exact arithmetic. Exit "
-                                               "code 4 if Rayscope itself made a mistake");
-    options->scene.addSceneTo(*command, false);
-    command->add_option("--seed", options->scene.seed, "Seed of the random numbers")->capture_default_str();
-    command->add_option(
-        "-o,--output", options->folder,
-        "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
-    command
-        ->add_option("--rays", options->rays,
-                     "Rays per cell at shared edges and vertices; half as many more leave surfaces")
-        ->check(CLI::Range(1, 1000000000))
-        ->capture_default_str();
-    command->add_flag("--quick", options->quick, "A coarse grid of scales and offsets");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("--json", options->json, "Print the result as JSON");
-    command->add_flag("-q,--quiet", options->quiet, "Print no progress and no notes");
-    command->callback([options, &exitCode] { exitCode = runLabCommand(*options); });
+    options->scene.addSceneTo(list, false);
+    list.add("--seed", &options->scene.seed, "Seed of the random numbers").showDefault();
+    list.add("-o,--output", &options->folder,
+             "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
+    list.add("--rays", &options->rays,
+             "Rays per cell at shared edges and vertices; half as many more leave surfaces")
+        .range(1, 1000000000)
+        .showDefault();
+    list.add("--quick", &options->quick, "A coarse grid of scales and offsets");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("--json", &options->json, "Print the result as JSON");
+    list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
+    list.setDetails(
+        "The triangles are those of the scene or, without one, shapes made by formula. Exit code 4: Rayscope "
+        "gave a "
+        "wrong answer.");
+    return [options] { return runLabCommand(*options); };
 }
 
 }  // namespace rayscope::cli

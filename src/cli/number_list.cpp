@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+
+#include "cli/command_line.h"
 
 namespace rayscope::cli {
 
 namespace {
 [[noreturn]] void throwExpected(const std::string& option, const std::string& what, const std::string& text) {
-    throw CLI::ValidationError(option, fmt::format("expected {}, got '{}'", what, text));
+    throw UsageError(option, fmt::format("expected {}, got '{}'", what, text));
 }
 }  // namespace
 

@@ -5,7 +5,7 @@
 
 namespace rayscope::cli {
 
-/// "1,2.5,-3" as `count` finite numbers. Throws CLI::ValidationError that names the option and the expected
+/// "1,2.5,-3" as `count` finite numbers. Throws UsageError that names the option and the expected
 /// form.
 std::vector<double> parseNumbers(const std::string& option, const std::string& text, char separator,
                                  int count);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
@@ -26,10 +27,9 @@ struct ProbeOptions {
 };
 
 [[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
-    throw CLI::ValidationError(
-        "--traversal",
-        fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'", tree.nodes.size() - 1,
-                    static_cast<long>(tree.shadowRays.size()) - 1, name));
+    throw UsageError("--traversal",
+                     fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'",
+                                 tree.nodes.size() - 1, static_cast<long>(tree.shadowRays.size()) - 1, name));
 }
 
 /// The searches of the ray that the option names by its number in the tree, "s" before those of shadow rays.
@@ -70,8 +70,8 @@ int runProbe(const ProbeOptions& options) {
     const RenderRequest request = openScene(options.scene, false);
     const glm::ivec2 pixel = parsePair("--pixel", options.pixel, ',', 0);
     if (pixel.x >= request.width || pixel.y >= request.height)
-        throw CLI::ValidationError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
-                                                          request.width, request.height));
+        throw UsageError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
+                                                request.width, request.height));
     const auto world =
         trace::compile({request.scene, request.settings, request.camera, request.width, request.height});
     const RayTree tree = probeSample(*world, request.seed, {pixel.x, pixel.y, options.sample});
@@ -95,32 +95,24 @@ int runProbe(const ProbeOptions& options) {
 
 }  // namespace
 
-void addProbeCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpProbe(OptionList& list) {
     auto options = std::make_shared<ProbeOptions>();
-    CLI::App* command =
-        program.add_subcommand("probe", "Print the ray tree of one pixel, as R shows it in the window");
-    options->scene.addTo(*command, true);
-    command->add_option("--pixel", options->pixel, "The pixel as X,Y, counted from 0,0 at the top left")
-        ->required();
-    command->add_option("--sample", options->sample, "Index of the sample of the pixel")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--traversal", options->traversal,
-            "Print the search of a ray through the BVH, too: its number in the tree, with an s before it "
-            "for a shadow ray; the camera ray if none is given")
-        ->expected(0, 1)
-        ->default_str("0");
-    command
-        ->add_option("--layout", options->layout,
-                     "Which tree --traversal searches: binary, or the wide one that production rays walk")
-        ->check(CLI::IsMember({"binary", "wide"}))
-        ->capture_default_str();
-    command->add_flag("--explain", options->explain,
-                      "Say why the pixel is black, bright, noisy, slow or not a number");
-    command->add_option("--json", options->jsonFile, "Write the tree to this file as JSON, too");
-    command->callback([options, &exitCode] { exitCode = runProbe(*options); });
+    options->scene.addTo(list, true);
+    list.add("--pixel", &options->pixel, "The pixel as X,Y, counted from 0,0 at the top left").required();
+    list.add("--sample", &options->sample, "Index of the sample of the pixel").nonNegative().showDefault();
+    list.add("--traversal", &options->traversal,
+             "Also print the BVH traversal of a ray: its number in the tree, with an s before it for a "
+             "shadow ray; "
+             "the camera ray if no number is given")
+        .valueOptional("0");
+    list.add("--layout", &options->layout,
+             "BVH that --traversal uses: binary, or the wide one that renders use")
+        .choices({"binary", "wide"})
+        .showDefault();
+    list.add("--explain", &options->explain,
+             "Print a diagnosis: why the pixel is black, bright, noisy, slow or not finite");
+    list.add("--json", &options->jsonFile, "Also write the tree to this file, as JSON");
+    return [options] { return runProbe(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/number_list.h"
@@ -46,9 +47,9 @@ std::optional<PixelBounds> regionFor(const RenderOptions& options, const RenderR
     const bool inside = region.x0 >= 0 && region.x0 < region.x1 && region.x1 <= request.width &&
                         region.y0 >= 0 && region.y0 < region.y1 && region.y1 <= request.height;
     if (!inside)
-        throw CLI::ValidationError("--pixelbounds",
-                                   fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
-                                               request.width, request.height, options.pixelBounds));
+        throw UsageError("--pixelbounds",
+                         fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
+                                     request.width, request.height, options.pixelBounds));
     return region;
 }
 
@@ -193,14 +194,14 @@ int runRender(const RenderOptions& options) {
         fmt::print("{}", dumpSettings(request.settings));
         return kSuccess;
     }
-    if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
+    if (options.outputs.empty()) throw UsageError("-o/--output is required");
     request.region = regionFor(options, request);
     std::vector<probe::Aov> aovs;
     for (const std::string& name : options.aovs) aovs.push_back(probe::aovNamed(name));
     for (const probe::Aov aov : aovs)
         checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(aov).name));
     if (!aovs.empty() && options.target.wanted())
-        throw CLI::ValidationError("--aov", "needs a fixed number of samples: leave out --target-error");
+        throw UsageError("--aov", "needs a fixed number of samples: leave out --target-error");
     request.keepBinaryTrees = !aovs.empty();
 
     const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
@@ -228,38 +229,27 @@ int runRender(const RenderOptions& options) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpRender(OptionList& list) {
     auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = program.add_subcommand("render", "Render a scene to an image file");
-    options->scene.addTo(*command, true);
-    command->add_option("-o,--output", options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable")
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
-    command
-        ->add_option("--time-limit", options->timeLimit,
-                     "Stop after this many seconds with the best image so far")
-        ->check(CLI::PositiveNumber);
-    options->target.addTo(*command);
-    command->add_option("--pixelbounds", options->pixelBounds,
-                        "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
+    options->scene.addTo(list, true);
+    list.add("-o,--output", &options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable");
+    list.add("--time-limit", &options->timeLimit, "Stop after this many seconds with the best image so far")
+        .positive();
+    options->target.addTo(list);
+    list.add("--pixelbounds", &options->pixelBounds,
+             "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
     std::vector<std::string_view> names;
     for (const probe::AovInfo& info : probe::aovTable()) names.push_back(info.name);
-    command
-        ->add_option(
-            "--aov", options->aovs,
-            fmt::format("Extra images beside the first output, as NAME.AOV.exr: {}", fmt::join(names, ", ")))
-        ->delimiter(',')
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    command->add_option("--stats", options->statsFile, "Write everything that was counted and timed as JSON");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-    command->add_flag("--dump-settings", options->dumpSettings,
-                      "Print the effective settings that are not defaults, and stop");
-    command->callback([options, &exitCode] { exitCode = runRender(*options); });
+    list.add(
+            "--aov", &options->aovs,
+            fmt::format("AOVs to write beside the first output, as NAME.AOV.exr: {}", fmt::join(names, ", ")))
+        .separatedBy(',');
+    list.add("--stats", &options->statsFile, "Write counts and times as JSON");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("-q,--quiet", &options->quiet, "Print errors only");
+    list.add("--dump-settings", &options->dumpSettings,
+             "Print the settings that differ from the defaults, and exit");
+    return [options] { return runRender(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -6,38 +6,33 @@
 
 #include "base/nearest_name.h"
 #include "base/shell_quote.h"
+#include "cli/command_line.h"
 #include "cli/number_list.h"
 
 namespace rayscope::cli {
 
-void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
-    addSceneTo(command, sceneRequired);
-    command.add_option("--size", size, "Width and height of the image in pixels, as WxH")
-        ->capture_default_str();
-    command.add_option("--camera", camera, "Name of one of the scene's cameras");
-    command.add_option("--look-from", lookFrom, "Position of the camera, as X,Y,Z");
-    command.add_option("--look-at", lookAt, "Point that the camera looks at, as X,Y,Z");
-    command.add_option("--up", up, "Direction that is up in the image, as X,Y,Z");
-    command.add_option("--fov", fov, "Vertical angle of view in degrees")->check(CLI::Range(0.001, 179.0));
-    command.add_option("--spp,--samples", spp, "Samples per pixel");
-    command.add_option(
-        "--preset", preset,
-        "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
-        "go before it");
-    command.add_option("--seed", seed, "Seed of the random numbers")->capture_default_str();
+void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
+    addSceneTo(list, sceneRequired);
+    list.add("--size", &size, "Width and height of the image in pixels, as WxH").showDefault();
+    list.add("--camera", &camera, "Name of a camera of the scene; by default the first");
+    list.add("--look-from", &lookFrom, "Position of the camera, as X,Y,Z");
+    list.add("--look-at", &lookAt, "Point that the camera looks at, as X,Y,Z");
+    list.add("--up", &up, "Direction that is up in the image, as X,Y,Z");
+    list.add("--fov", &fov, "Vertical angle of view in degrees").range(0.001, 179.0);
+    list.add("--spp,--samples", &spp, "Samples per pixel");
+    list.add("--preset", &preset,
+             "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
+             "override it");
+    list.add("--seed", &seed, "Seed of the random numbers").showDefault();
 }
 
-void SceneOptions::addSceneTo(CLI::App& command, bool sceneRequired) {
-    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
-    if (sceneRequired) positional->required();
-    command.add_option("-t,--threads,--nthreads", threads, "Tracing threads; 0 takes one per core")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    command
-        .add_option("-D,--set", assignments, "Any setting of 'rayscope settings', as KEY=VALUE; repeatable")
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
+void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
+    Option& positional = list.add("SCENE", &scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    if (sceneRequired) positional.required();
+    list.add("-t,--threads,--nthreads", &threads, "Tracing threads; 0 takes one per core")
+        .range(0, 1024)
+        .showDefault();
+    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings', as KEY=VALUE; repeatable");
 }
 
 namespace {
@@ -86,7 +81,7 @@ std::vector<SettingAssignment> parseAssignments(const SceneOptions& options) {
     for (const std::string& text : options.assignments) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos)
-            throw CLI::ValidationError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
+            throw UsageError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
         list.push_back({text.substr(0, equals), text.substr(equals + 1), {}});
     }
     if (options.spp) list.push_back({"spp", std::to_string(*options.spp), {}});
@@ -103,7 +98,7 @@ RenderRequest openScene(const SceneOptions& options, bool quiet) {
     RenderRequest request;
     const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
     if (static_cast<std::int64_t>(size.x) * size.y > std::int64_t{1} << 28)
-        throw CLI::ValidationError("--size", "more than 2^28 pixels");
+        throw UsageError("--size", "more than 2^28 pixels");
     request.width = size.x;
     request.height = size.y;
     request.camera = chooseCamera(*scene, options);

@@ -5,22 +5,23 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "cli/command_line.h"
+
 namespace rayscope::cli {
 
-void TargetOptions::addTo(CLI::App& command) {
-    command
-        .add_option("--target-error", error,
-                    "Stop when the image is this accurate; samples per pixel are no longer given but found")
-        ->check(CLI::PositiveNumber);
-    command.add_option("--confidence", confidence, "How sure to be of --target-error")
-        ->check(CLI::Range(0.5, 0.9999))
-        ->capture_default_str();
-    command.add_option("--metric", metric, "What --target-error is about: rmse or relmse")
-        ->capture_default_str();
-    command.add_flag("--worst-tile", worstTile,
-                     "Hold --target-error in each 32 x 32 pixels, not for the whole image");
-    command.add_flag("--adaptive", adaptive,
-                     "With --target-error: take more samples where a pilot finds more noise");
+void TargetOptions::addTo(OptionList& list) {
+    list.add("--target-error", &error,
+             "Stop when the upper bound of the error is below this value; chooses the sample count "
+             "automatically, with --spp as the limit")
+        .positive();
+    list.add("--confidence", &confidence, "Confidence level of --target-error")
+        .range(0.5, 0.9999)
+        .showDefault();
+    list.add("--metric", &metric, "Metric of --target-error: rmse or relmse").showDefault();
+    list.add("--worst-tile", &worstTile,
+             "Apply --target-error to the worst tile of 32 x 32 pixels instead of the whole image");
+    list.add("--adaptive", &adaptive,
+             "With --target-error: take more samples where a pilot render finds more noise");
 }
 
 namespace {

@@ -1,19 +1,20 @@
 #pragma once
 // The options of `render` that ask for an accuracy, and the rendering that serves them.
 #include <rayscope/error_target.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 
 namespace rayscope::cli {
 
+class OptionList;
+
 struct TargetOptions {
     double error = 0.0, confidence = 0.95;
     std::string metric = "rmse";
     bool worstTile = false, adaptive = false;
 
-    void addTo(CLI::App& command);
+    void addTo(OptionList& list);
     bool wanted() const { return error > 0.0; }
 };
 

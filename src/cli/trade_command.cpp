@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
@@ -98,25 +99,20 @@ int runTrade(const TradeOptions& options) {
 
 }  // namespace
 
-void addTradeCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpTrade(OptionList& list) {
     auto options = std::make_shared<TradeOptions>();
     options->scene.size = "200x200";
-    CLI::App* command = program.add_subcommand(
-        "trade",
-        "Measure speed against accuracy on this scene, knob by knob, and recommend settings per time");
-    options->scene.addTo(*command, true);
-    command->add_option("-o,--output", options->folder,
-                        "Folder for the report: trade.html, trade.json, trade.csv");
-    command->add_option("--budget", options->budget, "Seconds to spend; half of them go into the reference")
-        ->check(CLI::Range(0.1, 1e6))
-        ->capture_default_str();
-    command->add_flag("--no-cache", options->noCache,
-                      "Neither use nor keep a reference in the cache ($XDG_CACHE_HOME/rayscope/references)");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("--json", options->json, "Print the result as JSON");
-    command->add_flag("-q,--quiet", options->quiet, "Print no progress and no notes");
-    command->callback([options, &exitCode] { exitCode = runTrade(*options); });
+    options->scene.addTo(list, true);
+    list.add("-o,--output", &options->folder, "Folder for the report: trade.html, trade.json, trade.csv");
+    list.add("--budget", &options->budget, "Seconds to spend; half of them go into the reference")
+        .range(0.1, 1e6)
+        .showDefault();
+    list.add("--no-cache", &options->noCache,
+             "Neither use nor keep a reference in the cache ($XDG_CACHE_HOME/rayscope/references)");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("--json", &options->json, "Print the result as JSON");
+    list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
+    return [options] { return runTrade(*options); };
 }
 
 }  // namespace rayscope::cli

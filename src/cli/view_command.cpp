@@ -1,3 +1,4 @@
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
@@ -29,13 +30,12 @@ int runView(const SceneOptions& options) {
 
 }  // namespace
 
-void addViewCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpView(OptionList& list) {
     auto options = std::make_shared<SceneOptions>();
     options->scene = viewer::kDefaultScene;
     options->size = "1280x720";
-    CLI::App* command = program.add_subcommand("view", "Open the window (the default command)");
-    options->addTo(*command, false);
-    command->callback([options, &exitCode] { exitCode = runView(*options); });
+    options->addTo(list, false);
+    return [options] { return runView(*options); };
 }
 
 }  // namespace rayscope::cli
