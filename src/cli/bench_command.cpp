@@ -191,9 +191,7 @@ std::function<int()> setUpBench(OptionList& list) {
     list.add("--size", &options->size, "Width and height of the image of primary rays")
         .range(8, 16384)
         .showDefault();
-    list.add("--rounds", &options->rounds, "Rounds in which all contestants take turns")
-        .range(5, 1000)
-        .showDefault();
+    list.add("--rounds", &options->rounds, "Rounds of interleaved measurements").range(5, 1000).showDefault();
     return [options] { return runBenchCommand(*options); };
 }
 

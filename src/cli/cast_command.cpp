@@ -133,17 +133,17 @@ int runCast(const CastOptions& options) {
 std::function<int()> setUpCast(OptionList& list) {
     auto options = std::make_shared<CastOptions>();
     options->scene.addSceneTo(list, true);
-    list.add("--rays", &options->rays, "File of rays to read, of any length").required();
-    list.add("-o,--output", &options->output, "File of answers to write, in the order of the rays")
+    list.add("--rays", &options->rays, "Ray file to read, of any length").required();
+    list.add("-o,--output", &options->output, "File of results to write, in the order of the rays")
         .required();
-    list.add("--any", &options->any, "Ask whether anything is hit, not what is hit first");
+    list.add("--any", &options->any, "Any-hit queries: whether there is a hit, not the closest one");
     list.add("-q,--quiet", &options->quiet, "Print errors only");
     list.setDetails(
-        "A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, tMax. Its hit is 16 "
+        "A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, tMax. A result is 16 "
         "bytes: "
         "float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for a miss), float32 u, v; "
         "with "
-        "--any it is one byte, 1 if anything lies in (tMin, tMax], else 0.");
+        "--any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0.");
     return [options] { return runCast(*options); };
 }
 

@@ -41,7 +41,7 @@ nlohmann::json toJson(const ErrorMeasures& e) {
 
 void printText(const ErrorMeasures& e) {
     fmt::print("rmse             {:.6g}\n", e.rmse);
-    fmt::print("relmse           {:.6g}  ({:.6g} without the worst 0.1 % of the pixels)\n", e.relMse,
+    fmt::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n", e.relMse,
                e.relMseTrimmed);
     fmt::print("smape            {:.6g}\n", e.smape);
     fmt::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
@@ -58,7 +58,7 @@ std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
     return tiles;
 }
 
-/// Colours in formats for looking, the values themselves in the others.
+/// False colour in display formats, the values in the others.
 void writeMap(const std::string& path, const Image<double>& map, double range) {
     RgbImage picture = applyColorMap(map, range);
     if (!post::isDisplayFormat(path))
@@ -87,14 +87,14 @@ void writeTiles(const CompareCommandOptions& options, const Image<double>& map, 
         writeMap(options.map, tiles, rangeOf(options, tiles, metric));
 }
 
-/// Says which pixels were left out. Returns whether there were any.
+/// Prints how many pixels are not finite. Returns whether there are any.
 bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& errors) {
     const std::pair<const std::string*, long long> counts[] = {
         {&options.image, errors.nonFiniteImage}, {&options.reference, errors.nonFiniteReference}};
     for (const auto& [name, count] : counts)
         if (count > 0)
             fmt::print(stderr,
-                       "{}: error: {} of {} pixels are NaN or infinite; they are left out of the measures\n",
+                       "{}: error: {} of {} pixels are NaN or infinite; they are excluded from the metrics\n",
                        *name, count, errors.pixels);
     return errors.nonFiniteImage + errors.nonFiniteReference > 0;
 }

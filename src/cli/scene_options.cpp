@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "base/nearest_name.h"
 #include "base/shell_quote.h"
 #include "cli/command_line.h"
 #include "cli/number_list.h"
@@ -37,74 +34,43 @@ void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
 
 namespace {
 
-CameraDescription chooseCamera(const SceneDescription& scene, const SceneOptions& options) {
-    CameraDescription camera = scene.cameras.front();
-    if (!options.camera.empty()) {
-        std::vector<std::string_view> names;
-        const CameraDescription* found = nullptr;
-        for (const CameraDescription& candidate : scene.cameras) {
-            names.push_back(candidate.name);
-            if (candidate.name == options.camera) found = &candidate;
-        }
-        if (!found)
-            throw InputError(fmt::format("{} has no camera '{}'; it has {}", scene.path, options.camera,
-                                         base::joinChoices(names)));
-        camera = *found;
-    }
-    if (!options.lookFrom.empty()) camera.lookFrom = parseVector("--look-from", options.lookFrom);
-    if (!options.lookAt.empty()) camera.lookAt = parseVector("--look-at", options.lookAt);
-    if (!options.up.empty()) camera.up = parseVector("--up", options.up);
-    if (options.fov) camera.fov = *options.fov;
-    if (camera.lookFrom == camera.lookAt)
-        throw InputError("the camera's look-from and look-at are the same point; move one of them");
-    return camera;
+std::optional<glm::vec3> optionalVector(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return parseVector(option, text);
 }
 
-Settings settingsFor(const SceneDescription& scene, const CameraDescription& camera,
-                     const SceneOptions& options) {
-    const std::vector<SettingAssignment> assignments = parseAssignments(options);
-    Settings settings;
-    for (const SettingAssignment& assignment : scene.settings)
-        assign(settings, assignment.key, assignment.value);
-    if (!options.preset.empty())
-        applyPreset(settings, presetNamed(options.preset), blursPixels(requirementsOf(scene), camera));
-    for (const SettingAssignment& assignment : assignments)
-        assign(settings, assignment.key, assignment.value);
-    return settings;
+SettingAssignment parseAssignment(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw UsageError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
+    return {text.substr(0, equals), text.substr(equals + 1), {}};
 }
 
 }  // namespace
 
-std::vector<SettingAssignment> parseAssignments(const SceneOptions& options) {
-    std::vector<SettingAssignment> list;
-    if (!options.preset.empty()) presetNamed(options.preset);
-    for (const std::string& text : options.assignments) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos)
-            throw UsageError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
-        list.push_back({text.substr(0, equals), text.substr(equals + 1), {}});
-    }
-    if (options.spp) list.push_back({"spp", std::to_string(*options.spp), {}});
-    Settings scratch;
-    for (const SettingAssignment& assignment : list) assign(scratch, assignment.key, assignment.value);
-    return list;
+RequestOverrides overridesOf(const SceneOptions& options) {
+    RequestOverrides overrides;
+    overrides.camera = {options.camera, optionalVector("--look-from", options.lookFrom),
+                        optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),
+                        options.fov};
+    overrides.preset = options.preset;
+    for (const std::string& text : options.assignments) overrides.settings.push_back(parseAssignment(text));
+    overrides.spp = options.spp;
+    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
+    if (static_cast<std::int64_t>(size.x) * size.y > std::int64_t{1} << 28)
+        throw UsageError("--size", "more than 2^28 pixels");
+    overrides.width = size.x;
+    overrides.height = size.y;
+    overrides.seed = options.seed;
+    checkOverrides(overrides);
+    return overrides;
 }
 
 RenderRequest openScene(const SceneOptions& options, bool quiet) {
     Diagnostics notes;
-    auto scene = std::make_shared<SceneDescription>(loadScene(options.scene, notes));
+    RenderRequest request = openRequest(options.scene, overridesOf(options), notes);
     if (!quiet)
         for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
-    RenderRequest request;
-    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
-    if (static_cast<std::int64_t>(size.x) * size.y > std::int64_t{1} << 28)
-        throw UsageError("--size", "more than 2^28 pixels");
-    request.width = size.x;
-    request.height = size.y;
-    request.camera = chooseCamera(*scene, options);
-    request.settings = settingsFor(*scene, request.camera, options);
-    request.seed = options.seed;
-    request.scene = std::move(scene);
     return request;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// The options that every command which opens a scene understands.
-#include <rayscope/render_session.h>
+// The options of every command that opens a scene.
+#include <rayscope/open_request.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,16 +27,15 @@ struct SceneOptions {
     void addSceneTo(OptionList& list, bool sceneRequired);
 };
 
-/// Opens the scene, prints its notes to stderr (unless quiet) and applies settings in the order: defaults,
-/// scene file, command line. Throws InputError.
+/// The options in the form of the library. Throws InputError or UsageError.
+RequestOverrides overridesOf(const SceneOptions& options);
+
+/// Opens the scene with these options and prints its notes to stderr, unless quiet. Throws InputError or
+/// UsageError.
 RenderRequest openScene(const SceneOptions& options, bool quiet);
 
 /// The command that probes a sample of what these options render, ready to be pasted into a shell.
 std::string probeCommand(const SceneOptions& options, glm::ivec2 pixel, int sample);
-
-/// The settings that the command line asks for beside the preset, each checked, and the preset's name. Throws
-/// InputError or UsageError.
-std::vector<SettingAssignment> parseAssignments(const SceneOptions& options);
 
 /// The settings that differ from the defaults, as a [settings] table for a scene file.
 std::string dumpSettings(const Settings& settings);

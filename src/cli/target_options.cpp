@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-#include <thread>
-
 #include "cli/command_line.h"
 
 namespace rayscope::cli {
@@ -26,52 +23,40 @@ void TargetOptions::addTo(OptionList& list) {
 
 namespace {
 
-void show(ProgressStyle style, const ErrorForecast& f, double target) {
-    if (style == ProgressStyle::Json) {
-        const nlohmann::json event = {{"samples", f.samples},
-                                      {"elapsed_s", f.elapsedSeconds},
-                                      {"error", f.estimate.error},
-                                      {"error_upper", f.estimate.upper},
-                                      {"target_error", target},
-                                      {"expected_samples", f.samplesAtTarget},
-                                      {"remaining_s", f.remainingSeconds},
-                                      {"error_at_limit", f.errorAtLimit}};
-        fmt::print(stderr, "{}\n", event.dump());
-    }
-    if (style != ProgressStyle::Bar) return;
-    std::string line = fmt::format("{} samples  {}", f.samples, durationText(f.elapsedSeconds));
+void show(Progress& progress, const ErrorForecast& f, const TargetOptions& options) {
+    std::string text = fmt::format("{} samples  {}", f.samples, durationText(f.elapsedSeconds));
     if (f.estimate.upper > 0.0)
-        line += fmt::format("  error {:.3g}, surely below {:.3g}, target {:.3g}  ETA {}", f.estimate.error,
-                            f.estimate.upper, target, durationText(f.remainingSeconds));
-    if (f.errorAtLimit > 0.0) line += fmt::format("  at the time limit {:.3g}", f.errorAtLimit);
-    fmt::print(stderr, "\r\033[K{}", line);
-    std::fflush(stderr);
+        text += fmt::format("  error {:.3g}, {:g} % upper bound {:.3g}, target {:.3g}  {}", f.estimate.error,
+                            100.0 * options.confidence, f.estimate.upper, options.error,
+                            etaText(f.remainingSeconds));
+    if (f.errorAtLimit > 0.0) text += fmt::format("  at the time limit {:.3g}", f.errorAtLimit);
+    progress.show({{},
+                   text,
+                   {{"samples", static_cast<std::uint64_t>(f.samples)},
+                    {"elapsed_s", f.elapsedSeconds},
+                    {"error", f.estimate.error},
+                    {"error_upper", f.estimate.upper},
+                    {"target_error", options.error},
+                    {"expected_samples", f.samplesAtTarget},
+                    {"remaining_s", f.remainingSeconds},
+                    {"error_at_limit", f.errorAtLimit}}});
 }
 
 }  // namespace
 
-ErrorTargetResult renderToTarget(const RenderRequest& render, const TargetOptions& options, double timeLimit,
-                                 int maxSamples, int threads, const InterruptGuard& interrupt,
-                                 ProgressStyle style) {
-    std::stop_source stop;
-    const std::jthread watcher([&](const std::stop_token& ended) {
-        while (!ended.stop_requested()) {
-            if (interrupt.interrupted()) stop.request_stop();
-            std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        }
-    });
+ErrorTargetResult renderToTarget(const RenderRequest& render, const TargetOptions& options,
+                                 const TargetLimits& limits, ProgressStyle style) {
+    Progress progress(style);
     ErrorTargetRequest request;
     request.render = render;
     request.target = {options.error, options.confidence, errorMetricNamed(options.metric), options.worstTile};
     request.adaptive = options.adaptive;
-    request.timeLimit = timeLimit;
-    if (maxSamples > 0) request.maxSamples = maxSamples;
-    request.threads = threads;
-    request.stop = stop.get_token();
-    request.progress = [&](const ErrorForecast& forecast) { show(style, forecast, options.error); };
-    ErrorTargetResult result = renderToTarget(request);
-    if (style == ProgressStyle::Bar) fmt::print(stderr, "\r\033[K");
-    return result;
+    request.timeLimit = limits.seconds;
+    if (limits.samples > 0) request.maxSamples = limits.samples;
+    request.threads = limits.threads;
+    request.stop = limits.stop;
+    request.progress = [&](const ErrorForecast& forecast) { show(progress, forecast, options); };
+    return renderToTarget(request);
 }
 
 }  // namespace rayscope::cli

@@ -186,7 +186,7 @@ TEST(DebugRaysOverlay, everyKindDiffersByColorOrStyle) {
 
 TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
     Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
+    EditState state = initialState(loadScene("builtin:cornell", notes));
     RenderSession session(1);
     RenderRequest request;
     request.scene = state.scene;
@@ -225,7 +225,7 @@ TEST(DebugRays, areStaleWhenSomethingOtherThanTheDisplayChanged) {
 
 TEST(DebugRays, showAsManySamplesAsTheBudgetHolds) {
     Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
+    EditState state = initialState(loadScene("builtin:cornell", notes));
     state.settings.spp = 64;
     const auto world = trace::compile({state.scene, state.settings, state.camera, 48, 48});
     DebugRays rays;

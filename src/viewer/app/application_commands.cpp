@@ -1,11 +1,11 @@
 // What each command of the table does.
 #include <fmt/format.h>
 
+#include <rayscope/display.h>
+#include <rayscope/render_image.h>
 #include <algorithm>
 #include <cmath>
 
-#include "post/display_transform.h"
-#include "render/film.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/camera_text.h"
@@ -82,7 +82,7 @@ void Application::execute(Command command) {
             workspace_.render.togglePause();
             break;
         case Command::ResetCamera:
-            camera = initialState(*workspace_.edit.scene, {}, {}).camera;
+            camera = initialState(*workspace_.edit.scene).camera;
             break;
         case Command::FrameAll:
             frameAll(camera, picture_.sceneBounds(), static_cast<double>(size.x) / size.y);
@@ -142,14 +142,12 @@ void Application::recordRays() {
 
 void Application::saveImage() {
     const std::string path = nextFreeName();
-    const Settings& settings = workspace_.edit.settings;
     try {
         const ImageMetadata metadata =
             metadataOf(workspace_.edit, 0, workspace_.view.traced ? workspace_.render.status().samples : 0);
         const auto film = workspace_.render.session().film();
         if (workspace_.view.traced && film)
-            writeImage(path, post::develop(film->mean(), settings, post::isDisplayFormat(path)), metadata,
-                       settings.tone);
+            writeRenderedImage(path, meanOf(*film), workspace_.edit.settings, metadata);
         else
             writeImage(path, picture_.rasterImage(workspace_), metadata, Encoding::Srgb);
         workspace_.notify("Saved " + path);

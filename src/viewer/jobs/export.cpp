@@ -3,11 +3,11 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <rayscope/display.h>
+#include <rayscope/render_image.h>
 #include <filesystem>
 
 #include "image/srgb.h"
-#include "post/display_transform.h"
-#include "render/film.h"
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"
 
@@ -63,8 +63,8 @@ void RenderJob::update() {
         } else if (status.state == RenderState::Done) {
             phase_ = Phase::Writing;
             writing_ = std::async(std::launch::async, [this, film = session_.film(), status] {
-                writeImage(path_, post::develop(film->mean(), state_.settings, post::isDisplayFormat(path_)),
-                           metadataOf(state_, 0, status.samples), state_.settings.tone);
+                writeRenderedImage(path_, meanOf(*film), state_.settings,
+                                   metadataOf(state_, 0, status.samples));
             });
         }
     }
