@@ -41,8 +41,8 @@ nlohmann::json toJson(const ErrorMeasures& e) {
 
 void printText(const ErrorMeasures& e) {
     fmt::print("rmse             {:.6g}\n", e.rmse);
-    fmt::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n", e.relMse,
-               e.relMseTrimmed);
+    fmt::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n",
+               e.relMse, e.relMseTrimmed);
     fmt::print("smape            {:.6g}\n", e.smape);
     fmt::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
     fmt::print("mean difference  {:+.6g}\n", e.meanDifference);

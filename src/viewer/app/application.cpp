@@ -24,8 +24,8 @@ constexpr int kFramesAfterEvent = 4;
 
 Application::Application(const ViewerOptions& options, LoadedScene first)
     : window_(options.overrides.width, options.overrides.height),
-      workspace_(initialState(std::move(*first.scene), options.overrides),
-                 std::move(first.notes), options.threads) {
+      workspace_(initialState(std::move(*first.scene), options.overrides), std::move(first.notes),
+                 options.threads) {
     workspace_.recent.add(first.path);
     setScale(window_.contentScale());
 }
