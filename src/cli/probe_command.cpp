@@ -52,14 +52,14 @@ std::vector<probe::TraversalLog> traversalsOf(const trace::World& world, const R
 std::string asJson(const RayTree& tree, const trace::World& world,
                    const std::vector<probe::TraversalLog>& traversals,
                    const std::vector<probe::Diagnosis>& diagnoses) {
-    nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
+    nlohmann::json j = nlohmann::json::parse(toJson(tree, world));
     for (const probe::TraversalLog& log : traversals)
-        j["traversal"].push_back(nlohmann::ordered_json::parse(probe::toJson(log)));
+        j["traversal"].push_back(nlohmann::json::parse(probe::toJson(log)));
     for (const probe::Diagnosis& diagnosis : diagnoses) {
-        nlohmann::ordered_json entry = {{"symptom", probe::nameOf(diagnosis.symptom)},
-                                        {"cause", probe::nameOf(diagnosis.cause)},
-                                        {"sentence", diagnosis.sentence}};
-        entry["rays"] = nlohmann::ordered_json::array();
+        nlohmann::json entry = {{"symptom", probe::nameOf(diagnosis.symptom)},
+                                {"cause", probe::nameOf(diagnosis.cause)},
+                                {"sentence", diagnosis.sentence}};
+        entry["rays"] = nlohmann::json::array();
         for (const probe::Evidence& e : diagnosis.evidence)
             entry["rays"].push_back(
                 {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
