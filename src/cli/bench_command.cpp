@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"
 #include "measure/bench/bench.h"
@@ -180,23 +181,18 @@ int runBenchCommand(const BenchCommandOptions& options) {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpBench(OptionList& list) {
     auto options = std::make_shared<BenchCommandOptions>();
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
-    CLI::App* command = program.add_subcommand(
-        "bench",
-        "Measure build time, rays per second and memory, compared with Embree where it is installed");
-    command->add_option("scenes", options->scenes, "Scenes: .toml, .obj or builtin:NAME");
-    command->add_option("--json", options->jsonFile, "Write all figures to this file");
-    command->add_option("-t,--threads", options->threads, "Threads for building and tracing; 0: all");
-    command->add_option("-D,--set", options->assignments, "A setting as KEY=VALUE; repeatable")->take_all();
-    command->add_option("--size", options->size, "Width and height of the image of primary rays")
-        ->check(CLI::Range(8, 16384))
-        ->capture_default_str();
-    command->add_option("--rounds", options->rounds, "Rounds of interleaved measurements")
-        ->check(CLI::Range(5, 1000))
-        ->capture_default_str();
-    command->callback([options, &exitCode] { exitCode = runBenchCommand(*options); });
+    list.add("scenes", &options->scenes, "Scenes: .toml, .obj or builtin:NAME");
+    list.add("--json", &options->jsonFile, "Write all figures to this file");
+    list.add("-t,--threads", &options->threads, "Threads for building and tracing; 0: all");
+    list.add("-D,--set", &options->assignments, "A setting as KEY=VALUE; repeatable");
+    list.add("--size", &options->size, "Width and height of the image of primary rays")
+        .range(8, 16384)
+        .showDefault();
+    list.add("--rounds", &options->rounds, "Rounds of interleaved measurements").range(5, 1000).showDefault();
+    return [options] { return runBenchCommand(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
@@ -123,21 +124,21 @@ int runCast(const CastOptions& options) {
 
 }  // namespace
 
-void addCastCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpCast(OptionList& list) {
     auto options = std::make_shared<CastOptions>();
-    CLI::App* command = program.add_subcommand(
-        "cast",
-        "Trace a file of rays. A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, "
-        "tMax. A result is 16 bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 "
-        "for a miss), float32 u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else "
-        "0");
-    options->scene.addSceneTo(*command, true);
-    command->add_option("--rays", options->rays, "Ray file to read, of any length")->required();
-    command->add_option("-o,--output", options->output, "File of results to write, in the order of the rays")
-        ->required();
-    command->add_flag("--any", options->any, "Any-hit queries: whether there is a hit, not the closest one");
-    command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-    command->callback([options, &exitCode] { exitCode = runCast(*options); });
+    options->scene.addSceneTo(list, true);
+    list.add("--rays", &options->rays, "Ray file to read, of any length").required();
+    list.add("-o,--output", &options->output, "File of results to write, in the order of the rays")
+        .required();
+    list.add("--any", &options->any, "Any-hit queries: whether there is a hit, not the closest one");
+    list.add("-q,--quiet", &options->quiet, "Print errors only");
+    list.setDetails(
+        "A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, tMax. A result is 16 "
+        "bytes: "
+        "float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for a miss), float32 u, v; "
+        "with "
+        "--any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0.");
+    return [options] { return runCast(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -1,7 +1,11 @@
 #pragma once
-#include <CLI/CLI.hpp>
+#include <functional>
+#include <span>
 
 namespace rayscope::cli {
+
+struct Command;
+class OptionList;
 
 /// Exit codes that scripts rely on.
 enum ExitCode : int {
@@ -14,16 +18,12 @@ enum ExitCode : int {
     kInterrupted = 130
 };
 
-/// Each adds one sub-command to the program; running it sets the exit code.
-void addViewCommand(CLI::App& program, int& exitCode);
-void addRenderCommand(CLI::App& program, int& exitCode);
-void addProbeCommand(CLI::App& program, int& exitCode);
-void addInfoCommand(CLI::App& program, int& exitCode);
-void addBenchCommand(CLI::App& program, int& exitCode);
-void addCastCommand(CLI::App& program, int& exitCode);
-void addLabCommand(CLI::App& program, int& exitCode);
-void addTradeCommand(CLI::App& program, int& exitCode);
-void addCompareCommand(CLI::App& program, int& exitCode);
-void addSettingsCommand(CLI::App& program, int& exitCode);
+/// All commands of the program, in the order of --help.
+std::span<const Command> commandTable();
+
+/// Command::setUp of each command.
+using CommandSetUp = std::function<int()>(OptionList& options);
+CommandSetUp setUpView, setUpRender, setUpProbe, setUpInfo, setUpBench, setUpCast, setUpTrade, setUpLab,
+    setUpCompare, setUpSettings;
 
 }  // namespace rayscope::cli

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "post/display_transform.h"
 
@@ -15,10 +16,11 @@ namespace {
 
 struct CompareCommandOptions {
     std::string image, reference, difference, map, metric = "rmse";
-    double failAbove = 0.0, range = 0.0;
+    std::optional<double> failAbove;
+    double range = 0.0;
     int tile = 32;
     CompareOptions measure;
-    bool json = false, limited = false;
+    bool json = false;
 };
 
 nlohmann::json toJson(const ErrorMeasures& e) {
@@ -39,8 +41,8 @@ nlohmann::json toJson(const ErrorMeasures& e) {
 
 void printText(const ErrorMeasures& e) {
     fmt::print("rmse             {:.6g}\n", e.rmse);
-    fmt::print("relmse           {:.6g}  ({:.6g} without the worst 0.1 % of the pixels)\n", e.relMse,
-               e.relMseTrimmed);
+    fmt::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n",
+               e.relMse, e.relMseTrimmed);
     fmt::print("smape            {:.6g}\n", e.smape);
     fmt::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
     fmt::print("mean difference  {:+.6g}\n", e.meanDifference);
@@ -56,7 +58,7 @@ std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
     return tiles;
 }
 
-/// Colours in formats for looking, the values themselves in the others.
+/// False colour in display formats, the values in the others.
 void writeMap(const std::string& path, const Image<double>& map, double range) {
     RgbImage picture = applyColorMap(map, range);
     if (!post::isDisplayFormat(path))
@@ -85,14 +87,14 @@ void writeTiles(const CompareCommandOptions& options, const Image<double>& map, 
         writeMap(options.map, tiles, rangeOf(options, tiles, metric));
 }
 
-/// Says which pixels were left out. Returns whether there were any.
+/// Prints how many pixels are not finite. Returns whether there are any.
 bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& errors) {
     const std::pair<const std::string*, long long> counts[] = {
         {&options.image, errors.nonFiniteImage}, {&options.reference, errors.nonFiniteReference}};
     for (const auto& [name, count] : counts)
         if (count > 0)
             fmt::print(stderr,
-                       "{}: error: {} of {} pixels are NaN or infinite; they are left out of the measures\n",
+                       "{}: error: {} of {} pixels are NaN or infinite; they are excluded from the metrics\n",
                        *name, count, errors.pixels);
     return errors.nonFiniteImage + errors.nonFiniteReference > 0;
 }
@@ -120,8 +122,8 @@ int runCompare(const CompareCommandOptions& options) {
 
     const bool nonFinite = reportNonFinite(options, errors);
     const double score = errors.of(metric);
-    if (options.limited && !(score <= options.failAbove)) {
-        fmt::print(stderr, "error: {} is {:.6g}, above {:.6g}\n", options.metric, score, options.failAbove);
+    if (options.failAbove && !(score <= *options.failAbove)) {
+        fmt::print(stderr, "error: {} is {:.6g}, above {:.6g}\n", options.metric, score, *options.failAbove);
         return kThresholdExceeded;
     }
     return nonFinite ? kNonFiniteImage : kSuccess;
@@ -129,46 +131,38 @@ int runCompare(const CompareCommandOptions& options) {
 
 }  // namespace
 
-void addCompareCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpCompare(OptionList& list) {
     auto options = std::make_shared<CompareCommandOptions>();
-    CLI::App* command = program.add_subcommand("compare",
-                                               "Say how far image A is from reference B: rmse, relmse, "
-                                               "smape, max (of linear values), ssim, flip (of "
-                                               "what a display shows)");
-    command->add_option("A", options->image, "The image to judge: .png .exr .pfm .hdr .jpg")->required();
-    command->add_option("B", options->reference, "The reference, of the same size")->required();
-    command->add_option(
-        "-o,--output", options->difference,
-        "Difference image: the metric of each pixel, in colours (.png) or as values (.exr .pfm .hdr)");
-    command
-        ->add_option(
-            "--metric", options->metric,
-            "What -o, --map and --fail-above are about: rmse, relmse, smape, max, ssim (as 1 - SSIM), flip")
-        ->capture_default_str();
-    auto* limit = command->add_option("--fail-above", options->failAbove,
-                                      "Exit with 4 if the metric is larger than this, or not a number");
-    limit->check(CLI::NonNegativeNumber);
-    command->add_option(
-        "--map", options->map,
-        "The metric of each tile: a table (.csv) or an image in colours (.png) or values (.exr .pfm .hdr)");
-    command->add_option("--tile", options->tile, "Edge of the tiles of --map in pixels")
-        ->check(CLI::Range(1, 1 << 16))
-        ->capture_default_str();
-    command
-        ->add_option("--range", options->range,
-                     "Value that is white in colours; by default the largest, 1 for flip")
-        ->check(CLI::PositiveNumber);
-    command
-        ->add_option("--exposure", options->measure.exposure, "Stops of brightness before ssim and flip look")
-        ->check(CLI::Range(-20.0, 20.0));
-    command->add_option("--pixels-per-degree", options->measure.pixelsPerDegree, "Of the observer, for flip")
-        ->check(CLI::Range(1.0, 1000.0))
-        ->capture_default_str();
-    command->add_flag("--json", options->json, "Print JSON");
-    command->callback([options, limit, &exitCode] {
-        options->limited = limit->count() > 0;
-        exitCode = runCompare(*options);
-    });
+    list.add("A", &options->image, "The image: .png .exr .pfm .hdr .jpg").required();
+    list.add("B", &options->reference, "The reference image, of the same size").required();
+    list.add(
+        "-o,--output", &options->difference,
+        "Write the error of each pixel as an image: in false colour (.png) or as values (.exr .pfm .hdr)");
+    list.add("--metric", &options->metric,
+             "Metric of -o, --map and --fail-above: rmse, relmse, smape, max, ssim (as 1 - SSIM) or flip")
+        .showDefault();
+    list.add("--fail-above", &options->failAbove, "Exit with 4 if the metric exceeds this value or is NaN")
+        .nonNegative();
+    list.add("--map", &options->map,
+             "Write the error of each tile: a table (.csv), an image in false colour (.png) or as values "
+             "(.exr .pfm "
+             ".hdr)");
+    list.add("--tile", &options->tile, "Edge length of the tiles of --map, in pixels")
+        .range(1, 1 << 16)
+        .showDefault();
+    list.add("--range", &options->range,
+             "Value shown as white in false colour; by default the maximum, and 1 for flip")
+        .positive();
+    list.add("--exposure", &options->measure.exposure, "Exposure before ssim and flip, in stops")
+        .range(-20.0, 20.0);
+    list.add("--pixels-per-degree", &options->measure.pixelsPerDegree,
+             "Viewing distance for FLIP, in pixels per degree")
+        .range(1.0, 1000.0)
+        .showDefault();
+    list.add("--json", &options->json, "Print JSON");
+    list.setDetails(
+        "rmse, relmse, smape and max compare linear values; ssim and flip compare what a display shows.");
+    return [options] { return runCompare(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -3,6 +3,7 @@
 #include <rayscope/scene.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 
 namespace rayscope::cli {
@@ -85,7 +86,7 @@ nlohmann::json infoJson(const SceneDescription& scene, const SceneRequirements& 
 
 int runInfo(const InfoOptions& options) {
     if (options.list) return listScenes(options.json);
-    if (options.scene.empty()) throw CLI::RequiredError("SCENE");
+    if (options.scene.empty()) throw UsageError("SCENE is required");
     Diagnostics findings;
     const SceneDescription scene = loadScene(options.scene, findings);
     const SceneRequirements needs = requirementsOf(scene);
@@ -99,14 +100,12 @@ int runInfo(const InfoOptions& options) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpInfo(OptionList& list) {
     auto options = std::make_shared<InfoOptions>();
-    CLI::App* command =
-        program.add_subcommand("info", "Say what a scene holds, what it requires and what is wrong with it");
-    command->add_option("SCENE", options->scene, "A .toml scene, a bare .obj, or builtin:NAME");
-    command->add_flag("--json", options->json, "Print JSON");
-    command->add_flag("--list", options->list, "List the built-in scenes");
-    command->callback([options, &exitCode] { exitCode = runInfo(*options); });
+    list.add("SCENE", &options->scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    list.add("--json", &options->json, "Print JSON");
+    list.add("--list", &options->list, "List the built-in scenes");
+    return [options] { return runInfo(*options); };
 }
 
 }  // namespace rayscope::cli

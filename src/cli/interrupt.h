@@ -2,7 +2,7 @@
 
 namespace rayscope::cli {
 
-/// While it lives, the first Ctrl+C is noted and the second ends the program at once with exit code 130.
+/// During its lifetime the first Ctrl+C sets a flag and the second ends the program with exit code 130.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -7,7 +7,7 @@
 
 namespace rayscope::cli {
 
-/// Asks for a stop as soon as the user does; a measurement looks at it between samples.
+/// Requests a stop at the first Ctrl+C, at most 20 ms later. A second Ctrl+C ends the program.
 class InterruptStopSource {
   public:
     InterruptStopSource()
@@ -18,6 +18,7 @@ class InterruptStopSource {
               }
           }) {}
     std::stop_token token() const { return stop_.get_token(); }
+    bool interrupted() const { return interrupt_.interrupted(); }
 
   private:
     InterruptGuard interrupt_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
@@ -23,15 +24,12 @@ struct LabOptions {
 
 LabRequest requestOf(const LabOptions& options) {
     LabRequest request;
-    if (options.scene.scene.empty()) {
-        request.scene = std::make_shared<SceneDescription>(labShapes());
-        for (const SettingAssignment& assignment : parseAssignments(options.scene))
-            assign(request.settings, assignment.key, assignment.value);
-    } else {
-        const RenderRequest opened = openScene(options.scene, options.quiet);
-        request.scene = opened.scene;
-        request.settings = opened.settings;
-    }
+    const RenderRequest opened =
+        options.scene.scene.empty()
+            ? requestFor(std::make_shared<SceneDescription>(labShapes()), overridesOf(options.scene))
+            : openScene(options.scene, options.quiet);
+    request.scene = opened.scene;
+    request.settings = opened.settings;
     request.raysPerTestPoint = options.rays;
     request.quick = options.quick;
     request.seed = options.scene.seed;
@@ -39,10 +37,8 @@ LabRequest requestOf(const LabOptions& options) {
     return request;
 }
 
-void showProgress(ProgressStyle style, double fraction, double remaining) {
-    if (style == ProgressStyle::Json)
-        fmt::print(stderr, "{{\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n", fraction, remaining);
-    if (style == ProgressStyle::Bar) showProgressBar(fraction, "", remaining);
+void showProgress(Progress& progress, double fraction, double remaining) {
+    progress.show({fraction, etaText(remaining), {{"progress", fraction}, {"remaining_s", remaining}}});
 }
 
 int runLabCommand(const LabOptions& options) {
@@ -54,13 +50,13 @@ int runLabCommand(const LabOptions& options) {
     const InterruptStopSource interrupt;
     LabRequest request = requestOf(options);
     request.stop = interrupt.token();
-    const ProgressStyle style = progressStyle(options.progress, options.quiet);
-    request.progress = [style](double fraction, double remaining) {
-        showProgress(style, fraction, remaining);
+    Progress progress(progressStyle(options.progress, options.quiet));
+    request.progress = [&](double fraction, double remaining) {
+        showProgress(progress, fraction, remaining);
     };
 
     const LabResult result = runLab(request);
-    if (style == ProgressStyle::Bar) fmt::print(stderr, "\r\033[K");
+    progress.clear();
     fmt::print("{}", options.json ? labJson(result) : labText(result));
     if (!options.folder.empty()) {
         const std::vector<std::string> commands = writeLab(result, *request.scene, options.folder);
@@ -77,28 +73,22 @@ int runLabCommand(const LabOptions& options) {
 
 }  // namespace
 
-void addLabCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpLab(OptionList& list) {
     auto options = std::make_shared<LabOptions>();
-    CLI::App* command = program.add_subcommand(
-        "lab",
-        "Numerical robustness: intersect the triangles of a scene (or generated shapes) at many scales and "
-        "offsets, and compare with exact arithmetic. Exit code 4 if Rayscope fails");
-    options->scene.addSceneTo(*command, false);
-    command->add_option("--seed", options->scene.seed, "Seed of the random numbers")->capture_default_str();
-    command->add_option(
-        "-o,--output", options->folder,
-        "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
-    command
-        ->add_option("--rays", options->rays,
-                     "Rays per test point at shared edges and vertices; half as many spawned rays are added")
-        ->check(CLI::Range(1, 1000000000))
-        ->capture_default_str();
-    command->add_flag("--quick", options->quick, "A coarse grid of scales and offsets");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("--json", options->json, "Print the result as JSON");
-    command->add_flag("-q,--quiet", options->quiet, "Print no progress and no notes");
-    command->callback([options, &exitCode] { exitCode = runLabCommand(*options); });
+    options->scene.addSceneTo(list, false);
+    list.add("--seed", &options->scene.seed, "Seed of the random numbers").showDefault();
+    list.add("-o,--output", &options->folder,
+             "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
+    list.add("--rays", &options->rays,
+             "Rays per test point at shared edges and vertices; half as many spawned rays are added")
+        .range(1, 1000000000)
+        .showDefault();
+    list.add("--quick", &options->quick, "A coarse grid of scales and offsets");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("--json", &options->json, "Print the result as JSON");
+    list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
+    list.setDetails("Without a scene, generated shapes are tested. Exit code 4 if Rayscope fails.");
+    return [options] { return runLabCommand(*options); };
 }
 
 }  // namespace rayscope::cli

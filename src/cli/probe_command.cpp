@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <rayscope/probe.h>
+#include <rayscope/render_image.h>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/number_list.h"
 #include "cli/scene_options.h"
 #include "probe/diagnosis.h"
 #include "probe/traversal_log.h"
-#include "trace/compile.h"
+#include "trace/world.h"
 
 namespace rayscope::cli {
 
@@ -26,15 +28,15 @@ struct ProbeOptions {
 };
 
 [[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
-    throw CLI::ValidationError(
-        "--traversal",
-        fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'", tree.nodes.size() - 1,
-                    static_cast<long>(tree.shadowRays.size()) - 1, name));
+    throw UsageError("--traversal",
+                     fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'",
+                                 tree.nodes.size() - 1, static_cast<long>(tree.shadowRays.size()) - 1, name));
 }
 
-/// The searches of the ray that the option names by its number in the tree, "s" before those of shadow rays.
-std::vector<probe::TraversalLog> searchesOf(const trace::World& world, const RayTree& tree,
-                                            const std::string& name, BvhLayout layout) {
+/// The traversals of a ray, one per motion group. `name` is its number in the tree, after an "s" for shadow
+/// rays.
+std::vector<probe::TraversalLog> traversalsOf(const trace::World& world, const RayTree& tree,
+                                              const std::string& name, BvhLayout layout) {
     const bool isShadow = name.starts_with("s");
     const std::string digits = name.substr(isShadow ? 1 : 0);
     std::size_t number = 0;
@@ -46,19 +48,19 @@ std::vector<probe::TraversalLog> searchesOf(const trace::World& world, const Ray
                     : probe::recordClosestHit(world, tree.nodes[number].ray, tree.time, layout);
 }
 
-/// What the options ask for, as one JSON object.
+/// Tree, traversals and diagnosis as one JSON object.
 std::string asJson(const RayTree& tree, const trace::World& world,
-                   const std::vector<probe::TraversalLog>& searches,
-                   const std::vector<probe::Diagnosis>& explanations) {
-    nlohmann::ordered_json j = nlohmann::ordered_json::parse(toJson(tree, world));
-    for (const probe::TraversalLog& log : searches)
-        j["traversal"].push_back(nlohmann::ordered_json::parse(probe::toJson(log)));
-    for (const probe::Diagnosis& why : explanations) {
-        nlohmann::ordered_json entry = {{"symptom", probe::nameOf(why.symptom)},
-                                        {"cause", probe::nameOf(why.cause)},
-                                        {"sentence", why.sentence}};
-        entry["rays"] = nlohmann::ordered_json::array();
-        for (const probe::Evidence& e : why.evidence)
+                   const std::vector<probe::TraversalLog>& traversals,
+                   const std::vector<probe::Diagnosis>& diagnoses) {
+    nlohmann::json j = nlohmann::json::parse(toJson(tree, world));
+    for (const probe::TraversalLog& log : traversals)
+        j["traversal"].push_back(nlohmann::json::parse(probe::toJson(log)));
+    for (const probe::Diagnosis& diagnosis : diagnoses) {
+        nlohmann::json entry = {{"symptom", probe::nameOf(diagnosis.symptom)},
+                                {"cause", probe::nameOf(diagnosis.cause)},
+                                {"sentence", diagnosis.sentence}};
+        entry["rays"] = nlohmann::json::array();
+        for (const probe::Evidence& e : diagnosis.evidence)
             entry["rays"].push_back(
                 {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
         j["explanation"].push_back(std::move(entry));
@@ -70,57 +72,48 @@ int runProbe(const ProbeOptions& options) {
     const RenderRequest request = openScene(options.scene, false);
     const glm::ivec2 pixel = parsePair("--pixel", options.pixel, ',', 0);
     if (pixel.x >= request.width || pixel.y >= request.height)
-        throw CLI::ValidationError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
-                                                          request.width, request.height));
-    const auto world =
-        trace::compile({request.scene, request.settings, request.camera, request.width, request.height});
+        throw UsageError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
+                                                request.width, request.height));
+    const auto world = compileScene(request);
     const RayTree tree = probeSample(*world, request.seed, {pixel.x, pixel.y, options.sample});
-    std::vector<probe::TraversalLog> searches;
+    std::vector<probe::TraversalLog> traversals;
     if (!options.traversal.empty())
-        searches = searchesOf(*world, tree, options.traversal,
-                              options.layout == "wide" ? BvhLayout::Wide : BvhLayout::Binary);
+        traversals = traversalsOf(*world, tree, options.traversal,
+                                  options.layout == "wide" ? BvhLayout::Wide : BvhLayout::Binary);
     fmt::print("{}", toText(tree, *world));
-    for (const probe::TraversalLog& log : searches) fmt::print("{}", probe::toText(log));
-    if (!options.traversal.empty() && searches.empty()) fmt::print("no hierarchy to search\n");
-    std::vector<probe::Diagnosis> explanations;
+    for (const probe::TraversalLog& log : traversals) fmt::print("{}", probe::toText(log));
+    if (!options.traversal.empty() && traversals.empty()) fmt::print("no BVH to traverse\n");
+    std::vector<probe::Diagnosis> diagnoses;
     if (options.explain)
-        explanations = probe::diagnosePixel(*world, request.seed, pixel.x, pixel.y,
-                                            probe::samplesToDiagnose(request.settings));
-    for (const probe::Diagnosis& why : explanations) fmt::print("{}", probe::toText(why));
-    if (options.explain && explanations.empty()) fmt::print("nothing stands out about this pixel\n");
+        diagnoses = probe::diagnosePixel(*world, request.seed, pixel.x, pixel.y,
+                                         probe::samplesToDiagnose(request.settings));
+    for (const probe::Diagnosis& diagnosis : diagnoses) fmt::print("{}", probe::toText(diagnosis));
+    if (options.explain && diagnoses.empty()) fmt::print("no anomaly found in this pixel\n");
     if (!options.jsonFile.empty())
-        base::writeFileAtomically(options.jsonFile, asJson(tree, *world, searches, explanations));
+        base::writeFileAtomically(options.jsonFile, asJson(tree, *world, traversals, diagnoses));
     return kSuccess;
 }
 
 }  // namespace
 
-void addProbeCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpProbe(OptionList& list) {
     auto options = std::make_shared<ProbeOptions>();
-    CLI::App* command =
-        program.add_subcommand("probe", "Print the ray tree of one pixel, as R shows it in the window");
-    options->scene.addTo(*command, true);
-    command->add_option("--pixel", options->pixel, "The pixel as X,Y, counted from 0,0 at the top left")
-        ->required();
-    command->add_option("--sample", options->sample, "Index of the sample of the pixel")
-        ->check(CLI::NonNegativeNumber)
-        ->capture_default_str();
-    command
-        ->add_option(
-            "--traversal", options->traversal,
-            "Print the search of a ray through the BVH, too: its number in the tree, with an s before it "
-            "for a shadow ray; the camera ray if none is given")
-        ->expected(0, 1)
-        ->default_str("0");
-    command
-        ->add_option("--layout", options->layout,
-                     "Which tree --traversal searches: binary, or the wide one that production rays walk")
-        ->check(CLI::IsMember({"binary", "wide"}))
-        ->capture_default_str();
-    command->add_flag("--explain", options->explain,
-                      "Say why the pixel is black, bright, noisy, slow or not a number");
-    command->add_option("--json", options->jsonFile, "Write the tree to this file as JSON, too");
-    command->callback([options, &exitCode] { exitCode = runProbe(*options); });
+    options->scene.addTo(list, true);
+    list.add("--pixel", &options->pixel, "The pixel as X,Y, counted from 0,0 at the top left").required();
+    list.add("--sample", &options->sample, "Index of the sample of the pixel").nonNegative().showDefault();
+    list.add("--traversal", &options->traversal,
+             "Also print the BVH traversal of a ray: its number in the tree, with an s before it for a "
+             "shadow ray; "
+             "the camera ray if no number is given")
+        .valueOptional("0");
+    list.add("--layout", &options->layout,
+             "BVH that --traversal uses: binary, or the wide one that renders use")
+        .choices({"binary", "wide"})
+        .showDefault();
+    list.add("--explain", &options->explain,
+             "Print a diagnosis: why the pixel is black, bright, noisy, slow or not finite");
+    list.add("--json", &options->jsonFile, "Also write the tree to this file, as JSON");
+    return [options] { return runProbe(*options); };
 }
 
 }  // namespace rayscope::cli

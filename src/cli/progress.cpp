@@ -8,6 +8,25 @@
 
 namespace rayscope::cli {
 
+namespace {
+
+constexpr const char* kClearLine = "\r\033[K";
+
+std::string barText(double fraction) {
+    constexpr int kWidth = 32;
+    const int full = static_cast<int>(fraction * kWidth);
+    return fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  ", "", full, "", kWidth - full, 100.0 * fraction);
+}
+
+std::string jsonText(const ProgressReport& report) {
+    nlohmann::json event;
+    for (const auto& [name, value] : report.fields)
+        std::visit([&](const auto& v) { event[std::string(name)] = v; }, value);
+    return event.dump();
+}
+
+}  // namespace
+
 ProgressStyle progressStyle(const std::string& option, bool quiet) {
     if (option == "json") return ProgressStyle::Json;
     if (option == "none" || (quiet && option.empty())) return ProgressStyle::None;
@@ -22,42 +41,24 @@ std::string durationText(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-void showProgressBar(double fraction, const std::string& phase, double remainingSeconds) {
-    constexpr int kWidth = 32;
-    const int full = static_cast<int>(fraction * kWidth);
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {}{}ETA {}", "", full, "", kWidth - full,
-               100.0 * fraction, phase, phase.empty() ? "" : "  ",
-               remainingSeconds > 0.0 ? durationText(remainingSeconds) : "–");
-    std::fflush(stderr);
+std::string etaText(double remainingSeconds) {
+    return "ETA " + (remainingSeconds > 0.0 ? durationText(remainingSeconds) : "–");
 }
 
-void Progress::show(const RenderStatus& status) {
-    if (style_ == ProgressStyle::Json) {
-        const nlohmann::json event = {{"progress", status.progress},
-                                      {"samples", status.samples},
-                                      {"target_samples", status.targetSamples},
-                                      {"elapsed_s", status.elapsedSeconds},
-                                      {"remaining_s", status.remainingSeconds},
-                                      {"rays", status.rays}};
-        fmt::print(stderr, "{}\n", event.dump());
-    }
+void Progress::show(const ProgressReport& report) {
+    if (style_ == ProgressStyle::Json) fmt::print(stderr, "{}\n", jsonText(report));
     if (style_ != ProgressStyle::Bar) return;
-    constexpr int kWidth = 32;
-    const int full = static_cast<int>(status.progress * kWidth);
-    if (status.state == RenderState::Compiling)
-        fmt::print(stderr, "\r\033[K building …");
-    else
-        fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %  {} of {} samples  {}  ETA {}", "", full, "",
-                   kWidth - full, 100.0 * status.progress, status.samples, status.targetSamples,
-                   durationText(status.elapsedSeconds),
-                   status.remainingSeconds > 0.0 ? durationText(status.remainingSeconds) : "–");
+    fmt::print(stderr, "{}{}{}", kClearLine, report.fraction ? barText(*report.fraction) : "", report.text);
     std::fflush(stderr);
     drawn_ = true;
 }
 
-void Progress::finish(const RenderStatus& status) {
-    show(status);
-    if (drawn_) fmt::print(stderr, "\n");
+void Progress::keep() {
+    if (std::exchange(drawn_, false)) fmt::print(stderr, "\n");
+}
+
+void Progress::clear() {
+    if (std::exchange(drawn_, false)) fmt::print(stderr, "{}", kClearLine);
 }
 
 }  // namespace rayscope::cli

@@ -1,30 +1,50 @@
 #pragma once
-#include <rayscope/render_session.h>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace rayscope::cli {
 
 enum class ProgressStyle { Bar, Json, None };
 
-/// What --progress says; without it a bar on a terminal and nothing elsewhere.
+/// The style of --progress; without the option a bar on a terminal and nothing elsewhere.
 ProgressStyle progressStyle(const std::string& option, bool quiet);
 
-/// Reports on stderr how far a render is.
+/// How far a command is, in the two forms that are shown.
+struct ProgressReport {
+    using Value = std::variant<double, std::uint64_t, std::string>;
+    std::optional<double> fraction;                          ///< 0 … 1, drawn as a bar
+    std::string text;                                        ///< beside the bar
+    std::vector<std::pair<std::string_view, Value>> fields;  ///< of the JSON object
+};
+
+/// Shows progress on stderr: one line that is drawn over, or one JSON object per line.
 class Progress {
   public:
     explicit Progress(ProgressStyle style) : style_(style) {}
-    void show(const RenderStatus& status);
-    void finish(const RenderStatus& status);
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() { clear(); }
+
+    void show(const ProgressReport& report);
+    /// Ends the line, so that it stays visible.
+    void keep();
+    /// Erases the line.
+    void clear();
 
   private:
     ProgressStyle style_;
     bool drawn_ = false;
 };
 
-/// Draws a bar on stderr over the present line, with a word on what is going on.
-void showProgressBar(double fraction, const std::string& phase, double remainingSeconds);
-
 /// "1:02:03", "2:03" or "0.42 s".
 std::string durationText(double seconds);
+
+/// "ETA 2:03", or "ETA –" if the time is 0, which stands for unknown.
+std::string etaText(double remainingSeconds);
 
 }  // namespace rayscope::cli

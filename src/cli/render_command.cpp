@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <rayscope/aov.h>
+#include <rayscope/display.h>
 #include <rayscope/probe.h>
+#include <rayscope/render_image.h>
 
 #include <chrono>
 #include <cmath>
@@ -9,19 +12,18 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
+#include "cli/interrupt_stop_source.h"
 #include "cli/number_list.h"
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
 #include "math/vectors.h"
-#include "post/display_transform.h"
 #include "probe/aov.h"
 #include "probe/non_finite.h"
 #include "render/film.h"
-#include "render/image_metadata.h"
 #include "render/probe_command.h"
 #include "trace/world.h"
 
@@ -29,7 +31,7 @@ namespace rayscope::cli {
 
 namespace {
 
-struct RenderOptions {
+struct RenderCommandOptions {
     SceneOptions scene;
     TargetOptions target;
     std::vector<std::string> outputs;
@@ -39,53 +41,41 @@ struct RenderOptions {
     bool quiet = false, dumpSettings = false;
 };
 
-std::optional<PixelBounds> regionFor(const RenderOptions& options, const RenderRequest& request) {
+std::optional<PixelBounds> regionFor(const RenderCommandOptions& options, const RenderRequest& request) {
     if (options.pixelBounds.empty()) return std::nullopt;
-    const std::vector<double> n = parseNumbers("--pixelbounds", options.pixelBounds, ',', 4);
-    const PixelBounds region{static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
-                             static_cast<int>(n[3])};
-    const bool inside = region.x0 >= 0 && region.x0 < region.x1 && region.x1 <= request.width &&
-                        region.y0 >= 0 && region.y0 < region.y1 && region.y1 <= request.height;
+    const PixelBounds region = parseBounds("--pixelbounds", options.pixelBounds);
+    const bool inside = region.x0 < region.x1 && region.x1 <= request.width && region.y0 < region.y1 &&
+                        region.y1 <= request.height;
     if (!inside)
-        throw CLI::ValidationError("--pixelbounds",
-                                   fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
-                                               request.width, request.height, options.pixelBounds));
+        throw UsageError("--pixelbounds",
+                         fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
+                                     request.width, request.height, options.pixelBounds));
     return region;
 }
 
-/// Waits for the session, telling how far it is, until it is done, interrupted or out of time.
-int waitFor(RenderSession& session, const RenderOptions& options, const InterruptGuard& interrupt,
-            Progress& progress) {
-    const auto start = std::chrono::steady_clock::now();
-    for (;;) {
-        const RenderState state = session.wait(0.05);
-        const RenderStatus status = session.status();
-        if (state == RenderState::Failed) throw InputError(status.message);
-        if (state == RenderState::Done) {
-            progress.finish(status);
-            return kSuccess;
-        }
-        const double elapsed =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const bool outOfTime = options.timeLimit > 0.0 && elapsed >= options.timeLimit;
-        if (interrupt.interrupted() || outOfTime) {
-            session.finishTiles();
-            session.wait();
-            progress.finish(session.status());
-            return interrupt.interrupted() ? kInterrupted : kStoppedByLimit;
-        }
-        progress.show(status);
+void show(Progress& progress, const RenderStatus& status) {
+    const bool isCompiling = status.state == RenderState::Compiling;
+    ProgressReport report{{},
+                          "building …",
+                          {{"progress", status.progress},
+                           {"samples", static_cast<std::uint64_t>(status.samples)},
+                           {"target_samples", static_cast<std::uint64_t>(status.targetSamples)},
+                           {"elapsed_s", status.elapsedSeconds},
+                           {"remaining_s", status.remainingSeconds},
+                           {"rays", status.rays}}};
+    if (!isCompiling) {
+        report.fraction = status.progress;
+        report.text = fmt::format("{} of {} samples  {}  {}", status.samples, status.targetSamples,
+                                  durationText(status.elapsedSeconds), etaText(status.remainingSeconds));
     }
+    progress.show(report);
 }
 
-/// What came out, whichever way it was rendered.
+/// The image and how the render ended.
 struct Rendered {
-    RgbImage mean;
-    RenderStatus status;
-    std::shared_ptr<const trace::World> world;
-    std::shared_ptr<const render::Film> film;  ///< null if rendered to a target
+    RenderedImage image;
     int exitCode = kSuccess;
-    std::string words;  ///< why it stopped, if that is worth a line
+    std::string message;  ///< why it stopped; may be empty
 };
 
 /// Beside the first output: "image.nodes.exr". Numbers do not fit into a PNG.
@@ -96,97 +86,110 @@ std::string aovPath(const std::string& output, std::string_view name) {
     return path.string();
 }
 
-void writeAovs(const RenderOptions& options, const std::vector<probe::Aov>& wanted,
-               const RenderRequest& request, const Rendered& rendered, const ImageMetadata& metadata) {
-    if (wanted.empty() || !rendered.world || !rendered.film) return;
-    const int samples = std::max(1, rendered.film->completeSamples());
-    const probe::AovRequest job{*rendered.world, rendered.film.get(), request.seed,
-                                samples,         request.region,      options.scene.threads};
-    const std::vector<RgbImage> images = probe::renderAovs(job, wanted);
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        writeImage(aovPath(options.outputs.front(), probe::infoOf(wanted[i]).name), images[i], metadata);
+void checkAovs(const RenderCommandOptions& options) {
+    for (const std::string& name : options.aovs)
+        checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(probe::aovNamed(name)).name));
+    if (!options.aovs.empty() && options.target.wanted())
+        throw UsageError("--aov", "needs a fixed number of samples: leave out --target-error");
 }
 
-/// The first sample of a pixel that is not finite, and why; sample 0 if none is by itself.
-struct BadSample {
+void writeAovs(const RenderCommandOptions& options, const RenderedImage& image,
+               const ImageMetadata& metadata) {
+    if (options.aovs.empty() || !image.world) return;
+    const std::vector<RgbImage> images = renderAovs(image, options.aovs, {options.scene.threads, {}});
+    for (std::size_t i = 0; i < images.size(); ++i)
+        writeImage(aovPath(options.outputs.front(), options.aovs[i]), images[i], metadata);
+}
+
+/// The first sample of a pixel that is not finite, and why; sample 0 if each of them is finite.
+struct NonFiniteSample {
     int index = 0;
     std::string cause = "the sum of its samples overflows";
 };
 
-BadSample firstBadSample(const Rendered& rendered, const RenderRequest& request, glm::ivec2 pixel) {
-    int samples = rendered.status.samples;
-    if (rendered.film) rendered.film->sums(pixel.x, pixel.y, samples);
+NonFiniteSample firstNonFiniteSample(const RenderedImage& image, glm::ivec2 pixel) {
+    int samples = image.status.samples;
+    if (image.film) image.film->sums(pixel.x, pixel.y, samples);
     for (int index = 0; index < samples; ++index) {
-        const RayTree tree = probeSample(*rendered.world, request.seed, {pixel.x, pixel.y, index});
-        if (std::string cause = probe::causeOfNonFinite(tree, *rendered.world); !cause.empty())
+        const RayTree tree = probeSample(*image.world, image.request.seed, {pixel.x, pixel.y, index});
+        if (std::string cause = probe::causeOfNonFinite(tree, *image.world); !cause.empty())
             return {index, cause};
     }
     return {};
 }
 
-/// Names the pixels that are not numbers, and says why the first is none and how to look into it.
-bool reportNonFinite(const RenderRequest& request, const Rendered& rendered) {
-    const RgbImage& image = rendered.mean;
+/// Lists the pixels that are not finite, with the cause and the probe command of the first. Returns whether
+/// there are any.
+bool reportNonFinite(const RenderedImage& image) {
+    const RgbImage& mean = image.mean;
     constexpr int kNamed = 8;
     int count = 0;
     std::string names;
     glm::ivec2 first(0);
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            if (math::isFinite(image.at(x, y))) continue;
+    for (int y = 0; y < mean.height; ++y) {
+        for (int x = 0; x < mean.width; ++x) {
+            if (math::isFinite(mean.at(x, y))) continue;
             if (count == 0) first = {x, y};
             if (count++ < kNamed) names += fmt::format(" ({}, {})", x, y);
         }
     }
     if (count == 0) return false;
-    const BadSample bad = firstBadSample(rendered, request, first);
-    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; in the first, {}; look into it with: {}\n",
-               count, names, count > kNamed ? " …" : "", bad.cause,
-               render::probeCommand(request, {first.x, first.y, bad.index}));
+    const NonFiniteSample sample = firstNonFiniteSample(image, first);
+    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; in the first, {}; to inspect it: {}\n",
+               count, names, count > kNamed ? " …" : "", sample.cause,
+               render::probeCommand(image.request, {first.x, first.y, sample.index}));
     return true;
 }
 
-Rendered renderSamples(RenderRequest& request, const RenderOptions& options,
-                       const InterruptGuard& interrupt) {
-    // With a limit the image should be complete early; without one, larger passes cost less.
-    request.progressive = options.timeLimit > 0.0;
-    RenderSession session(options.scene.threads);
+Rendered renderSamples(const RenderRequest& request, const RenderCommandOptions& options,
+                       const InterruptStopSource& interrupt) {
     Progress progress(progressStyle(options.progress, options.quiet));
-    session.submit(request);
     Rendered rendered;
-    rendered.exitCode = waitFor(session, options, interrupt, progress);
-    rendered.status = session.status();
-    rendered.world = session.world();
-    rendered.film = session.film();
-    rendered.mean = rendered.film ? rendered.film->mean() : RgbImage(request.width, request.height);
+    rendered.image = renderImage(request, {options.scene.threads, options.timeLimit, interrupt.token(),
+                                           [&](const RenderStatus& status) { show(progress, status); }});
+    progress.keep();
+    if (rendered.image.isComplete()) return rendered;
+    rendered.exitCode = interrupt.interrupted() ? kInterrupted : kStoppedByLimit;
+    const RenderStatus& status = rendered.image.status;
     if (rendered.exitCode == kStoppedByLimit)
-        rendered.words = fmt::format("stopped by the time limit at {:.1f} % of {} samples per pixel",
-                                     100.0 * rendered.status.progress, rendered.status.targetSamples);
+        rendered.message = fmt::format("stopped by the time limit at {:.1f} % of {} samples per pixel",
+                                       100.0 * status.progress, status.targetSamples);
     return rendered;
 }
 
-Rendered renderUntilAccurate(const RenderRequest& request, const RenderOptions& options,
-                             const InterruptGuard& interrupt) {
-    ErrorTargetResult result =
-        renderToTarget(request, options.target, options.timeLimit, options.scene.spp.value_or(0),
-                       options.scene.threads, interrupt, progressStyle(options.progress, options.quiet));
+Rendered renderUntilAccurate(const RenderRequest& request, const RenderCommandOptions& options,
+                             const InterruptStopSource& interrupt) {
+    ErrorTargetResult result = renderToTarget(
+        request, options.target,
+        {options.timeLimit, options.scene.spp.value_or(0), options.scene.threads, interrupt.token()},
+        progressStyle(options.progress, options.quiet));
     Rendered rendered;
     rendered.exitCode = result.reason == StopReason::Reached       ? kSuccess
                         : result.reason == StopReason::Interrupted ? kInterrupted
                                                                    : kStoppedByLimit;
-    rendered.status.samples = static_cast<int>(std::lround(result.samples));
-    rendered.status.elapsedSeconds = result.seconds;
-    rendered.status.rays = result.rays;
-    rendered.status.nonFiniteSamples = result.nonFiniteSamples;
-    rendered.status.buildSeconds = result.world->buildReport.seconds;
-    rendered.world = result.world;
-    rendered.mean = std::move(result.mean);
-    if (!options.quiet || result.reason != StopReason::Reached) rendered.words = result.text;
+    RenderedImage& image = rendered.image;
+    image.request = request;
+    image.status.samples = static_cast<int>(std::lround(result.samples));
+    image.status.elapsedSeconds = result.seconds;
+    image.status.rays = result.rays;
+    image.status.nonFiniteSamples = result.nonFiniteSamples;
+    image.status.buildSeconds = result.world->buildReport.seconds;
+    image.world = result.world;
+    image.mean = std::move(result.mean);
+    if (!options.quiet || result.reason != StopReason::Reached) rendered.message = result.text;
     return rendered;
 }
 
-int runRender(const RenderOptions& options) {
-    const InterruptGuard interrupt;
+void writeStats(const RenderCommandOptions& options, const RenderedImage& image, double seconds) {
+    if (options.statsFile.empty() || !image.world) return;
+    const int threads = options.scene.threads > 0 ? options.scene.threads
+                                                  : static_cast<int>(std::thread::hardware_concurrency());
+    base::writeFileAtomically(options.statsFile,
+                              renderStatsJson(image.request, image.status, *image.world, threads, seconds));
+}
+
+int runRender(const RenderCommandOptions& options) {
+    const InterruptStopSource interrupt;
     const auto start = std::chrono::steady_clock::now();
     for (const std::string& output : options.outputs) checkImageDestination(output);
     RenderRequest request = openScene(options.scene, options.quiet);
@@ -194,73 +197,46 @@ int runRender(const RenderOptions& options) {
         fmt::print("{}", dumpSettings(request.settings));
         return kSuccess;
     }
-    if (options.outputs.empty()) throw CLI::RequiredError("-o/--output");
+    if (options.outputs.empty()) throw UsageError("-o/--output is required");
     request.region = regionFor(options, request);
-    std::vector<probe::Aov> aovs;
-    for (const std::string& name : options.aovs) aovs.push_back(probe::aovNamed(name));
-    for (const probe::Aov aov : aovs)
-        checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(aov).name));
-    if (!aovs.empty() && options.target.wanted())
-        throw CLI::ValidationError("--aov", "needs a fixed number of samples: leave out --target-error");
+    checkAovs(options);
     request.keepBinaryTrees = false;
 
     const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
                                                       : renderSamples(request, options, interrupt);
-    const RgbImage& mean = rendered.mean;
-    const RenderStatus& status = rendered.status;
-    int exitCode = rendered.exitCode;
-    const ImageMetadata metadata =
-        render::imageMetadata(*request.scene, request.settings, request.seed, status.samples);
+    const RenderedImage& image = rendered.image;
+    const ImageMetadata metadata = metadataOf(request, image.status.samples);
     for (const std::string& output : options.outputs)
-        writeImage(output, post::applyDisplayTransform(mean, request.settings, post::isDisplayFormat(output)),
-                   metadata, request.settings.tone);
-    if (exitCode != kInterrupted) writeAovs(options, aovs, request, rendered, metadata);
-    if (!options.statsFile.empty() && rendered.world) {
-        const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const int threads = options.scene.threads > 0 ? options.scene.threads
-                                                      : static_cast<int>(std::thread::hardware_concurrency());
-        base::writeFileAtomically(options.statsFile,
-                                  renderStatsJson(request, status, *rendered.world, threads, total));
-    }
-    if (!rendered.words.empty()) fmt::print(stderr, "{}\n", rendered.words);
-    if (reportNonFinite(request, rendered) && exitCode != kInterrupted) exitCode = kNonFiniteImage;
-    return exitCode;
+        writeRenderedImage(output, image.mean, request.settings, metadata);
+    if (rendered.exitCode != kInterrupted) writeAovs(options, image, metadata);
+    writeStats(options, image,
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    if (!rendered.message.empty()) fmt::print(stderr, "{}\n", rendered.message);
+    const bool isFinite = !reportNonFinite(image);
+    return isFinite || rendered.exitCode == kInterrupted ? rendered.exitCode : kNonFiniteImage;
 }
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, int& exitCode) {
-    auto options = std::make_shared<RenderOptions>();
-    CLI::App* command = program.add_subcommand("render", "Render a scene to an image file");
-    options->scene.addTo(*command, true);
-    command->add_option("-o,--output", options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable")
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
-    command
-        ->add_option("--time-limit", options->timeLimit,
-                     "Stop after this many seconds with the best image so far")
-        ->check(CLI::PositiveNumber);
-    options->target.addTo(*command);
-    command->add_option("--pixelbounds", options->pixelBounds,
-                        "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
-    std::vector<std::string_view> names;
-    for (const probe::AovInfo& info : probe::aovTable()) names.push_back(info.name);
-    command
-        ->add_option(
-            "--aov", options->aovs,
-            fmt::format("Extra images beside the first output, as NAME.AOV.exr: {}", fmt::join(names, ", ")))
-        ->delimiter(',')
-        ->expected(1)
-        ->take_all()
-        ->allow_extra_args(false);
-    command->add_option("--stats", options->statsFile, "Write everything that was counted and timed as JSON");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("-q,--quiet", options->quiet, "Print errors only");
-    command->add_flag("--dump-settings", options->dumpSettings,
-                      "Print the effective settings that are not defaults, and stop");
-    command->callback([options, &exitCode] { exitCode = runRender(*options); });
+std::function<int()> setUpRender(OptionList& list) {
+    auto options = std::make_shared<RenderCommandOptions>();
+    options->scene.addTo(list, true);
+    list.add("-o,--output", &options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable");
+    list.add("--time-limit", &options->timeLimit, "Stop after this many seconds with the best image so far")
+        .positive();
+    options->target.addTo(list);
+    list.add("--pixelbounds", &options->pixelBounds,
+             "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
+    list.add("--aov", &options->aovs,
+             fmt::format("AOVs to write beside the first output, as NAME.AOV.exr: {}",
+                         fmt::join(aovNames(), ", ")))
+        .separatedBy(',');
+    list.add("--stats", &options->statsFile, "Write counts and times as JSON");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("-q,--quiet", &options->quiet, "Print errors only");
+    list.add("--dump-settings", &options->dumpSettings,
+             "Print the settings that differ from the defaults, and exit");
+    return [options] { return runRender(*options); };
 }
 
 }  // namespace rayscope::cli

@@ -4,7 +4,7 @@
 
 namespace rayscope::cli {
 
-/// Everything that was counted and timed, as JSON.
+/// Counts, times and settings of a render, as JSON.
 std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status,
                             const trace::World& world, int threads, double totalSeconds);
 

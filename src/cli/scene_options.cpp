@@ -2,113 +2,74 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-
-#include "base/nearest_name.h"
+#include "cli/command_line.h"
 #include "cli/number_list.h"
 
 namespace rayscope::cli {
 
-void SceneOptions::addTo(CLI::App& command, bool sceneRequired) {
-    addSceneTo(command, sceneRequired);
-    command.add_option("--size", size, "Width and height of the image in pixels, as WxH")
-        ->capture_default_str();
-    command.add_option("--camera", camera, "Name of one of the scene's cameras");
-    command.add_option("--look-from", lookFrom, "Position of the camera, as X,Y,Z");
-    command.add_option("--look-at", lookAt, "Point that the camera looks at, as X,Y,Z");
-    command.add_option("--up", up, "Direction that is up in the image, as X,Y,Z");
-    command.add_option("--fov", fov, "Vertical angle of view in degrees")->check(CLI::Range(0.001, 179.0));
-    command.add_option("--spp,--samples", spp, "Samples per pixel");
-    command.add_option(
-        "--preset", preset,
-        "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
-        "go before it");
-    command.add_option("--seed", seed, "Seed of the random numbers")->capture_default_str();
+void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
+    addSceneTo(list, sceneRequired);
+    list.add("--size", &size, "Width and height of the image in pixels, as WxH").showDefault();
+    list.add("--camera", &camera, "Name of a camera of the scene; by default the first");
+    list.add("--look-from", &lookFrom, "Position of the camera, as X,Y,Z");
+    list.add("--look-at", &lookAt, "Point that the camera looks at, as X,Y,Z");
+    list.add("--up", &up, "Direction that is up in the image, as X,Y,Z");
+    list.add("--fov", &fov, "Vertical angle of view in degrees").range(0.001, 179.0);
+    list.add("--spp,--samples", &spp, "Samples per pixel");
+    list.add("--preset", &preset,
+             "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
+             "override it");
+    list.add("--seed", &seed, "Seed of the random numbers").showDefault();
 }
 
-void SceneOptions::addSceneTo(CLI::App& command, bool sceneRequired) {
-    auto* positional = command.add_option("SCENE", scene, "A .toml scene, a bare .obj, or builtin:NAME");
-    if (sceneRequired) positional->required();
-    command.add_option("-t,--threads,--nthreads", threads, "Tracing threads; 0 takes one per core")
-        ->check(CLI::Range(0, 1024))
-        ->capture_default_str();
-    command
-        .add_option("-D,--set", assignments, "Any setting of 'rayscope settings', as KEY=VALUE; repeatable")
-        ->take_all()
-        ->expected(1)
-        ->allow_extra_args(false);
+void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
+    Option& positional = list.add("SCENE", &scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    if (sceneRequired) positional.required();
+    list.add("-t,--threads,--nthreads", &threads, "Tracing threads; 0 takes one per core")
+        .range(0, 1024)
+        .showDefault();
+    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings', as KEY=VALUE; repeatable");
 }
 
 namespace {
 
-CameraDescription chooseCamera(const SceneDescription& scene, const SceneOptions& options) {
-    CameraDescription camera = scene.cameras.front();
-    if (!options.camera.empty()) {
-        std::vector<std::string_view> names;
-        const CameraDescription* found = nullptr;
-        for (const CameraDescription& candidate : scene.cameras) {
-            names.push_back(candidate.name);
-            if (candidate.name == options.camera) found = &candidate;
-        }
-        if (!found)
-            throw InputError(fmt::format("{} has no camera '{}'; it has {}", scene.path, options.camera,
-                                         base::joinChoices(names)));
-        camera = *found;
-    }
-    if (!options.lookFrom.empty()) camera.lookFrom = parseVector("--look-from", options.lookFrom);
-    if (!options.lookAt.empty()) camera.lookAt = parseVector("--look-at", options.lookAt);
-    if (!options.up.empty()) camera.up = parseVector("--up", options.up);
-    if (options.fov) camera.fov = *options.fov;
-    if (camera.lookFrom == camera.lookAt)
-        throw InputError("the camera's look-from and look-at are the same point; move one of them");
-    return camera;
+std::optional<glm::vec3> optionalVector(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return parseVector(option, text);
 }
 
-Settings settingsFor(const SceneDescription& scene, const CameraDescription& camera,
-                     const SceneOptions& options) {
-    const std::vector<SettingAssignment> assignments = parseAssignments(options);
-    Settings settings;
-    for (const SettingAssignment& assignment : scene.settings)
-        assign(settings, assignment.key, assignment.value);
-    if (!options.preset.empty())
-        applyPreset(settings, presetNamed(options.preset), blursPixels(requirementsOf(scene), camera));
-    for (const SettingAssignment& assignment : assignments)
-        assign(settings, assignment.key, assignment.value);
-    return settings;
+SettingAssignment parseAssignment(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw UsageError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
+    return {text.substr(0, equals), text.substr(equals + 1), {}};
 }
 
 }  // namespace
 
-std::vector<SettingAssignment> parseAssignments(const SceneOptions& options) {
-    std::vector<SettingAssignment> list;
-    if (!options.preset.empty()) presetNamed(options.preset);
-    for (const std::string& text : options.assignments) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos)
-            throw CLI::ValidationError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
-        list.push_back({text.substr(0, equals), text.substr(equals + 1), {}});
-    }
-    if (options.spp) list.push_back({"spp", std::to_string(*options.spp), {}});
-    Settings scratch;
-    for (const SettingAssignment& assignment : list) assign(scratch, assignment.key, assignment.value);
-    return list;
+RequestOverrides overridesOf(const SceneOptions& options) {
+    RequestOverrides overrides;
+    overrides.camera = {options.camera, optionalVector("--look-from", options.lookFrom),
+                        optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),
+                        options.fov};
+    overrides.preset = options.preset;
+    for (const std::string& text : options.assignments) overrides.settings.push_back(parseAssignment(text));
+    overrides.spp = options.spp;
+    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
+    if (static_cast<long long>(size.x) * size.y > kMaxImagePixels)
+        throw UsageError("--size", "more than 2^28 pixels");
+    overrides.width = size.x;
+    overrides.height = size.y;
+    overrides.seed = options.seed;
+    checkOverrides(overrides);
+    return overrides;
 }
 
 RenderRequest openScene(const SceneOptions& options, bool quiet) {
     Diagnostics notes;
-    auto scene = std::make_shared<SceneDescription>(loadScene(options.scene, notes));
+    RenderRequest request = openRequest(options.scene, overridesOf(options), notes);
     if (!quiet)
         for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
-    RenderRequest request;
-    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
-    if (static_cast<long long>(size.x) * size.y > kMaxImagePixels)
-        throw CLI::ValidationError("--size", "more than 2^28 pixels");
-    request.width = size.x;
-    request.height = size.y;
-    request.camera = chooseCamera(*scene, options);
-    request.settings = settingsFor(*scene, request.camera, options);
-    request.seed = options.seed;
-    request.scene = std::move(scene);
     return request;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
-// The options that every command which opens a scene understands.
-#include <rayscope/render_session.h>
-#include <CLI/CLI.hpp>
+// The options of every command that opens a scene.
+#include <rayscope/open_request.h>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rayscope::cli {
+
+class OptionList;
 
 struct SceneOptions {
     std::string scene;
@@ -21,18 +22,17 @@ struct SceneOptions {
     int threads = 0;
     std::vector<std::string> assignments;  ///< KEY=VALUE
 
-    void addTo(CLI::App& command, bool sceneRequired);
-    /// Only those that are not about the picture: the scene, threads and settings.
-    void addSceneTo(CLI::App& command, bool sceneRequired);
+    void addTo(OptionList& list, bool sceneRequired);
+    /// Only the scene, threads and settings.
+    void addSceneTo(OptionList& list, bool sceneRequired);
 };
 
-/// Opens the scene, prints its notes to stderr (unless quiet) and applies settings in the order: defaults,
-/// scene file, command line. Throws InputError.
-RenderRequest openScene(const SceneOptions& options, bool quiet);
+/// The options in the form of the library. Throws InputError or UsageError.
+RequestOverrides overridesOf(const SceneOptions& options);
 
-/// The settings that the command line asks for beside the preset, each checked, and the preset's name. Throws
-/// InputError or CLI::ValidationError.
-std::vector<SettingAssignment> parseAssignments(const SceneOptions& options);
+/// Opens the scene with these options and prints its notes to stderr, unless quiet. Throws InputError or
+/// UsageError.
+RenderRequest openScene(const SceneOptions& options, bool quiet);
 
 /// The settings that differ from the defaults, as a [settings] table for a scene file.
 std::string dumpSettings(const Settings& settings);

@@ -3,11 +3,16 @@
 #include <rayscope/settings.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/command_line.h"
 #include "cli/commands.h"
 
 namespace rayscope::cli {
 
 namespace {
+
+struct SettingsOptions {
+    bool json = false, markdown = false;
+};
 
 void printText() {
     std::string_view group;
@@ -53,21 +58,19 @@ void printJson() {
 
 }  // namespace
 
-void addSettingsCommand(CLI::App& program, int& exitCode) {
-    auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
-    CLI::App* command =
-        program.add_subcommand("settings", "List every setting: name, meaning, unit, range, default");
-    command->add_flag("--json", *json, "Print JSON");
-    command->add_flag("--markdown", *markdown, "Print the page docs/settings.md");
-    command->callback([json, markdown, &exitCode] {
-        if (*json)
+std::function<int()> setUpSettings(OptionList& list) {
+    auto options = std::make_shared<SettingsOptions>();
+    list.add("--json", &options->json, "Print JSON");
+    list.add("--markdown", &options->markdown, "Print the page docs/settings.md");
+    return [options] {
+        if (options->json)
             printJson();
-        else if (*markdown)
+        else if (options->markdown)
             printMarkdown();
         else
             printText();
-        exitCode = kSuccess;
-    });
+        return kSuccess;
+    };
 }
 
 }  // namespace rayscope::cli

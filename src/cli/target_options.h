@@ -1,25 +1,34 @@
 #pragma once
-// The options of `render` that ask for an accuracy, and the rendering that serves them.
+// The options of `render` that set an error target, and the render that reaches it.
 #include <rayscope/error_target.h>
-#include <CLI/CLI.hpp>
+#include <stop_token>
+#include <string>
 
-#include "cli/interrupt.h"
 #include "cli/progress.h"
 
 namespace rayscope::cli {
+
+class OptionList;
 
 struct TargetOptions {
     double error = 0.0, confidence = 0.95;
     std::string metric = "rmse";
     bool worstTile = false, adaptive = false;
 
-    void addTo(CLI::App& command);
+    void addTo(OptionList& list);
     bool wanted() const { return error > 0.0; }
 };
 
-/// Renders until the target or a limit is reached, telling how far it is. `maxSamples` is 0 for no limit.
-ErrorTargetResult renderToTarget(const RenderRequest& request, const TargetOptions& options, double timeLimit,
-                                 int maxSamples, int threads, const InterruptGuard& interrupt,
-                                 ProgressStyle style);
+/// What ends a render to a target early, and how many threads it uses.
+struct TargetLimits {
+    double seconds = 0.0;  ///< 0: none
+    int samples = 0;       ///< per pixel; 0: none
+    int threads = 0;       ///< 0: one per core
+    std::stop_token stop;
+};
+
+/// Renders until the target or a limit is reached and shows the progress.
+ErrorTargetResult renderToTarget(const RenderRequest& request, const TargetOptions& options,
+                                 const TargetLimits& limits, ProgressStyle style);
 
 }  // namespace rayscope::cli

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
@@ -21,12 +22,10 @@ struct TradeOptions {
     bool noCache = false, quiet = false, json = false;
 };
 
-void showProgress(ProgressStyle style, const TradeProgress& progress) {
-    if (style == ProgressStyle::Json)
-        fmt::print(stderr, "{{\"phase\":\"{}\",\"progress\":{:.4f},\"remaining_s\":{:.1f}}}\n",
-                   progress.phase, progress.fraction, progress.remainingSeconds);
-    if (style == ProgressStyle::Bar)
-        showProgressBar(progress.fraction, progress.phase, progress.remainingSeconds);
+void showProgress(Progress& progress, const TradeProgress& p) {
+    progress.show({p.fraction,
+                   p.phase + "  " + etaText(p.remainingSeconds),
+                   {{"phase", p.phase}, {"progress", p.fraction}, {"remaining_s", p.remainingSeconds}}});
 }
 
 void printSummary(const TradeResult& r, const std::string& scene) {
@@ -75,8 +74,8 @@ int runTrade(const TradeOptions& options) {
     request.threads = options.scene.threads;
     request.stop = interrupt.token();
     if (!options.noCache) request.cacheFolder = referenceCacheFolder();
-    const ProgressStyle style = progressStyle(options.progress, options.quiet);
-    request.progress = [style](const TradeProgress& progress) { showProgress(style, progress); };
+    Progress progress(progressStyle(options.progress, options.quiet));
+    request.progress = [&](const TradeProgress& p) { showProgress(progress, p); };
 
     TradeResult result;
     try {
@@ -84,7 +83,7 @@ int runTrade(const TradeOptions& options) {
     } catch (const Stopped&) {
         return kInterrupted;
     }
-    if (style == ProgressStyle::Bar) fmt::print(stderr, "\r\033[K");
+    progress.clear();
     if (!options.folder.empty()) writeReports(result, options.folder);
     if (options.json)
         fmt::print("{}", tradeJson(result));
@@ -98,26 +97,20 @@ int runTrade(const TradeOptions& options) {
 
 }  // namespace
 
-void addTradeCommand(CLI::App& program, int& exitCode) {
+std::function<int()> setUpTrade(OptionList& list) {
     auto options = std::make_shared<TradeOptions>();
     options->scene.size = "200x200";
-    CLI::App* command =
-        program.add_subcommand("trade",
-                               "Measure rendering time against error on this scene, parameter by parameter, "
-                               "and recommend settings for several time budgets");
-    options->scene.addTo(*command, true);
-    command->add_option("-o,--output", options->folder,
-                        "Folder for the report: trade.html, trade.json, trade.csv");
-    command->add_option("--budget", options->budget, "Seconds to spend, half of them on the reference")
-        ->check(CLI::Range(0.1, 1e6))
-        ->capture_default_str();
-    command->add_flag("--no-cache", options->noCache,
-                      "Neither read nor write the reference cache ($XDG_CACHE_HOME/rayscope/references)");
-    command->add_option("--progress", options->progress, "bar, json or none")
-        ->check(CLI::IsMember({"bar", "json", "none"}));
-    command->add_flag("--json", options->json, "Print the result as JSON");
-    command->add_flag("-q,--quiet", options->quiet, "Print no progress and no notes");
-    command->callback([options, &exitCode] { exitCode = runTrade(*options); });
+    options->scene.addTo(list, true);
+    list.add("-o,--output", &options->folder, "Folder for the report: trade.html, trade.json, trade.csv");
+    list.add("--budget", &options->budget, "Seconds to spend, half of them on the reference")
+        .range(0.1, 1e6)
+        .showDefault();
+    list.add("--no-cache", &options->noCache,
+             "Neither read nor write the reference cache ($XDG_CACHE_HOME/rayscope/references)");
+    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    list.add("--json", &options->json, "Print the result as JSON");
+    list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
+    return [options] { return runTrade(*options); };
 }
 
 }  // namespace rayscope::cli

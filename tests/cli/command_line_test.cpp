@@ -24,7 +24,7 @@ TEST(CommandLine, HelpAndVersion) {
     EXPECT_THAT(run(folder, "rayscope --version").out, HasSubstr("rayscope "));
 }
 
-TEST(CommandLine, WrongUseExitsWithOneAndNamesTheNearest) {
+TEST(CommandLine, UsageErrorsExitWithOneAndSuggestTheNearestName) {
     const TemporaryFolder folder;
     const ProgramResult unknown = run(folder, "rayscope render builtin:triangle -o a.png --sizee 10x10");
     EXPECT_EQ(unknown.exitCode, 1);
@@ -40,7 +40,7 @@ TEST(CommandLine, WrongUseExitsWithOneAndNamesTheNearest) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
-TEST(CommandLine, WrongInputExitsWithTwoAndNamesTheNearest) {
+TEST(CommandLine, InputErrorsExitWithTwoAndSuggestTheNearestName) {
     const TemporaryFolder folder;
     const ProgramResult setting = run(folder, "rayscope render builtin:triangle -o a.png --set max_dept=3");
     EXPECT_EQ(setting.exitCode, 2);
@@ -55,7 +55,7 @@ TEST(CommandLine, WrongInputExitsWithTwoAndNamesTheNearest) {
     EXPECT_EQ(run(folder, "rayscope render builtin:triangle -o a.png --camera side").exitCode, 2);
 }
 
-TEST(CommandLine, ASceneErrorHasItsPlace) {
+TEST(CommandLine, SceneErrorsHaveAPosition) {
     const TemporaryFolder folder;
     folder.write("s.toml", "version = 1\n\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
     const ProgramResult result = run(folder, "rayscope render s.toml -o a.png");
@@ -72,7 +72,7 @@ TEST(CommandLine, SettingsListsEveryRow) {
     for (const std::string_view key : settingKeys()) EXPECT_THAT(text, HasSubstr(std::string(key)));
 }
 
-TEST(CommandLine, InfoTellsContentsRequirementsAndLint) {
+TEST(CommandLine, InfoPrintsContentsRequirementsAndLint) {
     const TemporaryFolder folder;
     const nlohmann::json info =
         nlohmann::json::parse(run(folder, "rayscope info builtin:cornell-area --json").out);
@@ -97,12 +97,12 @@ TEST(CommandLine, ProbePrintsTheTraversalOfARay) {
     const nlohmann::json w = nlohmann::json::parse(std::ifstream(folder.path() / "wide.json"));
     EXPECT_EQ(w["traversal"][0]["layout"], "wide");
     EXPECT_EQ(w["traversal"][0]["hit"], j["traversal"][0]["hit"]);
-    EXPECT_THAT(run(folder, probe + "--traversal --set bvh=false").out, HasSubstr("no hierarchy"));
+    EXPECT_THAT(run(folder, probe + "--traversal --set bvh=false").out, HasSubstr("no BVH"));
     for (const char* wrong : {"99", "s99", "x", "-1", "1x", "s"})
         EXPECT_EQ(run(folder, probe + "--traversal " + wrong).exitCode, 1) << wrong;
 }
 
-TEST(CommandLine, ProbeExplains) {
+TEST(CommandLine, ProbePrintsADiagnosis) {
     const TemporaryFolder folder;
     folder.write("dark.toml",
                  "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\nlook_at = [0, 0, 0]\n[[sphere]]\ncenter = "
@@ -119,7 +119,7 @@ TEST(CommandLine, ProbeExplains) {
     EXPECT_THAT(run(folder, probe + "0,0").out, HasSubstr("black, nothing hit"));
 }
 
-TEST(CommandLine, ProbePrintsTheTree) {
+TEST(CommandLine, ProbePrintsTheRayTree) {
     const TemporaryFolder folder;
     const ProgramResult result =
         run(folder, "rayscope probe builtin:cornell --size 40x40 --pixel 20,20 --json tree.json");

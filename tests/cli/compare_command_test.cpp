@@ -23,7 +23,7 @@ void writePair(const TemporaryFolder& folder) {
     for (const char* name : {"a.exr", "a.pfm", "a.hdr", "a.png"}) writeImage(folder.file(name), image);
 }
 
-TEST(CompareCommand, ReadsEveryFormatAndPrintsEveryMeasure) {
+TEST(CompareCommand, ReadsEveryFormatAndPrintsEveryMetric) {
     const TemporaryFolder folder;
     writePair(folder);
     for (const char* name : {"a.exr", "a.pfm", "a.hdr"}) {
@@ -50,7 +50,7 @@ TEST(CompareCommand, FailsAboveTheLimitOnly) {
     EXPECT_EQ(run(folder, "rayscope compare b.exr b.exr --metric ssim --fail-above 1e-9").exitCode, 0);
 }
 
-TEST(CompareCommand, WritesDifferencesAsColoursAndAsValues) {
+TEST(CompareCommand, WritesErrorsInFalseColourAndAsValues) {
     const TemporaryFolder folder;
     writePair(folder);
     const ProgramResult result = run(folder, "rayscope compare a.exr b.exr -o d.png --metric max");
@@ -74,7 +74,7 @@ TEST(CompareCommand, WritesAMapOfTiles) {
     EXPECT_EQ(tiles.at(33, 17), Rgb(0.0f));
 }
 
-TEST(CompareCommand, SaysWhatIsNotANumber) {
+TEST(CompareCommand, ReportsNonFinitePixels) {
     const TemporaryFolder folder;
     writePair(folder);
     RgbImage broken = readImage(folder.file("b.exr"));
@@ -91,7 +91,7 @@ TEST(CompareCommand, SaysWhatIsNotANumber) {
     EXPECT_TRUE(nlohmann::json::parse(nothing.out)["rmse"].is_null());
 }
 
-TEST(CompareCommand, RefusesWhatItCannotCompare) {
+TEST(CompareCommand, RejectsImagesThatCannotBeCompared) {
     const TemporaryFolder folder;
     writePair(folder);
     writeImage(folder.file("small.exr"), RgbImage(4, 4, Rgb(0.0f)));

@@ -30,7 +30,7 @@ TEST(Render, WritesEveryFormatFromOneRun) {
     EXPECT_EQ(readImage(folder / "a.hdr").height, 30);
 }
 
-TEST(Render, IsReproducibleForAnyThreadsAndAnySearch) {
+TEST(Render, IsReproducibleForAnyThreadsAndBvh) {
     const TemporaryFolder folder;
     for (const char* threads : {"1", "2", "5"})
         ASSERT_EQ(run(folder, std::string("rayscope render builtin:cornell-area --size 30x30 --spp 3 -t ") +
@@ -62,7 +62,7 @@ TEST(Render, WritesStatistics) {
     EXPECT_EQ(stats["settings"]["spp"], "1");
 }
 
-TEST(Render, ShowsProgressWhenAsked) {
+TEST(Render, ShowsProgress) {
     const TemporaryFolder folder;
     const ProgramResult result =
         run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o a.png --progress json");
@@ -76,7 +76,7 @@ TEST(Render, ShowsProgressWhenAsked) {
     EXPECT_EQ(run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o a.png -q").err, "");
 }
 
-TEST(Render, StopsAtTheTimeLimitWithAnImage) {
+TEST(Render, WritesTheImageAtTheTimeLimit) {
     const TemporaryFolder folder;
     const ProgramResult result = run(
         folder, "rayscope render builtin:cornell-area --size 200x200 --spp 100000 --time-limit 0.5 -o a.png");
@@ -84,7 +84,7 @@ TEST(Render, StopsAtTheTimeLimitWithAnImage) {
     EXPECT_EQ(readImage(folder / "a.png").width, 200);
 }
 
-TEST(Render, ReachesATargetErrorOrSaysWhyNot) {
+TEST(Render, ReachesATargetErrorOrReportsTheLimit) {
     const TemporaryFolder folder;
     const std::string scene = "rayscope render builtin:cornell-area --size 40x40 -o a.exr --stats s.json ";
     const ProgramResult reached = run(folder, scene + "--target-error 0.01 --confidence 0.99 --adaptive");
@@ -117,7 +117,7 @@ TEST(Render, WritesTheImageWhenInterrupted) {
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
 }
 
-TEST(Render, RefusesAnOutputItCannotWriteBeforeItRenders) {
+TEST(Render, RejectsAnUnwritableOutputBeforeRendering) {
     const TemporaryFolder folder;
     for (const char* output : {"nowhere/a.png", "a.xyz", "/proc/a.png"}) {
         const ProgramResult result =
@@ -127,7 +127,7 @@ TEST(Render, RefusesAnOutputItCannotWriteBeforeItRenders) {
     }
 }
 
-TEST(Render, LeavesTheOldFileWhenTheDiskIsFull) {
+TEST(Render, KeepsTheOldFileWhenTheDiskIsFull) {
     const TemporaryFolder folder;
     folder.write("a.pfm", "precious");
     // A limit on the size of files fails the write as a full disk does.
@@ -150,7 +150,7 @@ constexpr const char* kOverflowingScene =
     "3]\ncolor = [3e38, 0, 0]\n[[light]]\n"
     "type = \"point\"\nposition = [0, 0, 3]\ncolor = [3e38, 0, 0]\n";
 
-TEST(Render, NamesPixelsThatAreNotNumbers) {
+TEST(Render, ReportsNonFinitePixels) {
     const TemporaryFolder folder;
     folder.write("s.toml", kOverflowingScene);
     const ProgramResult result = run(folder, "rayscope render s.toml --size 20x20 --spp 1 -o a.exr");
@@ -158,7 +158,8 @@ TEST(Render, NamesPixelsThatAreNotNumbers) {
     EXPECT_THAT(result.err, HasSubstr("rayscope probe s.toml --size 20x20 --set spp=1 --pixel "));
     EXPECT_THAT(
         result.err,
-        ContainsRegex("in the first, the sum of its 2 terms is .[3-9].*e.38 0 0., which exceeds the range of float"));
+        ContainsRegex(
+            "in the first, the sum of its 2 terms is .[3-9].*e.38 0 0., which exceeds the range of float"));
     // The command that is named repeats it.
     const std::string command = result.err.substr(result.err.find("rayscope probe"));
     const ProgramResult probe = run(folder, command.substr(0, command.find('\n')));
@@ -185,7 +186,7 @@ TEST(Render, NamesAProbeCommandWithTheSettingsOfThePreset) {
     EXPECT_EQ(run(folder, command).out, settings);
 }
 
-TEST(Render, WritesExtraImages) {
+TEST(Render, WritesAovs) {
     const TemporaryFolder folder;
     const std::string render = "rayscope render builtin:cornell-area --size 30x20 --spp 4 -q ";
     EXPECT_EQ(run(folder, render + "-o plain.pfm").exitCode, 0);
@@ -215,7 +216,7 @@ TEST(Render, AppliesSettingsInOrder) {
     EXPECT_EQ(result.out, "[settings]\nmax_depth = 3\nspp = 8\n");
 }
 
-TEST(Render, APresetStandsBetweenTheSceneAndTheCommandLine) {
+TEST(Render, PresetsOverrideTheSceneAndSetOverridesPresets) {
     const TemporaryFolder folder;
     folder.write(
         "s.toml",
@@ -230,7 +231,7 @@ TEST(Render, APresetStandsBetweenTheSceneAndTheCommandLine) {
     EXPECT_THAT(wrong.err, HasSubstr("did you mean 'preview'"));
 }
 
-TEST(Render, APresetGoesByTheLensOfTheChosenCameraAndByMotion) {
+TEST(Render, PresetsDependOnTheLensOfTheCameraAndOnMotion) {
     const TemporaryFolder folder;
     const std::string lens = "lens = { f_number = 2, focal_length = 0.1, focus_distance = 3 }\n";
     const auto dumped = [&](const std::string& lensOfFirst, const std::string& motion,
@@ -249,7 +250,7 @@ TEST(Render, APresetGoesByTheLensOfTheChosenCameraAndByMotion) {
     EXPECT_THAT(dumped(lens, "", "--set parallelogram_samples=3"), HasSubstr("parallelogram_samples = 3\n"));
 }
 
-TEST(Render, PixelBoundsRenderAPart) {
+TEST(Render, PixelBoundsRenderARegion) {
     const TemporaryFolder folder;
     run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 -o whole.pfm");
     run(folder, "rayscope render builtin:cornell --size 40x40 --spp 1 --pixelbounds 10,20,5,30 -o part.pfm");

@@ -12,7 +12,7 @@ namespace {
 
 EditState builtin(const std::string& name) {
     Diagnostics notes;
-    return initialState(loadScene("builtin:" + name, notes), {}, {});
+    return initialState(loadScene("builtin:" + name, notes));
 }
 
 void waitFor(TradeJob& trade) {

@@ -69,7 +69,8 @@ bool ReferenceImage::extend(int samples, const std::stop_token& stop) {
 }
 
 RgbImage ReferenceImage::half(int which) const {
-    return post::applyDisplayTransform(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings, false);
+    return post::applyDisplayTransform(halves_[static_cast<std::size_t>(which)]->mean(), request_.settings,
+                                       false);
 }
 
 RgbImage ReferenceImage::mean() const {

@@ -23,9 +23,9 @@ constexpr int kFramesAfterEvent = 4;
 }  // namespace
 
 Application::Application(const ViewerOptions& options, LoadedScene first)
-    : window_(options.width, options.height),
-      workspace_(initialState(std::move(*first.scene), options.settings, options.camera, options.preset),
-                 std::move(first.notes), options.threads) {
+    : window_(options.overrides.width, options.overrides.height),
+      workspace_(initialState(std::move(*first.scene), options.overrides), std::move(first.notes),
+                 options.threads) {
     workspace_.recent.add(first.path);
     setScale(window_.contentScale());
 }

@@ -6,6 +6,7 @@
 #include "viewer/input/window.h"
 #include "viewer/panels/panels.h"
 #include "viewer/view/picture.h"
+#include "viewer/viewer.h"
 #include "viewer/workspace/workspace.h"
 
 namespace rayscope::viewer {

@@ -1,12 +1,11 @@
 // Functions of commands that need the window or the picture.
 #include <fmt/format.h>
 
+#include <rayscope/display.h>
+#include <rayscope/render_image.h>
 #include <algorithm>
 #include <utility>
 
-#include "base/atomic_file.h"
-#include "post/display_transform.h"
-#include "render/film.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/camera_text.h"
@@ -62,14 +61,12 @@ void Application::frameScene() {
 
 void Application::saveImage() {
     const std::string path = nextFreeName();
-    const Settings& settings = workspace_.edit.settings;
     try {
         const ImageMetadata metadata =
             metadataOf(workspace_.edit, workspace_.view.traced ? workspace_.render.status().samples : 0);
         const auto film = workspace_.render.session().film();
         if (workspace_.view.traced && film)
-            writeImage(path, post::applyDisplayTransform(film->mean(), settings, post::isDisplayFormat(path)),
-                       metadata, settings.tone);
+            writeRenderedImage(path, meanOf(*film), workspace_.edit.settings, metadata);
         else
             writeImage(path, picture_.rasterImage(workspace_), metadata, Encoding::Srgb);
         workspace_.notify("Saved " + path);

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <rayscope/display.h>
+#include <rayscope/render_image.h>
 #include <filesystem>
 
-#include "post/display_transform.h"
 #include "render/film.h"
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"
@@ -50,8 +51,7 @@ void RenderJob::update() {
             phase_ = Phase::Writing;
             writing_.start([path = path_, state = state_, film = session_.film(), samples = status.samples](
                                const std::stop_token&, JobProgress&) {
-                writeImage(path, post::applyDisplayTransform(film->mean(), state.settings, post::isDisplayFormat(path)),
-                           metadataOf(state, samples), state.settings.tone);
+                writeRenderedImage(path, meanOf(*film), state.settings, metadataOf(state, samples));
                 return true;
             });
         }

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <vector>
 
 #include "base/nearest_name.h"
+#include "base/number_list.h"
 
 namespace rayscope::viewer {
 
@@ -15,7 +14,7 @@ namespace {
 
 std::string commaSeparated(glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
-std::vector<std::string_view> words(std::string_view text) {
+std::vector<std::string_view> splitText(std::string_view text) {
     std::vector<std::string_view> list;
     constexpr std::string_view kGaps = " \t\n=";
     for (std::size_t start = text.find_first_not_of(kGaps); start != std::string_view::npos;) {
@@ -27,23 +26,11 @@ std::vector<std::string_view> words(std::string_view text) {
 }
 
 std::vector<float> numbers(std::string_view option, std::string_view text, std::size_t count) {
-    std::vector<float> values;
-    const char* at = text.data();
-    const char* const end = text.data() + text.size();
-    while (values.size() < count) {
-        float value = 0.0f;
-        const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc{} || !std::isfinite(value)) break;
-        values.push_back(value);
-        at = next;
-        if (at == end || *at != ',') break;
-        ++at;
-    }
-    if (values.size() != count || at != end)
+    auto values = base::parseNumbers<float>(text, ',', count);
+    if (!values)
         throw InputError(fmt::format("{}: expected {}, got '{}'", option,
-                                     count == 1 ? "a number" : "three numbers with commas between them",
-                                     text));
-    return values;
+                                     count == 1 ? "a number" : "three numbers separated by commas", text));
+    return *std::move(values);
 }
 
 glm::vec3 vector(std::string_view option, std::string_view text) {
@@ -61,7 +48,7 @@ std::string toOptions(const CameraDescription& camera) {
 CameraDescription withOptions(const CameraDescription& camera, std::string_view text) {
     constexpr std::array<std::string_view, 4> kOptions{"--look-from", "--look-at", "--up", "--fov"};
     CameraDescription changed = camera;
-    const std::vector<std::string_view> list = words(text);
+    const std::vector<std::string_view> list = splitText(text);
     for (std::size_t i = 0; i < list.size(); i += 2) {
         const std::string_view option = list[i];
         const std::string_view value = i + 1 < list.size() ? list[i + 1] : std::string_view{};

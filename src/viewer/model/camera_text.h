@@ -9,8 +9,8 @@ namespace rayscope::viewer {
 /// numbers are the shortest that give the same float.
 std::string toOptions(const CameraDescription& camera);
 
-/// Changes what the options in `text` name and leaves the rest. Throws InputError that says what was
-/// expected.
+/// Sets the values that the options in `text` name and keeps the others. Throws InputError with the expected
+/// form.
 CameraDescription withOptions(const CameraDescription& camera, std::string_view text);
 
 }  // namespace rayscope::viewer

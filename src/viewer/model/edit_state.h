@@ -1,9 +1,9 @@
 #pragma once
+#include <rayscope/open_request.h>
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
 #include <memory>
-
-#include "viewer/viewer.h"
+#include <vector>
 
 namespace rayscope::viewer {
 
@@ -16,11 +16,8 @@ struct EditState {
     bool operator==(const EditState&) const = default;
 };
 
-/// The state in which a scene opens: its own settings, then the preset (if any) and the given settings, and
-/// its first camera unless `camera` says otherwise. Throws InputError if a setting is wrong or there is no
-/// preset or camera of that name.
-EditState initialState(SceneDescription scene, const std::vector<SettingAssignment>& settings,
-                       const CameraOverrides& camera, const std::string& preset = {});
+/// The state in which a scene opens, as requestFor() gives it. Throws InputError.
+EditState initialState(SceneDescription scene, const RequestOverrides& overrides = {});
 
 /// The same scene with other lights.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);

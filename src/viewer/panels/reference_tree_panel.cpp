@@ -58,7 +58,8 @@ void drawTable(const BvhInspector& bvh, const InspectedTree& seen, const Inspect
     }
     ImGui::EndTable();
     if (c.expectedHits[1] > 0.0)
-        text(fmt::format("reduction: level {:.1f} %, SAH cost {:.1f} %", 100.0 * (1.0 - c.expectedHits[0] / c.expectedHits[1]),
+        text(fmt::format("reduction: level {:.1f} %, SAH cost {:.1f} %",
+                         100.0 * (1.0 - c.expectedHits[0] / c.expectedHits[1]),
                          100.0 * (1.0 - c.sahCost[0] / c.sahCost[1])));
     if (const BvhInspector::Costs* costs = bvh.costs())
         dimText(fmt::format("counted over {} rays of this view", costs->rays));

@@ -100,7 +100,8 @@ void drawChart(const TradeResult& result, std::optional<std::size_t> here) {
         if (Chart::isDrawn(p)) draw.AddCircleFilled(chart.position(p), scaled(2.0f), kOther);
     for (std::size_t i = 0; i < result.paretoFront.size(); ++i) {
         const ImVec2 to = chart.position(result.points[result.paretoFront[i]]);
-        if (i > 0) draw.AddLine(chart.position(result.points[result.paretoFront[i - 1]]), to, kFront, scaled(1.5f));
+        if (i > 0)
+            draw.AddLine(chart.position(result.points[result.paretoFront[i - 1]]), to, kFront, scaled(1.5f));
         draw.AddCircleFilled(to, scaled(2.5f), kFront);
     }
     for (const TradePreset& d : result.presetPoints) {
@@ -141,7 +142,8 @@ void drawTradePanel(Workspace& workspace) {
         drawChart(*result, here);
         drawPosition(*result, here);
         dimText(fmt::format("{} x {} pixels, threads: {};\ntime differences below {:.0f} % are noise",
-                            result->width, result->height, result->threads, 100.0 * result->smallestTimeDifference));
+                            result->width, result->height, result->threads,
+                            100.0 * result->smallestTimeDifference));
     }
     for (const std::string& remark : result->remarks) wrappedText(remark);
 }

@@ -47,7 +47,7 @@ void Workspace::show(LoadedScene loaded) {
         return;
     }
     try {
-        EditState opened = initialState(std::move(*loaded.scene), {}, {});
+        EditState opened = initialState(std::move(*loaded.scene));
         if (loaded.reload) {
             opened.settings = edit.settings;
             opened.camera = edit.camera;

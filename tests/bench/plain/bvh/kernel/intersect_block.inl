@@ -36,8 +36,10 @@ RAYSCOPE_INLINE FilterResult filterTriangles(const TriangleBlock& block, ChildRe
         return {Lanes::load(rows[ray.axes.kx]), Lanes::load(rows[ray.axes.ky]),
                 Lanes::load(rows[ray.axes.kz])};
     };
-    const Lanes3 direction{Lanes::broadcast(ray.shearX), Lanes::broadcast(ray.shearY), Lanes::broadcast(1.0f)};
-    const Lanes3 origin{Lanes::broadcast(ray.origin[0]), Lanes::broadcast(ray.origin[1]), Lanes::broadcast(ray.origin[2])};
+    const Lanes3 direction{Lanes::broadcast(ray.shearX), Lanes::broadcast(ray.shearY),
+                           Lanes::broadcast(1.0f)};
+    const Lanes3 origin{Lanes::broadcast(ray.origin[0]), Lanes::broadcast(ray.origin[1]),
+                        Lanes::broadcast(ray.origin[2])};
     const Lanes3 a = corner(0), edge1 = corner(1) - a, edge2 = corner(2) - a;
     const Lanes3 p = cross(direction, edge2), s = origin - a, q = cross(s, edge1);
     const Lanes signedDet = dot(edge1, p), det = absolute(signedDet), zero = Lanes::broadcast(0.0f);

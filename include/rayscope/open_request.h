@@ -1,0 +1,43 @@
+#pragma once
+// From a scene file to a request that can be rendered: which values override which.
+#include <rayscope/render_session.h>
+#include <rayscope/scene.h>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rayscope {
+
+/// Selects a camera of the scene and overrides parts of it; what is absent stays as the scene has it.
+struct CameraOverrides {
+    std::string name;  ///< of a camera of the scene; empty: the first, or a framing camera if it has none
+    std::optional<glm::vec3> lookFrom, lookAt, up;
+    std::optional<float> fov;  ///< vertical, degrees
+};
+
+/// What overrides the scene file.
+struct RequestOverrides {
+    CameraOverrides camera;
+    std::string preset;                       ///< a name that presetNamed() accepts; empty: none
+    std::vector<SettingAssignment> settings;  ///< override the preset
+    std::optional<int> spp;                   ///< samples per pixel; overrides `settings`
+    int width = 800, height = 800;            ///< of the image, in pixels
+    std::uint64_t seed = 0;
+};
+
+/// Throws InputError if a setting or the preset is unknown, or a value is out of range.
+void checkOverrides(const RequestOverrides& overrides);
+
+/// The request that renders the scene. Settings come from, each overriding the ones before: the defaults, the
+/// scene, the preset, `overrides.settings`, `overrides.spp`. Throws InputError for whatever checkOverrides()
+/// refuses, for an unknown camera, and if the camera is at the point that it looks at.
+RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene,
+                         const RequestOverrides& overrides = {});
+
+/// Opens a scene (a .toml file, an .obj file or "builtin:NAME") and returns requestFor() it. What loadScene()
+/// finds odd is added to `notes`. Throws InputError.
+RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes);
+
+}  // namespace rayscope

@@ -1,0 +1,45 @@
+#pragma once
+// Rendering to the end in one call. RenderSession renders in the background.
+#include <rayscope/image.h>
+#include <rayscope/render_session.h>
+#include <functional>
+#include <memory>
+#include <stop_token>
+
+namespace rayscope {
+
+struct RenderOptions {
+    int threads = 0;                                    ///< 0: one per core
+    double timeLimit = 0.0;                             ///< seconds, compilation included; 0: none
+    std::stop_token stop;                               ///< stops after the tiles in flight
+    std::function<void(const RenderStatus&)> progress;  ///< called about 20 times per second and at the end
+};
+
+/// An image and what it was computed from.
+struct RenderedImage {
+    RenderRequest request;
+    RgbImage
+        mean;  ///< of the samples of each pixel, linear; 0 outside the region and before the first sample
+    RenderStatus status;
+    std::shared_ptr<const trace::World>
+        world;  ///< for probes and AOVs; null if stopped before it was compiled
+    std::shared_ptr<const render::Film> film;  ///< for AOVs and replays; null like `world`
+
+    /// False if the time limit or a stop ended it early.
+    bool isComplete() const { return status.state == RenderState::Done; }
+};
+
+/// Renders until all samples are computed, the time limit is reached or a stop is requested, and blocks until
+/// then. Throws InputError if the scene cannot be rendered.
+RenderedImage renderImage(const RenderRequest& request, const RenderOptions& options = {});
+
+/// The scene of the request as probes take it, without rendering. Throws InputError.
+std::shared_ptr<const trace::World> compileScene(const RenderRequest& request);
+
+/// The mean of each pixel of a film, like RenderedImage::mean.
+RgbImage meanOf(const render::Film& film);
+
+/// What render metadata an image file holds: program and version, scene, settings, seed, samples per pixel.
+ImageMetadata metadataOf(const RenderRequest& request, int samples);
+
+}  // namespace rayscope

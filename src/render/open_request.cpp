@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include <rayscope/open_request.h>
+
+#include "base/nearest_name.h"
+
+namespace rayscope {
+
+namespace {
+
+CameraDescription cameraNamed(const SceneDescription& scene, const std::string& name) {
+    if (name.empty()) return scene.cameras.empty() ? framingCamera(boundsOf(scene)) : scene.cameras.front();
+    std::vector<std::string_view> names;
+    for (const CameraDescription& camera : scene.cameras) {
+        if (camera.name == name) return camera;
+        names.push_back(camera.name);
+    }
+    throw InputError(fmt::format("{} has no camera '{}'{}; it has {}", scene.path, name,
+                                 base::didYouMean(name, names), base::joinChoices(names)));
+}
+
+CameraDescription cameraFor(const SceneDescription& scene, const CameraOverrides& overrides) {
+    CameraDescription camera = cameraNamed(scene, overrides.name);
+    camera.lookFrom = overrides.lookFrom.value_or(camera.lookFrom);
+    camera.lookAt = overrides.lookAt.value_or(camera.lookAt);
+    camera.up = overrides.up.value_or(camera.up);
+    camera.fov = overrides.fov.value_or(camera.fov);
+    if (camera.lookFrom == camera.lookAt)
+        throw InputError("--look-from and --look-at of the camera are the same point; move one of them");
+    return camera;
+}
+
+void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignments) {
+    for (const SettingAssignment& assignment : assignments) {
+        try {
+            assign(settings, assignment.key, assignment.value);
+        } catch (const InputError& error) {
+            throw InputError(error.diagnostic().message, assignment.position);
+        }
+    }
+}
+
+/// The last step: what overrides the preset.
+void assignOverrides(Settings& settings, const RequestOverrides& overrides) {
+    assignAll(settings, overrides.settings);
+    if (overrides.spp) assign(settings, "spp", std::to_string(*overrides.spp));
+}
+
+}  // namespace
+
+void checkOverrides(const RequestOverrides& overrides) {
+    if (!overrides.preset.empty()) presetNamed(overrides.preset);
+    Settings unused;
+    assignOverrides(unused, overrides);
+}
+
+RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene, const RequestOverrides& overrides) {
+    RenderRequest request;
+    request.width = overrides.width;
+    request.height = overrides.height;
+    request.seed = overrides.seed;
+    request.camera = cameraFor(*scene, overrides.camera);
+    assignAll(request.settings, scene->settings);
+    if (!overrides.preset.empty())
+        applyPreset(request.settings, presetNamed(overrides.preset),
+                    blursPixels(requirementsOf(*scene), request.camera));
+    assignOverrides(request.settings, overrides);
+    request.scene = std::move(scene);
+    return request;
+}
+
+RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes) {
+    checkOverrides(overrides);  // before a scene is read that may take long
+    return requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes)), overrides);
+}
+
+}  // namespace rayscope
