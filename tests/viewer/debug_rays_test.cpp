@@ -12,7 +12,7 @@ namespace {
 
 EditState cornell(int spp) {
     Diagnostics notes;
-    EditState state = initialState(loadScene("builtin:cornell", notes), {}, {});
+    EditState state = initialState(loadScene("builtin:cornell", notes));
     state.settings.spp = spp;
     return state;
 }

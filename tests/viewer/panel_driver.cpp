@@ -28,7 +28,9 @@ EditState stateOf(const std::string& scene, const std::map<std::string, std::str
     Diagnostics notes;
     std::vector<SettingAssignment> assignments;
     for (const auto& [key, value] : settings) assignments.push_back({key, value, {}});
-    return initialState(loadScene("builtin:" + scene, notes), assignments, {});
+    RequestOverrides overrides;
+    overrides.settings = assignments;
+    return initialState(loadScene("builtin:" + scene, notes), overrides);
 }
 
 }  // namespace

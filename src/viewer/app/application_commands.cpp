@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/camera_text.h"

@@ -29,7 +29,7 @@ void flipPictures(Workspace& workspace) {
 }
 
 void resetCamera(Workspace& workspace) {
-    workspace.edit.camera = initialState(*workspace.edit.scene, {}, {}).camera;
+    workspace.edit.camera = initialState(*workspace.edit.scene).camera;
 }
 
 void selectLeafUnderCursor(Workspace& workspace) {
