@@ -10,7 +10,8 @@ RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings) {
 
 void writeRenderedImage(const std::string& path, const RgbImage& mean, const Settings& settings,
                         const ImageMetadata& metadata) {
-    writeImage(path, post::applyDisplayTransform(mean, settings, post::isDisplayFormat(path)), metadata, settings.tone);
+    writeImage(path, post::applyDisplayTransform(mean, settings, post::isDisplayFormat(path)), metadata,
+               settings.tone);
 }
 
 }  // namespace rayscope

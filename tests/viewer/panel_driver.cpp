@@ -237,4 +237,12 @@ void PanelDriver::drag(std::string_view label, float from, float to) {
     frame();
 }
 
+void expectToggle(PanelDriver& driver, const std::string& label, const bool& value) {
+    const bool before = value;
+    driver.click(label);
+    EXPECT_NE(value, before) << label;
+    driver.click(label);
+    EXPECT_EQ(value, before) << label;
+}
+
 }  // namespace rayscope::viewer

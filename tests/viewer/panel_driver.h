@@ -67,4 +67,7 @@ class PanelDriver {
     ImGuiContext* context_;
 };
 
+/// Clicks a toggle twice and expects it to switch and to switch back.
+void expectToggle(PanelDriver& driver, const std::string& label, const bool& value);
+
 }  // namespace rayscope::viewer

@@ -28,9 +28,7 @@ void flipPictures(Workspace& workspace) {
     toggle(workspace.comparison.view.flipped);
 }
 
-void resetCamera(Workspace& workspace) {
-    workspace.edit.camera = initialState(*workspace.edit.scene).camera;
-}
+void resetCamera(Workspace& workspace) { workspace.edit.camera = initialState(*workspace.edit.scene).camera; }
 
 void selectLeafUnderCursor(Workspace& workspace) {
     const auto world = workspace.render.session().world();

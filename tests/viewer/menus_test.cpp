@@ -1,0 +1,95 @@
+// The menu bar and the dialogs, driven by the labels of their controls.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "panel_driver.h"
+
+namespace rayscope::viewer {
+namespace {
+
+TEST(Menus, EveryEntryAsksForItsCommand) {
+    PanelDriver driver("cornell");
+    driver.recordPixel(32, 24);
+    int asked = 0;
+    for (const CommandInfo& info : commandTable()) {
+        const std::string menu = std::string("Menu/") + info.menu, entry = menu + "/" + info.label;
+        driver.click(menu);
+        ASSERT_TRUE(driver.has(entry)) << entry;
+        const bool enabled = driver.isEnabled(entry);
+        driver.click(entry);
+        if (enabled) {
+            EXPECT_EQ(driver.takeCommands(), std::vector{info.command}) << entry;
+            ++asked;
+        } else {
+            EXPECT_TRUE(driver.takeCommands().empty()) << entry;
+            driver.clickPicture();
+        }
+    }
+    EXPECT_GT(asked, 40);
+}
+
+TEST(Menus, SwitchTheRasterisedView) {
+    PanelDriver driver("cornell");
+    driver.click("Menu/View");
+    driver.click("Smooth normals");
+    EXPECT_FALSE(driver.workspace.view.raster.smoothNormals);
+    driver.click("Menu/View");
+    driver.click("Resolution of the traced view");
+    driver.click("Resolution of the traced view/50 %");
+    EXPECT_FLOAT_EQ(driver.workspace.view.resolution, 0.5f);
+}
+
+TEST(Dialogs, ShowAnErrorUntilItIsClosed) {
+    PanelDriver driver("cornell");
+    driver.workspace.errorMessage = "cannot read x.toml";
+    driver.frame();
+    driver.frame();
+    EXPECT_TRUE(driver.shows("cannot read x.toml"));
+    driver.click("Error/Close");
+    EXPECT_TRUE(driver.workspace.errorMessage.empty());
+    EXPECT_FALSE(driver.has("Error/Close"));
+}
+
+TEST(Dialogs, OpenAFileByItsPath) {
+    PanelDriver driver("cornell");
+    driver.openDialog.request();
+    driver.frame();
+    driver.frame();
+    ImGui::GetIO().AddInputCharactersUTF8("builtin:cube");
+    driver.frame();
+    driver.pressEnter();
+    EXPECT_EQ(driver.workspace.loader.path(), "builtin:cube");
+}
+
+TEST(Dialogs, RenderToAFile) {
+    PanelDriver driver("cube", {{"spp", "1"}});
+    driver.renderDialog.request();
+    driver.frame();
+    driver.frame();
+    const std::string path = testing::TempDir() + "panels_test_render.pfm";
+    driver.replaceText("File (.png .exr .pfm .hdr)", path);
+    driver.click("Render to file/Render");
+    driver.waitFor("file", [&] {
+        driver.workspace.job->update();
+        return driver.shows("Written: " + path);
+    });
+    EXPECT_TRUE(std::filesystem::exists(path));
+    std::filesystem::remove(path);
+    driver.click("Render to file/Close");
+    EXPECT_EQ(driver.workspace.job, nullptr);
+}
+
+TEST(Dialogs, ListKeysAndStatistics) {
+    PanelDriver driver("cornell");
+    driver.workspace.view.showKeys = driver.workspace.view.showStatistics = true;
+    driver.frame();
+    driver.frame();
+    for (const CommandInfo& info : commandTable()) EXPECT_TRUE(driver.shows(info.help)) << info.help;
+    driver.workspace.frameTimes.add(0.01);
+    driver.click("Statistics/Reset");
+    EXPECT_EQ(driver.workspace.frameTimes.count(), 0u);
+}
+
+}  // namespace
+}  // namespace rayscope::viewer
