@@ -3,8 +3,8 @@
 #include <cassert>
 #include <stdexcept>
 
-#include "bvh/build/build.h"
-#include "bvh/build/refit.h"
+#include "bvh/builders/build.h"
+#include "bvh/builders/refit.h"
 #include "bvh/isa.h"
 #include "bvh/layout/packed_primitives.h"
 #include "bvh/layout/primitive_refs.h"

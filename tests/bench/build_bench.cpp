@@ -5,7 +5,7 @@
 #include <map>
 
 #include "bench/bench_scene.h"
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/layout/statistics.h"
 
 namespace rayscope::bench {

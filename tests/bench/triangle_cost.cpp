@@ -14,7 +14,7 @@
 
 #include "bench/bench_scene.h"
 #include "bench/plain/plain_kernels.h"
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/isa.h"
 #include "bvh/layout/wide_tree.h"
 

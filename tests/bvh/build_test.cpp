@@ -7,7 +7,7 @@
 #include <cstring>
 #include <thread>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {

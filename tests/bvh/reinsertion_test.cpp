@@ -1,9 +1,9 @@
 // Reinsertion: gains are as computed, and no better target exists.
-#include "bvh/build/reinsertion.h"
+#include "bvh/builders/reinsertion.h"
 
 #include <gtest/gtest.h>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/meshes.h"
 
 namespace rayscope::test {

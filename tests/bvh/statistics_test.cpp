@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/meshes.h"
 #include "bvh/traversal/traversal_counts.h"
 

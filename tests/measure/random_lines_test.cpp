@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/meshes.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/layout/statistics.h"
 #include "probe/split_curve.h"
 #include "probe/traversal_costs.h"

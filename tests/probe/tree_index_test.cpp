@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/layout/statistics.h"
 #include "support/test_scenes.h"
 

@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "bvh/binary_tree.h"
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/traversal/traversal_counts.h"
 #include "measure/bench/embree_baseline.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 #include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {

@@ -5,9 +5,9 @@
 
 #include <utility>
 
-#include "bvh/build/builders.h"
-#include "bvh/build/leaf_plan.h"
-#include "bvh/build/reinsertion.h"
+#include "bvh/builders/builders.h"
+#include "bvh/builders/leaf_plan.h"
+#include "bvh/builders/reinsertion.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope::bvh {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "bvh/build/best_subset.h"
-#include "bvh/build/builders.h"
+#include "bvh/builders/best_subset.h"
+#include "bvh/builders/builders.h"
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/stop_check.h"

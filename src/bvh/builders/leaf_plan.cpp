@@ -1,8 +1,8 @@
-#include "bvh/build/leaf_plan.h"
+#include "bvh/builders/leaf_plan.h"
 
 #include <algorithm>
 
-#include "bvh/build/builders.h"
+#include "bvh/builders/builders.h"
 #include "bvh/stop_check.h"
 
 namespace rayscope::bvh {

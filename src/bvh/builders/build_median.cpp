@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bvh/build/builders.h"
+#include "bvh/builders/builders.h"
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/stop_check.h"
 

@@ -1,4 +1,4 @@
-#include "bvh/build/build.h"
+#include "bvh/builders/build.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bvh/build/builders.h"
+#include "bvh/builders/builders.h"
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/stop_check.h"
 

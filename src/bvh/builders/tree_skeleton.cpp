@@ -1,4 +1,4 @@
-#include "bvh/build/tree_skeleton.h"
+#include "bvh/builders/tree_skeleton.h"
 
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>

@@ -1,4 +1,4 @@
-#include "bvh/build/reinsertion.h"
+#include "bvh/builders/reinsertion.h"
 
 #include <utility>
 

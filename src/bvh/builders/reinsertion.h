@@ -1,5 +1,5 @@
 #pragma once
-#include "bvh/build/linked_tree.h"
+#include "bvh/builders/linked_tree.h"
 
 namespace rayscope::bvh {
 

@@ -1,4 +1,4 @@
-#include "bvh/build/refit.h"
+#include "bvh/builders/refit.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

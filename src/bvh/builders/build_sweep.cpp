@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bvh/build/builders.h"
-#include "bvh/build/sort_centroids.h"
+#include "bvh/builders/builders.h"
+#include "bvh/builders/sort_centroids.h"
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/stop_check.h"

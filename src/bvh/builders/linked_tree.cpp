@@ -1,4 +1,4 @@
-#include "bvh/build/linked_tree.h"
+#include "bvh/builders/linked_tree.h"
 
 #include <algorithm>
 

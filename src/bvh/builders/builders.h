@@ -3,7 +3,7 @@
 #include <span>
 
 #include "bvh/bounds.h"
-#include "bvh/build/tree_skeleton.h"
+#include "bvh/builders/tree_skeleton.h"
 #include "bvh/layout/statistics.h"
 
 namespace rayscope::bvh {

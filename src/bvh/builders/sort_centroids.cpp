@@ -1,4 +1,4 @@
-#include "bvh/build/sort_centroids.h"
+#include "bvh/builders/sort_centroids.h"
 
 #include <algorithm>
 #include <array>

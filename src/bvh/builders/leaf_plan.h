@@ -2,7 +2,7 @@
 #include <rayscope/accel.h>
 #include <vector>
 
-#include "bvh/build/linked_tree.h"
+#include "bvh/builders/linked_tree.h"
 
 namespace rayscope::bvh {
 
