@@ -55,7 +55,7 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndTIsWithinItsBound) {
             glm::vec3(da + random.real() * (db - da) + aside * (dc - da) - glm::dvec3(ray.origin));
         const ExactTriangle exact(ray, a, b, c);
         if (exact.onEdge) continue;
-        bvh::TriangleHit hit;
+        bvh::TriangleHit hit{};
         ASSERT_EQ(bvh::intersectTriangle(bvh::ShearedRay(bvh::rayData(ray)), a, b, c, hit), exact.inside)
             << text(ray);
         ++(exact.inside ? inside : outside);
