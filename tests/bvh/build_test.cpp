@@ -189,7 +189,7 @@ TEST(Build, ReportsTheFirstInvalidVertexIndex) {
 TEST(Build, RefusesTooManyPrimitives) {
     const glm::uvec3 triangle{};
     AccelInput input;
-    input.triangles = std::span(&triangle, (std::size_t{1} << 32) - 1);  // never looked at
+    input.triangles = std::span(&triangle, (std::size_t{1} << 32) - 1);  // never read
     EXPECT_THROW(Accel::build(input), std::length_error);
 }
 

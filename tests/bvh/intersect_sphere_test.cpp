@@ -70,7 +70,7 @@ TEST(IntersectSphere, AgreesWithQuadruplePrecision) {
             }
     EXPECT_GT(hits, 20000);
     EXPECT_GT(misses, 10000);
-    EXPECT_GE(worst, 0.01) << "the bound says next to nothing";
+    EXPECT_GE(worst, 0.01) << "the bound is not needlessly large";
     std::printf("worst error of a sphere's roots over its bound: %.3f\n", worst);
 }
 

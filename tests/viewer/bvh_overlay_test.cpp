@@ -41,12 +41,12 @@ TEST(BoxSelection, LargeBoxesHaveAllEdgesAndSmallOnesOneStrokePerSquare) {
 
 TEST(BoxSelection, DropsBoxesOutsideThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    const auto seen = [&](glm::vec3 eye) {
+    const auto boxesFrom = [&](glm::vec3 eye) {
         const BoxSelection choice = selectBoxes(one, frameAt(eye));
         return choice.whole.size() + choice.strokes.size();
     };
-    EXPECT_EQ(seen({0, 0, -5}), 0u) << "behind the camera";
-    EXPECT_EQ(seen({50, 0, 5}), 0u) << "beside the picture";
+    EXPECT_EQ(boxesFrom({0, 0, -5}), 0u) << "behind the camera";
+    EXPECT_EQ(boxesFrom({50, 0, 5}), 0u) << "beside the picture";
     EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 0})).whole.size(), 1u) << "around the camera";
 }
 
@@ -142,12 +142,12 @@ TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
     const auto world = worldOf("spheres");
     BvhInspector inspector;
     waitUntilQuiet(inspector, world);
-    const BvhInspector::InspectedTree& seen = *inspector.inspected();
+    const BvhInspector::InspectedTree& inspected = *inspector.inspected();
     inspector.stepLeaf(1);
-    const OverlayBoxes boxes = leafBoxes(seen.indexed(), inspector.shown);
+    const OverlayBoxes boxes = leafBoxes(inspected.indexed(), inspector.shown);
     ASSERT_EQ(boxes.size(), 1u);
-    const auto primitives = probe::primitivesOfLeaf(seen.tree(), seen.index.leaves[0]);
-    const OverlayLines lines = leafLines(seen.indexed(), seen.geometry->input, inspector.shown);
+    const auto primitives = probe::primitivesOfLeaf(inspected.tree(), inspected.index.leaves[0]);
+    const OverlayLines lines = leafLines(inspected.indexed(), inspected.geometry->input, inspector.shown);
     EXPECT_EQ(lines.size(), primitives.size() * 3 * 32) << "three circles per sphere";
     for (const OverlayLine& line : lines)
         for (int axis = 0; axis < 3; ++axis) {
@@ -155,9 +155,9 @@ TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
             EXPECT_LE(line.from[axis], boxes[0].upper[axis] + 1e-4f);
         }
     inspector.shown.leafNumber = 1000;
-    EXPECT_TRUE(leafBoxes(seen.indexed(), inspector.shown).empty());
-    EXPECT_TRUE(nodeBoxes(seen.tree(), 1000000).empty());
-    EXPECT_EQ(nodeBoxes(seen.tree(), 0).size(), seen.tree().nodes[0].isLeaf() ? 1u : 3u);
+    EXPECT_TRUE(leafBoxes(inspected.indexed(), inspector.shown).empty());
+    EXPECT_TRUE(nodeBoxes(inspected.tree(), 1000000).empty());
+    EXPECT_EQ(nodeBoxes(inspected.tree(), 0).size(), inspected.tree().nodes[0].isLeaf() ? 1u : 3u);
 }
 
 }  // namespace

@@ -24,13 +24,13 @@ RayTree handMadeTree() {
     reflection.ray.origin = camera.position;
     reflection.ray.direction = {0.0f, 2.0f, 0.0f};
     tree.nodes = {camera, reflection};
-    for (const Visibility verdict :
+    for (const Visibility visibility :
          {Visibility::Visible, Visibility::Occluded, Visibility::Attenuated, Visibility::FacingAway}) {
         ShadowRay shadow;
         shadow.from = camera.position;
         shadow.to = {0.0f, 3.0f, 0.0f};
         shadow.color = {0.0f, 0.0f, 1.0f};
-        shadow.visibility = verdict;
+        shadow.visibility = visibility;
         tree.shadowRays.push_back(shadow);
     }
     return tree;
