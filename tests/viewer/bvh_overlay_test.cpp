@@ -53,9 +53,9 @@ TEST(BoxSelection, DropsBoxesOutsideThePicture) {
 TEST(BoxSelection, IsBoundedByThePictureForAnyNumberOfBoxes) {
     OverlayBoxes boxes;
     for (int i = 0; i < 200000; ++i) {
-        const glm::vec3 place(static_cast<float>(i % 500) * 0.01f - 2.5f,
+        const glm::vec3 lower(static_cast<float>(i % 500) * 0.01f - 2.5f,
                               static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
-        boxes.push_back({place, place + 0.005f});
+        boxes.push_back({lower, lower + 0.005f});
     }
     const std::size_t lines = selectBoxes(boxes, frameAt({0, 0, 5})).strokes.size();
     EXPECT_GT(lines, 5000u);
@@ -71,7 +71,7 @@ std::shared_ptr<const trace::World> worldOf(const std::string& name,
     return trace::compile({scene, settings, CameraDescription{}, 8, 8});
 }
 
-void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::World>& world) {
+void waitUntilIdle(BvhInspector& inspector, const std::shared_ptr<const trace::World>& world) {
     for (int i = 0; i < 2000; ++i) {
         inspector.update(world);
         if (!inspector.busy()) return;
@@ -82,12 +82,12 @@ void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::
 TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
     const auto world = worldOf("monkey");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     ASSERT_NE(inspector.inspected(), nullptr);
     EXPECT_EQ(&inspector.inspected()->tree(), world->motionGroups[0].accel->binaryTree());
     EXPECT_EQ(inspector.referenceTree(), nullptr) << "not requested";
     inspector.shown.showReference = true;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     ASSERT_NE(inspector.referenceTree(), nullptr);
     EXPECT_EQ(inspector.referenceTree()->builder, BvhBuilder::Median);
     EXPECT_GT(inspector.referenceTree()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
@@ -103,7 +103,7 @@ TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
     // Another world has another tree, and the old reference tree is not shown.
     const auto other = worldOf("monkey", BvhBuilder::Median);
     inspector.shown.showReference = false;
-    waitUntilQuiet(inspector, other);
+    waitUntilIdle(inspector, other);
     EXPECT_EQ(inspector.referenceTree(), nullptr);
     EXPECT_EQ(inspector.inspected()->accel, other->motionGroups[0].accel);
 }
@@ -111,7 +111,7 @@ TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
 TEST(BvhInspector, SteppingThroughLeavesWrapsAround) {
     const auto world = worldOf("cornell");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     const auto& leaves = inspector.inspected()->index.leaves;
     inspector.stepLeaf(1);
     EXPECT_TRUE(inspector.shown.leaf);
@@ -131,7 +131,7 @@ TEST(BvhInspector, SteppingThroughLeavesWrapsAround) {
 TEST(BvhInspector, HasNoTreeForAnEmptyScene) {
     const auto scene = std::make_shared<const SceneDescription>();
     BvhInspector inspector;
-    waitUntilQuiet(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
+    waitUntilIdle(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
     EXPECT_EQ(inspector.inspected(), nullptr);
     inspector.stepLeaf(1);
     inspector.stepLevel(1);
@@ -141,7 +141,7 @@ TEST(BvhInspector, HasNoTreeForAnEmptyScene) {
 TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
     const auto world = worldOf("spheres");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     const BvhInspector::InspectedTree& inspected = *inspector.inspected();
     inspector.stepLeaf(1);
     const OverlayBoxes boxes = leafBoxes(inspected.indexed(), inspector.shown);

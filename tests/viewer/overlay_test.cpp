@@ -162,8 +162,8 @@ TEST(DebugRaysOverlay, aClickPicksTheNearestRayInFrontOfTheCamera) {
     camera.lookAt = {0.0f, 1.0f, 2.0f};
     const ViewFrame frame = viewFrame(camera, 800, 600);
     DebugRayFilter filter;
-    const auto pickAt = [&](glm::dvec3 place) {
-        return pickRay(tree, filter, frame, *frame.project(place), 5.0, 10.0f);
+    const auto pickAt = [&](glm::dvec3 point) {
+        return pickRay(tree, filter, frame, *frame.project(point), 5.0, 10.0f);
     };
     EXPECT_EQ(pickAt({0, 0, 3}), (RaySelection{0, -1}));
     EXPECT_EQ(pickAt({0, 4.5, 1}), (RaySelection{1, -1}));
@@ -203,14 +203,14 @@ TEST(LightOverlay, symbolsOfPointLightsHaveAConstantSizeOnTheScreen) {
     CameraDescription camera;
     camera.lookFrom = {0.0f, 0.0f, 10.0f};
     const ViewFrame frame = viewFrame(camera, 800, 600);
-    const auto reachOf = [&](glm::vec3 place) {
+    const auto radiusOf = [&](glm::vec3 point) {
         double reach = 0.0;
-        for (const OverlayLine& line : lightLines({Light{PointLight{place, Rgb(1)}}}, -1, frame, 1.0))
+        for (const OverlayLine& line : lightLines({Light{PointLight{point, Rgb(1)}}}, -1, frame, 1.0))
             reach = std::max(
-                reach, glm::distance(*frame.project(glm::dvec3(line.to)), *frame.project(glm::dvec3(place))));
+                reach, glm::distance(*frame.project(glm::dvec3(line.to)), *frame.project(glm::dvec3(point))));
         return reach;
     };
-    EXPECT_NEAR(reachOf({0, 0, 5}), reachOf({0, 0, -50}), 0.05);
+    EXPECT_NEAR(radiusOf({0, 0, 5}), radiusOf({0, 0, -50}), 0.05);
 }
 
 TEST(LightOverlay, segmentsHaveAColorGradient) {

@@ -145,9 +145,9 @@ void drawHistogram(const char* title, const char* unit, const std::vector<std::s
     ImGui::PlotHistogram("##counts", values.data(), static_cast<int>(values.size()), 0, nullptr, 0.0f,
                          FLT_MAX, {width, scaled(54.0f)});
     if (ImGui::IsItemHovered() && !counts.empty()) {
-        const float share = (ImGui::GetIO().MousePos.x - at.x) / width;
+        const float fraction = (ImGui::GetIO().MousePos.x - at.x) / width;
         const auto bar =
-            std::min(static_cast<std::size_t>(std::max(share, 0.0f) * static_cast<float>(counts.size())),
+            std::min(static_cast<std::size_t>(std::max(fraction, 0.0f) * static_cast<float>(counts.size())),
                      counts.size() - 1);
         ImGui::SetTooltip("%s", fmt::format("{} leaves {} {}", counts[bar], unit, bar).c_str());
     }
