@@ -26,7 +26,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# The first of these linkers that is installed and that the compiler knows.
+# The first of these linkers that is installed and supported by the compiler.
 include(CheckLinkerFlag)
 set(RAYSCOPE_LINKER "" CACHE STRING "Linker: mold, lld, default; empty chooses")
 foreach(linker mold lld)

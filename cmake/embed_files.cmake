@@ -1,4 +1,4 @@
-# Writes the header and source that rayscope_embed() promises. Bytes go in as numbers, so any content is safe.
+# Writes the header and source that rayscope_embed() describes. Bytes are written as numbers, so any content is safe.
 string(REPLACE "|" ";" FILES "${FILES}")
 file(WRITE ${HEADER} "#pragma once
 #include <span>

@@ -49,7 +49,7 @@ function(rayscope_module name)
   endif()
 endfunction()
 
-# Stops the configuration if an #include of a module points up the list.
+# Stops the configuration if an #include of a module violates the order of the list.
 function(rayscope_check_layering)
   set(order ${RAYSCOPE_LIBRARY_MODULES} ${RAYSCOPE_PROGRAM_MODULES})
   set(lines "")

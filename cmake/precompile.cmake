@@ -1,5 +1,5 @@
 # Precompiled headers: third-party headers that most files include are parsed once, which is half of the time of a
-# compilation. A build with them does not notice that a file forgets an include; the preset `plain` does without.
+# compilation. A build with them does not detect missing includes; the preset `plain` builds without them.
 set(RAYSCOPE_COMMON_HEADERS
   <algorithm> <array> <cmath> <cstdint> <fmt/format.h> <functional> <glm/glm.hpp> <limits> <map> <memory> <numbers>
   <optional> <random> <span> <string> <string_view> <tbb/parallel_for.h> <tbb/task_arena.h> <vector>)

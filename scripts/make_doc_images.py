@@ -207,8 +207,8 @@ def comparison(viewer):
 def probe(program):
     """The output of rayscope probe as a terminal shows it."""
     command = "rayscope probe builtin:cornell --pixel 300,420 --explain"
-    words = subprocess.run([program, *command.split()[1:]], check=True, stdout=subprocess.PIPE, text=True).stdout
-    lines = [f"$ {command}", *(line for part in words.splitlines() for line in textwrap.wrap(part, 100, subsequent_indent="      "))]
+    output = subprocess.run([program, *command.split()[1:]], check=True, stdout=subprocess.PIPE, text=True).stdout
+    lines = [f"$ {command}", *(line for part in output.splitlines() for line in textwrap.wrap(part, 100, subsequent_indent="      "))]
     ppm = subprocess.run(["convert", "-background", "#15171a", "-fill", "#e6e8eb", "-font", "DejaVu-Sans-Mono", "-pointsize",
                           "13", "-bordercolor", "#15171a", "-border", "10", "label:" + "\n".join(lines), "-depth", "8", "ppm:-"],
                          check=True, stdout=subprocess.PIPE).stdout

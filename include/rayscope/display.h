@@ -6,7 +6,8 @@
 
 namespace rayscope {
 
-/// Bloom, then exposure, as the settings say. The result is linear: the encoding is applied by writeImage().
+/// Applies bloom, then exposure, with the values of the settings. The result is linear: the encoding is
+/// applied by writeImage().
 RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings);
 
 /// Writes a rendered image as `rayscope render -o` does: with bloom; .png also with the exposure and the

@@ -26,7 +26,7 @@ struct ErrorEstimate {
     bool reliable = true;
 };
 /// For each pixel the variance of its samples divided by their number. With stratified samples this is an
-/// upper bound of the pixel's squared error, so it only tells how the error is distributed over pixels.
+/// upper bound of the pixel's squared error, so only its distribution over the pixels is used.
 using VarianceImage = Image<double>;
 /// Estimates the error over the pixels of `region`; non-finite pixels are left out. The error itself comes
 /// from the halves alone. `variance` makes the upper bound more accurate, and the test for errors that few

@@ -67,7 +67,8 @@ struct LabTestPoint {
     std::array<LabCounts, kLabMethods.size()> methods;
     /// Triangles that lost their area when their vertices were rounded to float.
     std::uint64_t degenerate = 0;
-    /// Rays that pass the boundary of their target within rounding error, so that both answers are right.
+    /// Rays that pass the boundary of their target within rounding error, so that hit and miss are both
+    /// correct.
     std::uint64_t undecided = 0;
 
     const LabCounts& of(LabMethod method) const { return methods[static_cast<std::size_t>(method)]; }

@@ -1,5 +1,5 @@
 #pragma once
-// From a scene file to a request that can be rendered: which values override which.
+// Opens scene files as render requests, and defines which source of a setting overrides which.
 #include <rayscope/render_session.h>
 #include <rayscope/scene.h>
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace rayscope {
 
-/// Selects a camera of the scene and overrides parts of it; what is absent stays as the scene has it.
+/// Selects a camera of the scene and overrides parts of it; absent members keep the values of the scene.
 struct CameraOverrides {
     std::string name;  ///< of a camera of the scene; empty: the first, or a framing camera if it has none
     std::optional<glm::vec3> lookFrom, lookAt, up;
     std::optional<float> fov;  ///< vertical, degrees
 };
 
-/// What overrides the scene file.
+/// Values that override those of the scene file.
 struct RequestOverrides {
     CameraOverrides camera;
     std::string preset;                       ///< a name that presetNamed() accepts; empty: none
@@ -30,14 +30,14 @@ struct RequestOverrides {
 /// Throws InputError if a setting or the preset is unknown, or a value is out of range.
 void checkOverrides(const RequestOverrides& overrides);
 
-/// The request that renders the scene. Settings come from, each overriding the ones before: the defaults, the
-/// scene, the preset, `overrides.settings`, `overrides.spp`. Throws InputError for whatever checkOverrides()
-/// refuses, for an unknown camera, and if the camera is at the point that it looks at.
+/// The request that renders the scene. Sources of settings, of which later ones override earlier ones: the
+/// defaults, the scene, the preset, `overrides.settings`, `overrides.spp`. Throws InputError like
+/// checkOverrides(), for an unknown camera, and if the position of the camera equals its look-at point.
 RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene,
                          const RequestOverrides& overrides = {});
 
-/// Opens a scene (a .toml file, an .obj file or "builtin:NAME") and returns requestFor() it. What loadScene()
-/// finds odd is added to `notes`. Throws InputError.
+/// Opens a scene (a .toml file, an .obj file or "builtin:NAME") and returns requestFor() of it. Notes and
+/// warnings of loadScene() are appended to `notes`. Throws InputError.
 RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes);
 
 }  // namespace rayscope

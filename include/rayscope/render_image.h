@@ -15,14 +15,14 @@ struct RenderOptions {
     std::function<void(const RenderStatus&)> progress;  ///< called about 20 times per second and at the end
 };
 
-/// An image and what it was computed from.
+/// An image with the request, the compiled scene and the film of its render.
 struct RenderedImage {
     RenderRequest request;
-    RgbImage
-        mean;  ///< of the samples of each pixel, linear; 0 outside the region and before the first sample
+    /// Mean of the samples of each pixel, linear; 0 outside the region and before the first sample.
+    RgbImage mean;
     RenderStatus status;
-    std::shared_ptr<const trace::World>
-        world;  ///< for probes and AOVs; null if stopped before it was compiled
+    /// The compiled scene, for probes and AOVs; null if stopped before it was compiled.
+    std::shared_ptr<const trace::World> world;
     std::shared_ptr<const render::Film> film;  ///< for AOVs and replays; null like `world`
 
     /// False if the time limit or a stop ended it early.
@@ -33,13 +33,14 @@ struct RenderedImage {
 /// then. Throws InputError if the scene cannot be rendered.
 RenderedImage renderImage(const RenderRequest& request, const RenderOptions& options = {});
 
-/// The scene of the request as probes take it, without rendering. Throws InputError.
+/// Compiles the scene of the request for probes, without rendering. Throws InputError.
 std::shared_ptr<const trace::World> compileScene(const RenderRequest& request);
 
 /// The mean of each pixel of a film, like RenderedImage::mean.
 RgbImage meanOf(const render::Film& film);
 
-/// What render metadata an image file holds: program and version, scene, settings, seed, samples per pixel.
+/// The metadata for the image file of a render: program and version, scene, settings, seed, samples per
+/// pixel.
 ImageMetadata metadataOf(const RenderRequest& request, int samples);
 
 }  // namespace rayscope

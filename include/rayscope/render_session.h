@@ -24,7 +24,7 @@ struct PixelBounds {
     bool operator==(const PixelBounds&) const = default;
 };
 
-/// Everything that an image is a function of, and options of the session.
+/// The inputs that determine an image, and options of the session.
 struct RenderRequest {
     std::shared_ptr<const SceneDescription> scene;
     Settings settings;
@@ -64,8 +64,8 @@ struct TileView {
 };
 
 /// Renders in the background. submit() returns at once, and a new request replaces the current one. The film
-/// is a valid image at any time; a request that only asks for more samples, or only changes the display,
-/// continues it. Calls must come from one thread at a time.
+/// is a valid image at any time; a request that differs only in a larger number of samples or in display
+/// settings continues it. Calls must come from one thread at a time.
 class RenderSession {
   public:
     /// `threads`: number of tracing threads; 0 takes one per core.

@@ -32,7 +32,7 @@ struct CameraDescription {
     bool operator==(const CameraDescription&) const = default;
 };
 
-/// The value of texture coordinates outside 0 … 1.
+/// The value of a texture at coordinates outside 0 … 1.
 enum class TextureWrap { Repeat, Clamp };
 
 struct Texture {

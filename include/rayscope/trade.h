@@ -72,8 +72,8 @@ struct TradeReference {
 struct TradePreset {
     std::string preset;
     std::size_t point;  ///< index into TradeResult::points
-    double excess =
-        0.0;  ///< relative to the front's time at the same error: 0.1 is 10 % more; 0 on the front
+    /// Excess time relative to the front's time at the same error: 0.1 is 10 % more; 0 on the front.
+    double excess = 0.0;
 };
 
 /// Whether an effect changes the picture of this scene.

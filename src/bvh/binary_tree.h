@@ -19,7 +19,7 @@ struct BinaryNode {
 };
 static_assert(sizeof(BinaryNode) == 32);
 
-/// The number of no node.
+/// Marks the absence of a node.
 inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 
 /// A binary bounding volume hierarchy; node 0 is the root. Empty without primitives.

@@ -12,7 +12,7 @@ namespace rayscope::cli {
 
 namespace {
 
-/// A command as the parser sees it.
+/// A command, its options and its parser.
 struct ParsedCommand {
     CLI::App* parser;
     OptionList options;

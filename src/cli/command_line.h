@@ -80,7 +80,7 @@ struct Command {
 };
 
 /// Parses the arguments and runs the command that they name. Returns the exit code; --help, --version and
-/// errors of use are printed here, the latter with the nearest name there is. Other exceptions pass through.
+/// errors of use are printed here, the latter with the nearest valid name. Other exceptions pass through.
 int runCommandLine(std::span<const Command> commands, const std::vector<std::string>& arguments);
 
 }  // namespace rayscope::cli

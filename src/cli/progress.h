@@ -44,7 +44,7 @@ class Progress {
 /// "1:02:03", "2:03" or "0.42 s".
 std::string durationText(double seconds);
 
-/// "ETA 2:03", or "ETA –" if the time is 0, which stands for unknown.
+/// "ETA 2:03", or "ETA –" if the time is 0, which means unknown.
 std::string etaText(double remainingSeconds);
 
 }  // namespace rayscope::cli

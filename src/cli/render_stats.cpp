@@ -13,20 +13,20 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
     nlohmann::json settings;
     for (const std::string_view key : settingKeys())
         settings[std::string(key)] = textOf(request.settings, key);
-    nlohmann::json bodies = nlohmann::json::array();
-    for (const trace::MotionGroup& body : world.motionGroups) {
-        nlohmann::json row = {{"triangles", body.geometry->input.triangles.size()},
-                              {"spheres", body.geometry->input.spheres.size()}};
-        if (body.accel) {
-            const AccelSummary& summary = body.accel->summary();
+    nlohmann::json motionGroups = nlohmann::json::array();
+    for (const trace::MotionGroup& group : world.motionGroups) {
+        nlohmann::json row = {{"triangles", group.geometry->input.triangles.size()},
+                              {"spheres", group.geometry->input.spheres.size()}};
+        if (group.accel) {
+            const AccelSummary& summary = group.accel->summary();
             row["nodes"] = summary.binaryNodes;
             row["levels"] = summary.binaryLevels;
             row["wide_nodes"] = summary.wideNodes;
             row["triangle_blocks"] = summary.triangleBlocks;
-            row["bytes"] = body.accel->bytes();
+            row["bytes"] = group.accel->bytes();
             row["dropped_primitives"] = summary.droppedPrimitives;
         }
-        bodies.push_back(row);
+        motionGroups.push_back(row);
     }
     const double seconds = status.elapsedSeconds;
     const nlohmann::json stats = {
@@ -44,7 +44,7 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
         {"render_s", seconds},
         {"total_s", totalSeconds},
         {"mrays_per_s", seconds > 0.0 ? static_cast<double>(status.rays) * 1e-6 / seconds : 0.0},
-        {"bodies", bodies},
+        {"bodies", motionGroups},
         {"settings", settings}};
     return stats.dump(2) + "\n";
 }

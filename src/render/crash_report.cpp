@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSignals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
-/// More threads than this share slots; then only the latest sample of a slot is known.
+/// More threads than this share slots; then only the latest sample of a slot is reported.
 constexpr std::size_t kSlots = 256;
 std::array<CurrentSample, kSlots> slots;
 std::atomic<std::size_t> nextSlot{0};

@@ -70,7 +70,7 @@ RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene, const Re
 }
 
 RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes) {
-    checkOverrides(overrides);  // before a scene is read that may take long
+    checkOverrides(overrides);  // before the scene is read, which may take long
     return requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes)), overrides);
 }
 

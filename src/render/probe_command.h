@@ -10,11 +10,11 @@
 namespace rayscope::render {
 
 /// `rayscope probe SCENE …`, quoted for a shell. It contains the camera and every setting that differ from
-/// what the scene gives. A lens that was edited has no option; it is the one of the scene's camera of that
-/// name.
+/// the scene file. There is no option for an edited lens: the command uses the lens of the scene's camera of
+/// that name.
 std::string probeCommand(const RenderRequest& request, const SampleId& sample);
 
-/// What a crash report says while this request is rendered.
+/// The content of a crash report while this request is rendered.
 CrashContext crashContextOf(const RenderRequest& request);
 
 }  // namespace rayscope::render

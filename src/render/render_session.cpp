@@ -113,10 +113,10 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
          ++visited, s.nextTile = (s.nextTile + 1) % film->tileCount()) {
         if (delivered > 0 && render::secondsSince(start) > budgetSeconds) break;
         const int tile = s.nextTile;
-        std::uint32_t& seen = s.collectedVersions[static_cast<std::size_t>(tile)];
-        if (film->version(tile) == seen) continue;
+        std::uint32_t& collected = s.collectedVersions[static_cast<std::size_t>(tile)];
+        if (film->version(tile) == collected) continue;
         film->read(tile, copy);
-        seen = copy.version;
+        collected = copy.version;
         mean.clear();
         for (const render::PixelSums& pixel : copy.pixels)
             mean.push_back(Rgb(pixel.radiance / static_cast<double>(copy.samples)));

@@ -29,7 +29,7 @@ class ThreadArena {
 
   private:
     int count_;
-    // TBB starts no more threads than one per core unless it is told to.
+    // TBB's default limit is one thread per core.
     oneapi::tbb::global_control parallelism_;
     oneapi::tbb::task_arena arena_;
 };

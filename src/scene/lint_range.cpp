@@ -41,14 +41,15 @@ class RangeLinter {
 
     void lintMesh(const MeshInstance& mesh) {
         const glm::dmat4 matrix = matrixOf(mesh.transform);
-        std::vector<glm::vec3> placed;
-        placed.reserve(mesh.data->positions.size());
+        std::vector<glm::vec3> transformed;
+        transformed.reserve(mesh.data->positions.size());
         std::size_t overflowing = 0;
         float largest = 0.0f;
         for (const glm::vec3& p : mesh.data->positions) {
-            placed.emplace_back(matrix * glm::dvec4(glm::dvec3(p), 1.0));
-            overflowing += math::isFinite(p) && !math::isFinite(placed.back());
-            if (math::isFinite(placed.back())) largest = std::max(largest, largestOf(placed.back()));
+            transformed.emplace_back(matrix * glm::dvec4(glm::dvec3(p), 1.0));
+            overflowing += math::isFinite(p) && !math::isFinite(transformed.back());
+            if (math::isFinite(transformed.back()))
+                largest = std::max(largest, largestOf(transformed.back()));
         }
         if (overflowing > 0)
             warn(
@@ -56,7 +57,8 @@ class RangeLinter {
                             "triangles",
                             mesh.name, overflowing));
         std::size_t coarse = 0;
-        for (const glm::uvec3& t : mesh.data->triangles) coarse += isCoarse(mesh.data->positions, placed, t);
+        for (const glm::uvec3& t : mesh.data->triangles)
+            coarse += isCoarse(mesh.data->positions, transformed, t);
         if (coarse > 0)
             warn(fmt::format(
                 "mesh '{}': {} of {} triangles have edges shorter than {:g} float steps, which are up to "
@@ -67,15 +69,15 @@ class RangeLinter {
 
     /// Whether a triangle with three distinct vertices has an edge of less than kMinSteps after the
     /// transform.
-    static bool isCoarse(const std::vector<glm::vec3>& given, const std::vector<glm::vec3>& placed,
+    static bool isCoarse(const std::vector<glm::vec3>& given, const std::vector<glm::vec3>& transformed,
                          const glm::uvec3& t) {
         for (int k = 0; k < 3; ++k) {
             const unsigned a = t[k], b = t[(k + 1) % 3];
-            if (!math::isFinite(placed[a]) || !math::isFinite(placed[b]) || given[a] == given[b])
+            if (!math::isFinite(transformed[a]) || !math::isFinite(transformed[b]) || given[a] == given[b])
                 return false;
         }
         for (int k = 0; k < 3; ++k) {
-            const glm::vec3 a = placed[t[k]], b = placed[t[(k + 1) % 3]];
+            const glm::vec3 a = transformed[t[k]], b = transformed[t[(k + 1) % 3]];
             const double edge = glm::length(glm::dvec3(b) - glm::dvec3(a));
             if (edge < kMinSteps * spacingAt(std::max(largestOf(a), largestOf(b)))) return true;
         }

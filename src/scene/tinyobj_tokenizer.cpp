@@ -165,7 +165,7 @@ class ObjTokenizer {
         throw InputError(std::move(message), {path_, lines_.line(), 0});
     }
 
-    /// The value that the current line really has, with `count` required numbers: NaN and infinity are kept,
+    /// The value of the current line, with `count` required numbers, parsed again: NaN and infinity are kept,
     /// missing numbers and words are errors.
     glm::vec3 corrected(glm::vec3 value, int count) const {
         const std::string_view line = argumentOf(lines_.current());

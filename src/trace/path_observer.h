@@ -38,7 +38,7 @@ concept PathObserver = requires(O& o, const Segment& segment, const Interaction&
     o.lightSampled(light, value);
     /// A term was added to the radiance of the sample. The radiance is the left fold of all terms.
     o.added(value);
-    /// The segment is finished, and why the path does or does not go on.
+    /// The segment is finished; `end` is the reason why the path continues or ends.
     o.ended(segment, end);
 };
 

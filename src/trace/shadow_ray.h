@@ -8,8 +8,8 @@ namespace rayscope::trace {
 /// The ray from a surface point to a light sample, with t = 1 at the light sample. `toLight` is light − from
 /// and `distance` its length.
 ///
-/// The ray ends at t = 1 − slack, so that geometry modelled at the place of the light, the visible surface of
-/// a lamp, does not occlude it.
+/// The ray ends at t = 1 − slack, so that geometry modelled at the position of the light, the visible surface
+/// of a lamp, does not occlude it.
 ///
 /// Derivation: let d = light − from, D its length, n the unit normal of the lamp, θ the angle between d and
 /// n, and S the largest |light_k| + |from_k|, so that |d_k| ≤ S. `from` is a float, hence exact. Two

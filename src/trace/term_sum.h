@@ -15,8 +15,8 @@ struct TermSum {
     void add(const glm::dvec3& term) { sum += term; }
 };
 
-/// Accumulators of a tracer with observer O. One that defers shadow rays does not know the visibility of a
-/// light sample while the path is traced, so there would be nothing to report: it needs the NullObserver.
+/// Accumulators of a tracer with observer O. If they defer shadow rays, the visibility of a light sample is
+/// unknown while the path is traced and cannot be reported, so only the NullObserver is allowed.
 template <class Terms, class O>
 concept TermsFor = PathObserver<O> &&
     (!Terms::kDefersShadowRays || std::same_as<O, NullObserver>)&&requires(Terms& terms,

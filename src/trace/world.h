@@ -73,11 +73,11 @@ class World {
     /// primitive number.
     bool closestHit(const Ray& ray, float time, Hit& hit) const;
     bool anyHit(const Ray& ray, float time) const;
-    /// The same answers for many rays; a miss gets a default Hit. Both spans have the same length.
+    /// The same results for many rays; a miss gets a default Hit. Both spans have the same length.
     void closestHits(std::span<const Ray> rays, float time, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
 
-    /// Whether a shadow ray is a single any-hit query whose answer does not depend on time.
+    /// Whether a shadow ray is a single any-hit query whose result does not depend on time.
     bool canDeferShadowRays() const { return !attenuatesShadows && !moves; }
 
     PrimitiveLocation locatePrimitive(std::uint32_t primitive) const;

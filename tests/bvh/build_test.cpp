@@ -40,14 +40,14 @@ void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const Build
         EXPECT_EQ(tree.levels, 0);
         return;
     }
-    std::vector<char> seen(input.triangles.size() + input.spheres.size());
+    std::vector<char> occurrences(input.triangles.size() + input.spheres.size());
     std::size_t slots = 0, nodes = 0;
     int deepest = 0;
-    struct Place {
+    struct StackEntry {
         std::uint32_t node;
         int level;
     };
-    std::vector<Place> stack{{0, 0}};
+    std::vector<StackEntry> stack{{0, 0}};
     while (!stack.empty()) {
         const auto [number, level] = stack.back();
         stack.pop_back();
@@ -68,7 +68,7 @@ void checkTree(const bvh::BinaryTree& tree, const AccelInput& input, const Build
         }
         for (std::uint32_t slot = node.first; slot < node.first + node.count; ++slot, ++slots) {
             const std::uint32_t primitive = tree.primitives[slot];
-            ASSERT_EQ(seen[primitive]++, 0);
+            ASSERT_EQ(occurrences[primitive]++, 0);
             if (primitive >= input.triangles.size()) continue;
             for (int k = 0; k < 3; ++k)
                 ASSERT_TRUE(contains(node, input.vertices[input.triangles[primitive][k]]));
@@ -189,7 +189,7 @@ TEST(Build, ReportsTheFirstInvalidVertexIndex) {
 TEST(Build, RefusesTooManyPrimitives) {
     const glm::uvec3 triangle{};
     AccelInput input;
-    input.triangles = std::span(&triangle, (std::size_t{1} << 32) - 1);  // never looked at
+    input.triangles = std::span(&triangle, (std::size_t{1} << 32) - 1);  // never read
     EXPECT_THROW(Accel::build(input), std::length_error);
 }
 

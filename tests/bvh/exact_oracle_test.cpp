@@ -72,11 +72,11 @@ TEST(ExactOracle, TriangleIsClassifiedExactlyAndTIsWithinItsBound) {
     }
     EXPECT_GT(inside, 10000);
     EXPECT_GT(outside, 10000);
-    EXPECT_GE(worst, 0.01) << "a bound that nothing comes near says little";
+    EXPECT_GE(worst, 0.01) << "the bound is not needlessly large";
 }
 
 /// Whether the exact line intersects the closed box for some t in [tMin, tMax].
-bool exactlyMeets(const bvh::BinaryNode& box, const Ray& ray) {
+bool exactlyIntersects(const bvh::BinaryNode& box, const Ray& ray) {
     mpq_class enter = ray.tMin, leave = ray.tMax;
     for (int axis = 0; axis < 3; ++axis) {
         const mpq_class o = ray.origin[axis], d = ray.direction[axis], low = box.lower[axis],
@@ -132,7 +132,7 @@ Ray rayAtBox(Random& random, const bvh::BinaryNode& box, double size) {
 
 TEST(ExactOracle, BoxTestIsConservative) {
     Random random(2);
-    int met = 0, falselyMet = 0, notMet = 0;
+    int hits = 0, falseHits = 0, misses = 0;
     for (int i = 0; i < 200000; ++i) {
         const double size = std::exp2(random.integer(121) - 60);
         const bvh::BinaryNode box = someBox(random, size);
@@ -141,23 +141,23 @@ TEST(ExactOracle, BoxTestIsConservative) {
         const bvh::BoxRay boxRay(bvh::rayData(ray));
         float entry;
         const bool found = bvh::intersectBox(bvh::planes(box), boxRay, boxRay.tMax, entry);
-        const bool exact = exactlyMeets(box, ray);
+        const bool exact = exactlyIntersects(box, ray);
         if (exact) {
             ASSERT_TRUE(found) << text(ray);
         }
-        met += exact;
-        notMet += !exact;
-        falselyMet += found && !exact;
+        hits += exact;
+        misses += !exact;
+        falseHits += found && !exact;
     }
-    EXPECT_GT(met, 50000);
-    EXPECT_GT(notMet, 20000);
-    EXPECT_GT(falselyMet, 0) << "rays at corners should find the padding";
+    EXPECT_GT(hits, 50000);
+    EXPECT_GT(misses, 20000);
+    EXPECT_GT(falseHits, 0) << "rays at corners should hit the padding";
 }
 
 /// The interval of a box that contains another one contains the other's interval, to the last bit.
 TEST(ExactOracle, BoxTestIsMonotone) {
     Random random(3);
-    int met = 0;
+    int hits = 0;
     for (int i = 0; i < 300000; ++i) {
         const double size = std::exp2(random.integer(121) - 60);
         const bvh::BinaryNode inner = someBox(random, size);
@@ -173,11 +173,11 @@ TEST(ExactOracle, BoxTestIsMonotone) {
         const bvh::BoxRay boxRay(bvh::rayData(ray));
         float entry, outerEntry;
         if (!bvh::intersectBox(bvh::planes(inner), boxRay, boxRay.tMax, entry)) continue;
-        ++met;
+        ++hits;
         ASSERT_TRUE(bvh::intersectBox(bvh::planes(outer), boxRay, boxRay.tMax, outerEntry)) << text(ray);
         ASSERT_LE(outerEntry, entry) << text(ray);
     }
-    EXPECT_GT(met, 50000);
+    EXPECT_GT(hits, 50000);
 }
 
 }  // namespace

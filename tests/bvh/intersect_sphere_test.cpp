@@ -54,10 +54,11 @@ TEST(IntersectSphere, AgreesWithQuadruplePrecision) {
                 const glm::dvec3 target = glm::dvec3(sphere.center) + radius * impact * side;
                 ray.direction = glm::vec3(target - glm::dvec3(ray.origin));
                 const QuadSphere exact(ray, sphere);
-                // How far double can be off, in units of radius²: the line is computed to 2^-52 of its
+                // Bound of the error in double, in units of radius²: the line is computed to 2^-52 of its
                 // distance.
-                const double doubt = 0x1p-50 * (2.0 + distance);
-                if (std::abs(static_cast<double>(exact.discriminant)) < doubt * radius * radius) continue;
+                const double errorBound = 0x1p-50 * (2.0 + distance);
+                if (std::abs(static_cast<double>(exact.discriminant)) < errorBound * radius * radius)
+                    continue;
                 double near, far;
                 ASSERT_EQ(bvh::intersectSphere(ray, sphere, near, far), exact.discriminant > 0) << text(ray);
                 ++(exact.discriminant > 0 ? hits : misses);
@@ -70,7 +71,7 @@ TEST(IntersectSphere, AgreesWithQuadruplePrecision) {
             }
     EXPECT_GT(hits, 20000);
     EXPECT_GT(misses, 10000);
-    EXPECT_GE(worst, 0.01) << "the bound says next to nothing";
+    EXPECT_GE(worst, 0.01) << "the bound is not needlessly large";
     std::printf("worst error of a sphere's roots over its bound: %.3f\n", worst);
 }
 

@@ -24,9 +24,9 @@ TestGeometry subdivided(const TestGeometry& coarse) {
     TestGeometry fine{coarse.name, coarse.vertices, {}, {}};
     std::map<std::pair<unsigned, unsigned>, unsigned> middles;
     const auto middle = [&](unsigned a, unsigned b) {
-        const auto [place, isNew] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
+        const auto [entry, isNew] = middles.try_emplace(std::minmax(a, b), fine.vertices.size());
         if (isNew) fine.vertices.push_back(glm::normalize(fine.vertices[a] + fine.vertices[b]));
-        return place->second;
+        return entry->second;
     };
     for (const glm::uvec3& t : coarse.triangles) {
         const unsigned ab = middle(t.x, t.y), bc = middle(t.y, t.z), ca = middle(t.z, t.x);
@@ -171,9 +171,9 @@ TestGeometry gridBox(int cells) {
     TestGeometry geometry{"grid box", {}, {}, {}};
     std::map<std::tuple<float, float, float>, unsigned> known;
     const auto vertex = [&](glm::vec3 p) {
-        const auto [place, isNew] = known.try_emplace({p.x, p.y, p.z}, geometry.vertices.size());
+        const auto [entry, isNew] = known.try_emplace({p.x, p.y, p.z}, geometry.vertices.size());
         if (isNew) geometry.vertices.push_back(p);
-        return place->second;
+        return entry->second;
     };
     const float step = 2.0f / static_cast<float>(cells);
     for (int axis = 0; axis < 3; ++axis)

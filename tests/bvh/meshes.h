@@ -46,7 +46,7 @@ struct TestGeometry {
 /// Closed meshes around the origin, star-shaped as seen from there.
 TestGeometry icosphere(int subdivisions, double jitter, std::uint64_t seed);
 TestGeometry needleSphere(int rings, int segments);
-TestGeometry gridBox(int cells);  ///< vertices on a dyadic grid, so that rays meet edges exactly
+TestGeometry gridBox(int cells);  ///< vertices on a dyadic grid, so that rays hit edges exactly
 
 /// Small triangles scattered in the unit cube.
 TestGeometry soup(int triangles, double size, std::uint64_t seed);

@@ -41,7 +41,7 @@ TestGeometry moved(const TestGeometry& scene, std::uint64_t seed) {
     return result;
 }
 
-void expectSameAnswers(const Accel& accel, const TestGeometry& scene, std::uint64_t seed) {
+void expectSameHits(const Accel& accel, const TestGeometry& scene, std::uint64_t seed) {
     const std::vector<Ray> rays = edgeCaseRays(scene, 300, seed);
     std::vector<Hit> batch(rays.size());
     accel.closestHits(rays, batch);
@@ -61,8 +61,8 @@ TEST(Refit, EqualsBruteForce) {
             const TestGeometry first = moved(scene, 1), second = moved(first, 2);
             const Accel once = Accel::build(scene.input(), settings).refit(first.input());
             const Accel twice = once.refit(second.input());
-            expectSameAnswers(once, first, 3);
-            expectSameAnswers(twice, second, 4);
+            expectSameHits(once, first, 3);
+            expectSameHits(twice, second, 4);
             if (HasFatalFailure()) return;
         }
 }
@@ -129,11 +129,11 @@ TEST(Refit, RebuildsIfOtherTrianglesAreNotFinite) {
         const Accel whole = Accel::build(scene.input(), settings);
         const Accel refit = whole.refit(broken.input());
         EXPECT_EQ(refit.summary().droppedPrimitives, 2u);
-        expectSameAnswers(refit, broken, 5);
-        expectSameAnswers(refit.refit(otherwise.input()), otherwise, 6);  // as many, but not the same
+        expectSameHits(refit, broken, 5);
+        expectSameHits(refit.refit(otherwise.input()), otherwise, 6);  // as many, but not the same
         const Accel healed = refit.refit(scene.input());
         EXPECT_EQ(healed.summary().droppedPrimitives, 0u);
-        expectSameAnswers(healed, scene, 7);
+        expectSameHits(healed, scene, 7);
         if (HasFatalFailure()) return;
     }
 }
@@ -142,7 +142,7 @@ TEST(Refit, MovedInPlace) {
     TestGeometry scene = soup(1000, 0.2, 12);
     const Accel before = Accel::build(scene.input());
     for (glm::vec3& vertex : scene.vertices) vertex = {vertex.z, vertex.x, -vertex.y};
-    expectSameAnswers(before.refit(scene.input()), scene, 2);
+    expectSameHits(before.refit(scene.input()), scene, 2);
 }
 
 TEST(Refit, EmptyAndSinglePrimitive) {

@@ -18,14 +18,14 @@ struct Case {
     Ray ray;
 };
 
-float awkwardFactor(Random& random) {
+float edgeFactor(Random& random) {
     constexpr float kFactors[] = {0.0f, 0x1p-24f, -0x1p-24f, 0x1p-22f, -0x1p-22f, 1e-5f, -1e-5f, 0.01f};
     return kFactors[random.integer(8)];
 }
 
 /// Eight random triangles and a ray towards a point inside, on or near an edge of one of them; its interval
 /// ends far away or within a few roundings of that point.
-Case awkwardCase(Random& random) {
+Case edgeCase(Random& random) {
     Case made{};
     const int world = random.integer(4) == 0 ? random.integer(100) - 50 : 0;
     const float size = std::ldexp(1.0f, random.integer(60) - 45),
@@ -40,11 +40,11 @@ Case awkwardCase(Random& random) {
                 made.block.corner[corner][axis][lane] = corners[lane][corner][axis];
         }
     const auto& chosen = corners[random.integer(8)];
-    const float v = static_cast<float>(random.real(0.0, 1.0)), w = awkwardFactor(random);
+    const float v = static_cast<float>(random.real(0.0, 1.0)), w = edgeFactor(random);
     const glm::vec3 aim = chosen[0] + v * (chosen[1] - chosen[0]) + w * (chosen[2] - chosen[0]);
     // Also where t is close to the largest float.
     const int scale = random.integer(4) == 0 ? random.integer(20) - 137 : random.integer(30) - 15;
-    const float end = std::ldexp(1.0f + awkwardFactor(random), -scale);
+    const float end = std::ldexp(1.0f + edgeFactor(random), -scale);
     made.ray = {origin, {}, 0.0f, std::numeric_limits<float>::infinity()};
     for (int axis = 0; axis < 3; ++axis)
         made.ray.direction[axis] = std::ldexp(aim[axis] - origin[axis], scale);
@@ -57,36 +57,37 @@ Case awkwardCase(Random& random) {
 
 TEST(FilterResult, ExcludesNoHitAndIsCertainOfHitsOnly) {
     Random random(5);
-    int hits = 0, sureOnes = 0, doubtful = 0, tooFar = 0;
+    int hits = 0, certainHits = 0, undecided = 0, tooFar = 0;
     for (int i = 0; i < 200'000; ++i) {
-        const auto [block, ray] = awkwardCase(random);
-        const RayData word = bvh::rayData(ray);
-        if (!isTraceable(word)) continue;
+        const auto [block, ray] = edgeCase(random);
+        const RayData data = bvh::rayData(ray);
+        if (!isTraceable(data)) continue;
         FastRay fast;
-        fast.prepare(word);
+        fast.prepare(data);
         if (!fast.isInRange(std::ldexp(1.0f, 60))) continue;
         FastShear shear{};
-        shear.prepareOnce(word, fast.scale);
+        shear.prepareOnce(data, fast.scale);
         const FilterResult found = filterTriangles(block, kBlockTag | 7u << kBlockSizeShift, shear, fast.tMin,
                                                    scaledTMax(ray.tMax, fast.scale));
         const unsigned certain = found.possible != 0 ? found.certain() : 0;
-        const BlockRay exact(word, shear);
+        const BlockRay exact(data, shear);
         for (int lane = 0; lane < 8; ++lane) {
             HitData hit{};
             const bool isHit = exact.hits(block, lane, ray.tMax, hit);
-            const bool isPossible = (found.possible >> lane & 1u) != 0, isSure = (certain >> lane & 1u) != 0;
+            const bool isPossible = (found.possible >> lane & 1u) != 0,
+                       isCertain = (certain >> lane & 1u) != 0;
             ASSERT_TRUE(isPossible || !isHit) << text(ray);
-            ASSERT_TRUE(isHit || !isSure) << text(ray);
+            ASSERT_TRUE(isHit || !isCertain) << text(ray);
             hits += isHit;
-            sureOnes += isSure;
-            doubtful += isPossible && !isHit;
+            certainHits += isCertain;
+            undecided += isPossible && !isHit;
             tooFar += !(hit.t < kInfinity);
         }
     }
     EXPECT_GT(hits, 50'000);
-    EXPECT_GT(sureOnes, hits / 10);
-    EXPECT_GT(doubtful, 1000);
-    EXPECT_GT(tooFar, 100) << "the exact test refuses what is too far for a float";
+    EXPECT_GT(certainHits, hits / 10);
+    EXPECT_GT(undecided, 1000);
+    EXPECT_GT(tooFar, 100) << "the exact test rejects a t that is too large for a float";
 }
 
 }  // namespace

@@ -15,13 +15,13 @@ enum class Aim { Edge, Vertex, VertexFromCenter, VertexUnit, AxisParallel };
 constexpr Aim kAims[] = {Aim::Edge, Aim::Vertex, Aim::VertexFromCenter, Aim::VertexUnit, Aim::AxisParallel};
 
 /// The transform of the mesh: scale, then offset.
-struct Place {
+struct Placement {
     double scale = 1.0;
     glm::dvec3 offset{0.0};
 };
 
 /// A ray from well inside the mesh towards an edge or a vertex; from a dyadic origin some hit it exactly.
-Ray aimedRay(const TestGeometry& mesh, const Place& place, Aim aim, Random& random) {
+Ray aimedRay(const TestGeometry& mesh, const Placement& placement, Aim aim, Random& random) {
     const auto triangle = static_cast<std::size_t>(random.integer(static_cast<int>(mesh.triangles.size())));
     const int k = random.integer(3);
     const glm::dvec3 a = mesh.corner(triangle, k), b = mesh.corner(triangle, (k + 1) % 3);
@@ -29,17 +29,17 @@ Ray aimedRay(const TestGeometry& mesh, const Place& place, Aim aim, Random& rand
     for (int axis = 0; axis < 3; ++axis) inside[axis] = (random.integer(65) - 32) / 128.0;
     if (aim == Aim::VertexFromCenter) inside = {};
     Ray ray;
-    ray.origin = glm::vec3(place.offset + place.scale * inside);
+    ray.origin = glm::vec3(placement.offset + placement.scale * inside);
     if (aim == Aim::AxisParallel) {
         // Move the origin onto the axis-parallel line through the vertex, if that passes well inside the
         // mesh.
         const int axis = random.integer(3);
         glm::vec3 moved(a);
-        moved[axis] = static_cast<float>(place.offset[axis]);
-        if (glm::length(glm::dvec3(moved) - place.offset) < 0.5 * place.scale) {
+        moved[axis] = static_cast<float>(placement.offset[axis]);
+        if (glm::length(glm::dvec3(moved) - placement.offset) < 0.5 * placement.scale) {
             ray.origin = moved;
             ray.direction = glm::vec3(random.integer(2) ? 0.0f : -0.0f);
-            ray.direction[axis] = a[axis] < place.offset[axis] ? -1.0f : 1.0f;
+            ray.direction[axis] = a[axis] < placement.offset[axis] ? -1.0f : 1.0f;
             return ray;
         }
     }
@@ -62,8 +62,8 @@ int crossings(const TestGeometry& mesh, const Ray& ray) {
     return count;
 }
 
-std::vector<Place> places() {
-    std::vector<Place> result;
+std::vector<Placement> placements() {
+    std::vector<Placement> result;
     for (const int exponent : {-60, -40, -20, 0, 20, 40, 60}) result.push_back({std::exp2(exponent), {}});
     for (const double offset : {1.0, 1e3, 1e6}) result.push_back({1.0, {offset, -offset, 0.5 * offset}});
     for (const int exponent : {-30, 30})
@@ -102,11 +102,11 @@ class WatertightMesh : public testing::TestWithParam<int> {
 TEST_P(WatertightMesh, NoRayLeaksOutOfAClosedMesh) {
     const TestGeometry unit = mesh(GetParam());
     Random random(17);
-    for (const Place& place : places()) {
-        const TestGeometry moved = unit.transformed(place.scale, place.offset);
+    for (const Placement& placement : placements()) {
+        const TestGeometry moved = unit.transformed(placement.scale, placement.offset);
         std::vector<Ray> rays;
         for (const Aim aim : kAims)
-            for (int i = 0; i < 500; ++i) rays.push_back(aimedRay(moved, place, aim, random));
+            for (int i = 0; i < 500; ++i) rays.push_back(aimedRay(moved, placement, aim, random));
         expectNoLeak(moved, rays);
     }
 }
@@ -114,15 +114,15 @@ TEST_P(WatertightMesh, NoRayLeaksOutOfAClosedMesh) {
 TEST_P(WatertightMesh, EveryRayCrossesAConvexMeshOnce) {
     const TestGeometry unit = mesh(GetParam());
     Random random(18);
-    for (const Place& place : places()) {
-        if (place.offset != glm::dvec3(0.0) && glm::length(place.offset) > 2e3 * place.scale)
+    for (const Placement& placement : placements()) {
+        if (placement.offset != glm::dvec3(0.0) && glm::length(placement.offset) > 2e3 * placement.scale)
             continue;  // rounded to a coarse grid it is no longer convex
-        const TestGeometry moved = unit.transformed(place.scale, place.offset);
+        const TestGeometry moved = unit.transformed(placement.scale, placement.offset);
         for (const Aim aim : kAims)
             for (int i = 0; i < 200; ++i) {
-                const Ray ray = aimedRay(moved, place, aim, random);
+                const Ray ray = aimedRay(moved, placement, aim, random);
                 ASSERT_EQ(crossings(moved, ray), 1)
-                    << moved.name << " scale " << place.scale << ": " << text(ray);
+                    << moved.name << " scale " << placement.scale << ": " << text(ray);
             }
     }
 }
@@ -132,14 +132,14 @@ INSTANTIATE_TEST_SUITE_P(Meshes, WatertightMesh, testing::Range(0, 3), [](const 
 });
 
 TEST(Watertight, RefittedMeshesAreWatertight) {
-    for (const Place& place : places()) {
+    for (const Placement& placement : placements()) {
         Random random(21);
-        const TestGeometry bumpy = icosphere(4, 0.1, 3).transformed(place.scale, place.offset);
+        const TestGeometry bumpy = icosphere(4, 0.1, 3).transformed(placement.scale, placement.offset);
         const Accel accel = Accel::build(bumpy.input());
         for (const Aim aim : kAims)
             for (int i = 0; i < 5000; ++i) {
-                const Ray ray = aimedRay(bumpy, place, aim, random);
-                ASSERT_TRUE(accel.anyHit(ray)) << "scale " << place.scale << ": " << text(ray);
+                const Ray ray = aimedRay(bumpy, placement, aim, random);
+                ASSERT_TRUE(accel.anyHit(ray)) << "scale " << placement.scale << ": " << text(ray);
                 if (i % 100 == 0) {
                     ASSERT_EQ(crossings(bumpy, ray) % 2, 1) << text(ray);
                 }

@@ -49,7 +49,7 @@ TEST(Bench, MeasuresEveryKindOfRay) {
     }
 }
 
-TEST(Bench, ObeysSettings) {
+TEST(Bench, UsesSettings) {
     const TemporaryFolder folder;
     const nlohmann::json rows =
         benchRows(folder, "builtin:monkey -t 2 --set bvh_builder=median --set bvh_layout=binary");

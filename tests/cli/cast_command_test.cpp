@@ -39,7 +39,7 @@ void writeScene(const TemporaryFolder& folder, const std::string& more = "") {
         "version = 1\n[[mesh]]\nfile = \"t.obj\"\n[[sphere]]\ncenter = [5, 0, 0]\nradius = 1\n" + more);
 }
 
-TEST(CastCommand, AnswersAreWhatGeometrySays) {
+TEST(CastCommand, HitsAreThoseOfClosedForms) {
     const TemporaryFolder folder;
     writeScene(folder);
     const std::vector<Ray> rays{
@@ -72,7 +72,7 @@ TEST(CastCommand, AnswersAreWhatGeometrySays) {
     EXPECT_EQ(test::readText(folder / "any"), std::string("\1\1\1\0\0\0\0\0", 8));
 }
 
-TEST(CastCommand, NeitherThreadsNorTheHierarchyChangeABit) {
+TEST(CastCommand, HitsHaveTheSameBitsForAnyThreadsAndBvh) {
     const TemporaryFolder folder;
     writeScene(folder);
     std::mt19937 random(1);
@@ -99,7 +99,7 @@ TEST(CastCommand, NeitherThreadsNorTheHierarchyChangeABit) {
         ASSERT_EQ(any[i] != 0, hits[i].primitive != kNoPrimitive) << i;
 }
 
-TEST(CastCommand, AMovingSceneStandsAtTheStartOfTheShutter) {
+TEST(CastCommand, MovingPrimitivesAreAtShutterOpen) {
     const TemporaryFolder folder;
     writeScene(folder, "motion = [0, 0, 1]\n");
     folder.write("rays", bytesOf(std::vector<Ray>{{{5.0f, 0.0f, 3.0f}, {0, 0, -1}, 0, kInfinity}}));
@@ -109,7 +109,7 @@ TEST(CastCommand, AMovingSceneStandsAtTheStartOfTheShutter) {
     EXPECT_EQ(hit.primitive, 1u);
 }
 
-TEST(CastCommand, TakesLongFilesInSteps) {
+TEST(CastCommand, ReadsLongFilesInSteps) {
     const TemporaryFolder folder;
     writeScene(folder);
     constexpr std::size_t kMany = (std::size_t{1} << 20) + 12345;
@@ -121,7 +121,7 @@ TEST(CastCommand, TakesLongFilesInSteps) {
     const std::string any = test::readText(folder / "any");
     ASSERT_EQ(any.size(), kMany);
     EXPECT_EQ(any.back(), 1);
-    // A pipe has no length to look at in advance.
+    // The length of a pipe is unknown in advance.
     EXPECT_EQ(run(folder, std::string("head -c 320 rays | '") + RAYSCOPE_PROGRAM +
                               "' cast s.toml --rays /dev/stdin -o ten")
                   .exitCode,
@@ -134,7 +134,7 @@ TEST(CastCommand, TakesLongFilesInSteps) {
     EXPECT_FALSE(std::filesystem::exists(folder / "eleven"));
 }
 
-TEST(CastCommand, RefusesWhatIsNoFileOfRays) {
+TEST(CastCommand, RejectsInvalidRayFiles) {
     const TemporaryFolder folder;
     writeScene(folder);
     folder.write("odd", std::string(33, 'x'));

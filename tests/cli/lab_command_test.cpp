@@ -13,7 +13,7 @@ using test::run;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-TEST(LabCommand, ReportsOnASceneAndNamesItsSafeRange) {
+TEST(LabCommand, PrintsTheRangeWithoutFailuresOfAScene) {
     const TemporaryFolder folder;
     const ProgramResult result = run(folder, "rayscope lab builtin:monkey --quick --rays 100 -o report");
     ASSERT_EQ(result.exitCode, 0) << result.err;
@@ -27,7 +27,7 @@ TEST(LabCommand, ReportsOnASceneAndNamesItsSafeRange) {
     EXPECT_GT(report["ranges"]["float"]["failing_cells"], 0);
 }
 
-TEST(LabCommand, WritesRaysThatCastAnswers) {
+TEST(LabCommand, WritesRayFilesForCast) {
     const TemporaryFolder folder;
     const ProgramResult result = run(folder, "rayscope lab builtin:monkey --quick --rays 200 -o report");
     ASSERT_EQ(result.exitCode, 0) << result.err;
@@ -41,7 +41,7 @@ TEST(LabCommand, WritesRaysThatCastAnswers) {
     EXPECT_EQ(hits.size() * 2, rays.size());
 }
 
-TEST(LabCommand, PrintsJsonAndObeysSettings) {
+TEST(LabCommand, PrintsJsonAndUsesSettings) {
     const TemporaryFolder folder;
     const std::string command = "rayscope lab --quick --rays 20 --json -q";
     const auto best = nlohmann::json::parse(run(folder, command).out);
@@ -51,7 +51,7 @@ TEST(LabCommand, PrintsJsonAndObeysSettings) {
     EXPECT_NE(nlohmann::json::parse(run(folder, command + " --seed 1").out)["cells"], best["cells"]);
 }
 
-TEST(LabCommand, KeepsWhatThereIsWhenInterrupted) {
+TEST(LabCommand, KeepsResultsWhenInterrupted) {
     const TemporaryFolder folder;
     const ProgramResult result =
         run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
@@ -61,7 +61,7 @@ TEST(LabCommand, KeepsWhatThereIsWhenInterrupted) {
     EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "report" / "lab.json"))["interrupted"]);
 }
 
-TEST(LabCommand, RefusesWhatCannotBe) {
+TEST(LabCommand, RejectsInvalidRequests) {
     const TemporaryFolder folder;
     EXPECT_EQ(run(folder, "rayscope lab --rays 0").exitCode, 1);
     EXPECT_EQ(run(folder, "rayscope lab builtin:cuba").exitCode, 2);

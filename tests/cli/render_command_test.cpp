@@ -39,12 +39,12 @@ TEST(Render, IsReproducibleForAnyThreadsAndBvh) {
                   0);
     EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t2.pfm"));
     EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "t5.pfm"));
-    for (const char* searched :
+    for (const char* bvhSettings :
          {"isa=scalar", "bvh_layout=binary", "bvh_builder=median --set leaf_size=1", "bvh=false"}) {
         run(folder,
             std::string("rayscope render builtin:cornell-area --size 30x30 --spp 3 -o other.pfm --set ") +
-                searched);
-        EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "other.pfm")) << searched;
+                bvhSettings);
+        EXPECT_EQ(test::readText(folder / "t1.pfm"), test::readText(folder / "other.pfm")) << bvhSettings;
     }
     run(folder, "rayscope render builtin:cornell-area --size 30x30 --spp 3 --seed 1 -o s.pfm");
     EXPECT_NE(test::readText(folder / "t1.pfm"), test::readText(folder / "s.pfm"));

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 /// Keeps references in the test's own folder.
 const std::string kProgram = std::string("XDG_CACHE_HOME=\"$PWD/cache\" '") + RAYSCOPE_PROGRAM + "' trade ";
 
-TEST(TradeCommand, WritesItsReportsAndAdvisesCommandsThatWork) {
+TEST(TradeCommand, WritesReportsAndRecommendsValidCommands) {
     const TemporaryFolder folder;
     const ProgramResult result = run(folder, kProgram + "builtin:cornell --size 24x24 --budget 2 -o report");
     ASSERT_EQ(result.exitCode, 0) << result.err;
@@ -38,7 +38,7 @@ double rmseBetween(const TemporaryFolder& folder, const std::string& a, const st
     return nlohmann::json::parse(run(folder, "rayscope compare " + a + " " + b + " --json").out)["rmse"];
 }
 
-TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
+TEST(TradeCommand, RecommendationsAreReproducedWithinTheStatedInterval) {
     const TemporaryFolder folder;
     const ProgramResult result =
         run(folder, kProgram + "builtin:cornell-area --size 24x24 --budget 4 --json");
@@ -66,7 +66,7 @@ TEST(TradeCommand, WhatItAdvisesIsReproducedWithinTheStatedInterval) {
     }
 }
 
-TEST(TradeCommand, SaysWhenTheBudgetIsTooShort) {
+TEST(TradeCommand, ReportsABudgetThatIsTooShort) {
     const TemporaryFolder folder;
     const ProgramResult result = run(
         folder, kProgram + "builtin:cornell-area --size 600x600 --budget 0.1 --no-cache -o report --json");
@@ -77,7 +77,7 @@ TEST(TradeCommand, SaysWhenTheBudgetIsTooShort) {
     EXPECT_FALSE(std::filesystem::exists(folder / "cache"));
 }
 
-TEST(TradeCommand, KeepsWhatThereIsWhenInterrupted) {
+TEST(TradeCommand, KeepsResultsWhenInterrupted) {
     const TemporaryFolder folder;
     const ProgramResult result =
         run(folder, std::string("timeout --foreground --preserve-status -s INT 3 '") + RAYSCOPE_PROGRAM +
@@ -86,7 +86,7 @@ TEST(TradeCommand, KeepsWhatThereIsWhenInterrupted) {
     EXPECT_TRUE(nlohmann::json::parse(test::readText(folder / "report" / "trade.json"))["interrupted"]);
 }
 
-TEST(TradeCommand, RefusesWhatCannotBe) {
+TEST(TradeCommand, RejectsInvalidRequests) {
     const TemporaryFolder folder;
     EXPECT_EQ(run(folder, kProgram + "builtin:cornell --budget 0").exitCode, 1);
     EXPECT_EQ(run(folder, kProgram + "builtin:cornel").exitCode, 2);

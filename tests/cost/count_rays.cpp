@@ -1,6 +1,8 @@
-// Searches the same rays again and again, each kind and each kind of query between the same two gates, so
-// that callgrind can say what a ray costs in instructions. usage: count_rays ISA        prints what was
-// counted, in order
+// Traces the same rays repeatedly in two functions, for single and batched queries, whose instructions
+// callgrind counts. Prints the kinds of rays and queries with their numbers of rays, in the order of the
+// calls.
+//
+// usage: count_rays ISA
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,37 +18,37 @@ namespace {
 
 using namespace rayscope;
 
-/// The kernels that a name of the setting `isa` chooses. Throws InputError for any other.
+/// The value of the setting `isa` with this name. Throws InputError for any other.
 Isa isaOf(const char* name) {
     Settings settings;
     assign(settings, "isa", name);
     return settings.isa;
 }
 
-struct Answers {
+struct Results {
     std::vector<Hit> hits;
     std::vector<std::uint8_t> occluded;
 };
 
 }  // namespace
 
-// The gates: callgrind knows them by name.
+// instructions.py selects these functions by name.
 extern "C" {
-[[gnu::noipa]] void countedSingle(const Accel& accel, std::span<const Ray> rays, bool any, Answers& answers) {
+[[gnu::noipa]] void countedSingle(const Accel& accel, std::span<const Ray> rays, bool any, Results& results) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (any)
-            answers.occluded[i] = accel.anyHit(rays[i]);
+            results.occluded[i] = accel.anyHit(rays[i]);
         else
-            accel.closestHit(rays[i], answers.hits[i]);
+            accel.closestHit(rays[i], results.hits[i]);
     }
 }
 
 [[gnu::noipa]] void countedBatched(const Accel& accel, std::span<const Ray> rays, bool any,
-                                   Answers& answers) {
+                                   Results& results) {
     if (any)
-        accel.anyHits(rays, answers.occluded);
+        accel.anyHits(rays, results.occluded);
     else
-        accel.closestHits(rays, answers.hits);
+        accel.closestHits(rays, results.hits);
 }
 }
 
@@ -61,11 +63,11 @@ int main(int count, char** arguments) try {
     for (const measure::BenchRayKind kind : measure::kBenchRayKinds) {
         const std::vector<Ray> rays = measure::makeBenchRays(accel, camera, {2.0f, 4.0f, 3.0f}, kind, 64);
         const bool any = measure::isAnyHitKind(kind);
-        Answers answers{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size())};
-        // The first time pays for what is set up once.
-        countedSingle(accel, std::span(rays).first(1), any, answers);
-        countedSingle(accel, rays, any, answers);
-        countedBatched(accel, rays, any, answers);
+        Results results{std::vector<Hit>(rays.size()), std::vector<std::uint8_t>(rays.size())};
+        // The first call includes initialisation.
+        countedSingle(accel, std::span(rays).first(1), any, results);
+        countedSingle(accel, rays, any, results);
+        countedBatched(accel, rays, any, results);
         fmt::print("{0} single {1}\n{0} batched {1}\n", measure::benchNameOf(kind), rays.size());
     }
 } catch (const std::exception& error) {

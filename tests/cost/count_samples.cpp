@@ -1,5 +1,7 @@
-// Traces the same samples, one by one and in batches, each within a function that callgrind knows by name.
-// usage: count_samples SCENE…   prints for each scene the number of samples
+// Traces the same samples one by one and in batches, in two functions whose instructions callgrind counts.
+// Prints the number of samples for each scene.
+//
+// usage: count_samples SCENE…
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -32,6 +34,7 @@ std::shared_ptr<const trace::World> worldOf(const char* scene) {
 
 }  // namespace
 
+// instructions.py selects these functions by name.
 extern "C" {
 [[gnu::noipa]] void countedSingle(const trace::World& world, std::span<const SampleId> samples,
                                   std::vector<RgbSum>& radiance) {
@@ -57,7 +60,7 @@ int main(int count, char** arguments) try {
         for (int x = 0; x < kSize; ++x) samples.push_back({x, y, 0});
     for (int i = 1; i < count; ++i) {
         const std::shared_ptr<const trace::World> world = worldOf(arguments[i]);
-        // The first round pays for lazy initialisation.
+        // The first round includes lazy initialisation.
         for (int round = 0; round < 2; ++round) {
             std::vector<RgbSum> single, batched;
             single.reserve(samples.size());

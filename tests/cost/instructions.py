@@ -136,7 +136,7 @@ def main():
     if not shutil.which("valgrind"):
         skip("valgrind is not installed")
     # The commands run in folders of their own.
-    arguments = [str(Path(word).resolve()) if Path(word).exists() else word for word in sys.argv[1:]]
+    arguments = [str(Path(argument).resolve()) if Path(argument).exists() else argument for argument in sys.argv[1:]]
     match arguments:
         case ["rays", program, *options] if options in ([], ["--record"]):
             sys.exit(check_rays(program, bool(options)))

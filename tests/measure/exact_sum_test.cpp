@@ -29,7 +29,7 @@ TEST(ExactSum, SumsProductsOfTheSmallestAndTheLargestFloats) {
     EXPECT_EQ(sum.value(), 0.0L);
 }
 
-/// Products of floats with integer values fit into 128 bits, so the sum is known exactly.
+/// Products of floats with integer values fit into 128 bits, so the expected sum is exact.
 TEST(ExactSum, AgreesWithIntegers) {
     std::mt19937_64 random(1);
     const auto integer = [&] {

@@ -116,7 +116,7 @@ TEST(Pareto, AdviceFitsIntoItsBudget) {
     EXPECT_TRUE(measure::adviceFrom({}, {}).empty());
 }
 
-TEST(ExcessText, TellsWhetherTheExcessIsSignificant) {
+TEST(ExcessText, StatesWhetherTheExcessIsSignificant) {
     TradeResult result;
     result.points.resize(1);
     EXPECT_EQ(excessText(result, {"preview", 0, 0.0}), "0 %");

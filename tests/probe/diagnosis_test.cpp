@@ -1,4 +1,4 @@
-// Scenes with a known fault; diagnoses are counted as right, wrong or unknown. None may be wrong.
+// Scenes with a planted defect; diagnoses are counted as right, wrong or unknown. None may be wrong.
 #include "probe/diagnosis.h"
 
 #include <gtest/gtest.h>
@@ -16,17 +16,21 @@ struct Score {
     int right = 0, wrong = 0, unknown = 0;
 };
 
-Score judge(const trace::World& world, probe::Symptom symptom, std::vector<probe::Cause> accepted,
-            int samples = 8) {
+Score diagnosisScore(const trace::World& world, probe::Symptom symptom, std::vector<probe::Cause> accepted,
+                     int samples = 8) {
     Score score;
     for (int y = 0; y < world.height; ++y)
         for (int x = 0; x < world.width; ++x)
-            for (const probe::Diagnosis& why : probe::diagnosePixel(world, 1, x, y, samples)) {
-                if (why.symptom != symptom) continue;
-                EXPECT_FALSE(why.sentence.empty());
-                const bool right = std::find(accepted.begin(), accepted.end(), why.cause) != accepted.end();
-                ++(right ? score.right : why.cause == probe::Cause::Unknown ? score.unknown : score.wrong);
-                for (const probe::Evidence& evidence : why.evidence) EXPECT_LT(evidence.sample, samples);
+            for (const probe::Diagnosis& diagnosis : probe::diagnosePixel(world, 1, x, y, samples)) {
+                if (diagnosis.symptom != symptom) continue;
+                EXPECT_FALSE(diagnosis.sentence.empty());
+                const bool right =
+                    std::find(accepted.begin(), accepted.end(), diagnosis.cause) != accepted.end();
+                ++(right                                      ? score.right
+                   : diagnosis.cause == probe::Cause::Unknown ? score.unknown
+                                                              : score.wrong);
+                for (const probe::Evidence& evidence : diagnosis.evidence)
+                    EXPECT_LT(evidence.sample, samples);
             }
     std::printf("right %d, wrong %d, unknown %d\n", score.right, score.wrong, score.unknown);
     return score;
@@ -60,7 +64,7 @@ TEST(Diagnosis, OrdinaryPixelHasNone) {
 TEST(Diagnosis, MissingLight) {
     SceneDescription scene = wall();
     scene.lights.clear();
-    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::NoLight});
+    const Score score = diagnosisScore(*compiled(scene), probe::Symptom::Black, {probe::Cause::NoLight});
     EXPECT_EQ(score.right, 144);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -71,7 +75,7 @@ TEST(Diagnosis, OccludedLight) {
     scene.meshes[1].name = "lid";
     scene.cameras = {test::frontCamera(2.0f)};
     const auto world = compiled(scene);
-    const Score score = judge(*world, probe::Symptom::Black, {probe::Cause::LightOccluded});
+    const Score score = diagnosisScore(*world, probe::Symptom::Black, {probe::Cause::LightOccluded});
     EXPECT_GT(score.right, 100);
     EXPECT_EQ(score.wrong, 0);
     EXPECT_NE(probe::diagnosePixel(*world, 1, 6, 4, 4).front().sentence.find("lid"), std::string::npos)
@@ -81,15 +85,17 @@ TEST(Diagnosis, OccludedLight) {
 TEST(Diagnosis, LightBehindSurface) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, -2})};
-    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::LightBehindSurface});
+    const Score score =
+        diagnosisScore(*compiled(scene), probe::Symptom::Black, {probe::Cause::LightBehindSurface});
     EXPECT_EQ(score.right, 144);
 }
 
 TEST(Diagnosis, BlackMaterialAndEmptyScene) {
     SceneDescription scene = wall();
     scene.materials = {test::material(Rgb(0.0f))};
-    EXPECT_EQ(judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BlackMaterial}).right, 144);
-    EXPECT_EQ(judge(*compiled({}), probe::Symptom::Black, {probe::Cause::NothingHit}).right, 144);
+    EXPECT_EQ(diagnosisScore(*compiled(scene), probe::Symptom::Black, {probe::Cause::BlackMaterial}).right,
+              144);
+    EXPECT_EQ(diagnosisScore(*compiled({}), probe::Symptom::Black, {probe::Cause::NothingHit}).right, 144);
 }
 
 TEST(Diagnosis, DeviatingNormals) {
@@ -97,7 +103,7 @@ TEST(Diagnosis, DeviatingNormals) {
     // Two corners are flipped: between them and the others the normals turn away from the light.
     setNormals(scene, {{1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}, {1, 0, 0.05f}});
     scene.lights = {test::pointLight({-2.5f, 0, 0.1f})};
-    const Score score = judge(*compiled(scene), probe::Symptom::Black, {probe::Cause::BadNormal});
+    const Score score = diagnosisScore(*compiled(scene), probe::Symptom::Black, {probe::Cause::BadNormal});
     EXPECT_GT(score.right, 100);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -110,15 +116,15 @@ TEST(Diagnosis, SmallBrightSourceInGlossyReflection) {
     bulb.sphere = {{0.0f, 0.0f, 4.0f}, 0.3f};
     bulb.material = 1;
     scene.spheres = {bulb};
-    // Close to the bulb and dim elsewhere: only reflected rays find something bright.
+    // Close to the bulb and dim elsewhere: only reflected rays hit something bright.
     scene.lights = {Light{PointLight{{0.0f, 0.0f, 3.6f}, Rgb(0.3f)}, Falloff::InverseSquare}};
     Settings settings;
     settings.glossy = true;
     settings.glossySamples = 1;
     settings.glossySigma = 3.0f;
     scene.cameras = {test::frontCamera(3.0f)};
-    const Score score = judge(*compiled(scene, settings), probe::Symptom::Noisy,
-                              {probe::Cause::RareBrightPaths, probe::Cause::GlossyReflection}, 64);
+    const Score score = diagnosisScore(*compiled(scene, settings), probe::Symptom::Noisy,
+                                       {probe::Cause::RareBrightPaths, probe::Cause::GlossyReflection}, 64);
     EXPECT_GT(score.right, 5);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -137,20 +143,21 @@ TEST(Diagnosis, PenumbraWithFewSamples) {
     scene.cameras = {camera};
     Settings settings;
     settings.parallelogramSamples = 1;
-    const Score score = judge(*compiled(scene, settings, 16), probe::Symptom::Noisy,
-                              {probe::Cause::Penumbra, probe::Cause::Edge}, 16);
+    const Score score = diagnosisScore(*compiled(scene, settings, 16), probe::Symptom::Noisy,
+                                       {probe::Cause::Penumbra, probe::Cause::Edge}, 16);
     EXPECT_GT(score.right, 10);
     EXPECT_EQ(score.wrong, 0);
 }
 
 TEST(Diagnosis, DuplicateGeometry) {
-    // Two thousand copies of a triangle in the middle, beside a wall that is cheap to find.
+    // Two thousand copies of a triangle in the middle, beside a wall that takes few intersection tests.
     SceneDescription scene = wall();
     auto copies = std::make_shared<MeshData>();
     copies->positions = {{-0.4f, -0.4f, 0.5f}, {0.5f, -0.4f, 0.5f}, {0.0f, 0.5f, 0.5f}};
     copies->triangles.assign(2000, glm::uvec3(0, 1, 2));
     scene.meshes.push_back({"copies", copies, {}, {0}, glm::vec3(0.0f)});
-    const Score score = judge(*compiled(scene), probe::Symptom::Slow, {probe::Cause::DuplicateGeometry}, 2);
+    const Score score =
+        diagnosisScore(*compiled(scene), probe::Symptom::Slow, {probe::Cause::DuplicateGeometry}, 2);
     EXPECT_GT(score.right, 3);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -159,7 +166,7 @@ TEST(Diagnosis, Overflow) {
     SceneDescription scene = wall();
     scene.lights = {test::pointLight({0, 0, 2.5f}, Rgb(3e38f)), test::pointLight({0, 0, 2.5f}, Rgb(3e38f))};
     scene.materials = {test::material(Rgb(1.0f))};
-    const Score score = judge(*compiled(scene), probe::Symptom::NonFinite, {probe::Cause::Overflow});
+    const Score score = diagnosisScore(*compiled(scene), probe::Symptom::NonFinite, {probe::Cause::Overflow});
     EXPECT_GT(score.right, 50);
     EXPECT_EQ(score.wrong, 0);
 }
@@ -168,7 +175,7 @@ TEST(Diagnosis, NaNNormal) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     SceneDescription scene = wall();
     setNormals(scene, {{nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}, {nan, 0, 1}});
-    // The tracer falls back to the surface's own normal: the pixel is as it should be.
+    // The tracer falls back to the geometric normal, so the pixel is correct.
     const auto world = compiled(scene);
     EXPECT_TRUE(probe::diagnosePixel(*world, 1, 6, 6, 4).empty());
 }
@@ -177,7 +184,7 @@ TEST(Diagnosis, BrightLight) {
     SceneDescription scene = wall();
     scene.lights.push_back(test::pointLight({0, 0, 2}, Rgb(40.0f)));
     const auto world = compiled(scene);
-    const Score score = judge(*world, probe::Symptom::Bright, {probe::Cause::StrongLight});
+    const Score score = diagnosisScore(*world, probe::Symptom::Bright, {probe::Cause::StrongLight});
     EXPECT_EQ(score.right, 144);
     EXPECT_NE(probe::diagnosePixel(*world, 1, 6, 6, 4).front().sentence.find("Light 1"), std::string::npos);
 }

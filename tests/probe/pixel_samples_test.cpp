@@ -21,12 +21,12 @@ TEST(PixelSamples, EqualTheProbe) {
         EXPECT_GE(samples.rays[k], tree.nodes.size());
         EXPECT_GE(samples.positions[k].x, 0.0);
         EXPECT_LT(samples.positions[k].y, 1.0);
-        // The camera ray goes through that place.
+        // The camera ray passes through that position.
         const glm::dvec3 direction(tree.nodes[0].ray.direction);
-        const glm::dvec2 seen =
+        const glm::dvec2 position =
             world->camera.project(glm::dvec3(tree.nodes[0].ray.origin) + direction) - glm::dvec2(8, 9);
-        EXPECT_NEAR(seen.x, samples.positions[k].x, 1e-4);
-        EXPECT_NEAR(seen.y, samples.positions[k].y, 1e-4);
+        EXPECT_NEAR(position.x, samples.positions[k].x, 1e-4);
+        EXPECT_NEAR(position.y, samples.positions[k].y, 1e-4);
     }
 }
 

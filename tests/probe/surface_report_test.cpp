@@ -48,14 +48,14 @@ TEST(VertexNormals, InterpolateToTheShadingNormal) {
             const auto normals = probe::vertexNormalsOf(*world, tree.nodes[0], 0.0f);
             if (!normals) continue;
             ++found;
-            glm::dvec3 mixed(0.0), place(0.0);
+            glm::dvec3 mixed(0.0), position(0.0);
             for (int i = 0; i < 3; ++i) {
                 mixed += normals->weight[i] * glm::dvec3(normals->normal[i]);
-                place += normals->weight[i] * glm::dvec3(normals->position[i]);
+                position += normals->weight[i] * glm::dvec3(normals->position[i]);
             }
             mixed = glm::normalize(mixed);
             EXPECT_NEAR(std::abs(glm::dot(mixed, glm::dvec3(tree.nodes[0].normal))), 1.0, 1e-4);
-            EXPECT_LT(glm::distance(place, glm::dvec3(tree.nodes[0].position)), 1e-4);
+            EXPECT_LT(glm::distance(position, glm::dvec3(tree.nodes[0].position)), 1e-4);
         }
     EXPECT_GT(found, 50);
     EXPECT_FALSE(probe::vertexNormalsOf(*builtin("spheres", {}), RayNode{}, 0.0f));

@@ -185,7 +185,7 @@ TEST(WideTraversalLog, ChildrenAreVisitedNearestFirst) {
     EXPECT_GT(filtered, 100u);
 }
 
-TEST(WideTraversalLog, SaysWhichTreeItIsOf) {
+TEST(WideTraversalLog, NamesItsTree) {
     const auto world = builtin("cornell");
     const Ray ray{{0.0f, 0.0f, 3.0f}, {0.1f, -0.1f, -1.0f}};
     const probe::TraversalLog log = probe::recordClosestHit(*world, ray, 0.0f, BvhLayout::Wide).at(0);
@@ -212,7 +212,7 @@ TEST(TraversalLog, PrintsAsTextAndJson) {
     EXPECT_EQ(j["hit"]["primitive"], log.hit.primitive);
 }
 
-TEST(TraversalLog, OfHostileRaysAndEmptyScenes) {
+TEST(TraversalLog, OfInvalidRaysAndEmptyScenes) {
     const auto empty = test::compileScene({}, {}, 4, 4);
     EXPECT_TRUE(probe::recordClosestHit(*empty, Ray{{0, 0, 0}, {0, 0, 1}}, 0.0f).empty());
     const auto world = builtin("triangle");

@@ -32,9 +32,9 @@ TEST(Accumulation, OfAHundredMillionSamplesIsExactToFloatPrecision) {
     film.commit(0, std::move(copy));
 
     const Rgb mean = film.mean().at(0, 0);
-    const double n = static_cast<double>(kSamples), truth = static_cast<double>(exact) * 0x1p-24 / n;
+    const double n = static_cast<double>(kSamples), expected = static_cast<double>(exact) * 0x1p-24 / n;
     const auto ulp = [](float x) { return static_cast<double>(std::nextafter(x, 2.0f * x) - x); };
-    EXPECT_NEAR(static_cast<double>(mean.x), truth, ulp(mean.x));
+    EXPECT_NEAR(static_cast<double>(mean.x), expected, ulp(mean.x));
     EXPECT_NEAR(static_cast<double>(mean.y), 0.1, ulp(0.1f));
     EXPECT_EQ(mean.z, 1e9f);
     // Uniform numbers have a standard deviation of sqrt(1/12).

@@ -8,30 +8,29 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The promised names.
-const char* const kPromised[] = {"triangle",
-                                 "cube",
-                                 "cube-textured",
-                                 "cornell",
-                                 "cornell-area",
-                                 "cornell-glossy",
-                                 "cornell-transparent",
-                                 "monkey",
-                                 "teapot",
-                                 "dragon",
-                                 "spheres",
-                                 "spheres-dof",
-                                 "quad-textured",
-                                 "cubes-transparent",
-                                 "environment",
-                                 "custom",
-                                 "million",
-                                 "ten-million"};
+const char* const kDocumentedNames[] = {"triangle",
+                                        "cube",
+                                        "cube-textured",
+                                        "cornell",
+                                        "cornell-area",
+                                        "cornell-glossy",
+                                        "cornell-transparent",
+                                        "monkey",
+                                        "teapot",
+                                        "dragon",
+                                        "spheres",
+                                        "spheres-dof",
+                                        "quad-textured",
+                                        "cubes-transparent",
+                                        "environment",
+                                        "custom",
+                                        "million",
+                                        "ten-million"};
 
-TEST(BuiltinScenes, HavePromisedNamesAndTitles) {
+TEST(BuiltinScenes, HaveDocumentedNamesAndTitles) {
     const auto scenes = builtinScenes();
-    EXPECT_EQ(scenes.size(), std::size(kPromised));
-    for (const char* name : kPromised) {
+    EXPECT_EQ(scenes.size(), std::size(kDocumentedNames));
+    for (const char* name : kDocumentedNames) {
         const auto found =
             std::find_if(scenes.begin(), scenes.end(), [&](const auto& s) { return s.name == name; });
         ASSERT_NE(found, scenes.end()) << name;
@@ -61,7 +60,7 @@ TEST_P(BuiltinScene, LoadsWithoutWarnings) {
     const auto file = loadScene(std::string(RAYSCOPE_SOURCE_DIR "/scenes/") + name + ".toml", notes);
     EXPECT_EQ(requirementsOf(file).triangles, requirementsOf(scene).triangles);
 }
-INSTANTIATE_TEST_SUITE_P(All, BuiltinScene, ::testing::ValuesIn(kPromised), [](const auto& tested) {
+INSTANTIATE_TEST_SUITE_P(All, BuiltinScene, ::testing::ValuesIn(kDocumentedNames), [](const auto& tested) {
     std::string name = tested.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;

@@ -181,7 +181,7 @@ TEST(Settings, KeysAndLabelsAreUniqueAndHelpIsASentence) {
     }
 }
 
-TEST(Settings, PromisedKeysExist) {
+TEST(Settings, DocumentedKeysExist) {
     const std::vector<std::string_view> keys = settingKeys();
     for (const char* key : {"shading",
                             "recursion",

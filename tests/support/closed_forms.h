@@ -11,9 +11,9 @@ namespace rayscope::test {
 /// Cumulative normal distribution.
 inline double normalCdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
-/// The mean of c(s) (n·l) along a segment light from `a` to `b` that stands above the horizon of a receiver
-/// at the origin with normal n, where c(s) goes linearly from c0 to c1. With e = a, unit direction t and
-/// r(s)² = s² + 2 c s + q the integrand is (n·e + s n·t)(1, s) / r(s), whose primitives are elementary.
+/// The mean of c(s) (n·l) along a segment light from `a` to `b` above the horizon of a receiver at the origin
+/// with normal n, where c(s) is linear from c0 to c1. With e = a, unit direction t and r(s)² = s² + 2 c s + q
+/// the integrand is (n·e + s n·t)(1, s) / r(s), whose primitives are elementary.
 inline double segmentMean(const glm::dvec3& n, const glm::dvec3& a, const glm::dvec3& b, double c0,
                           double c1) {
     const double length = glm::distance(a, b);

@@ -1,6 +1,6 @@
 #pragma once
-// Judging Monte Carlo estimates against exact answers. Every seed of a pixel is an independent scrambling, so
-// the spread between seeds is an honest standard error for every sampler.
+// Comparison of Monte Carlo estimates with exact results. Every seed of a pixel is an independent scrambling,
+// so the spread between seeds gives an unbiased standard error for every sampler.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,24 +28,24 @@ Estimate estimateOver(int runs, Run&& run) {
     return {mean, std::sqrt(squares / (runs - 1.0) / runs)};
 }
 
-/// Keeps the larger of the two; what is not a number fails the test instead of getting lost.
+/// Keeps the larger of the two; a deviation that is not finite fails the test.
 inline void updateWorst(double& worst, double deviation) {
     EXPECT_TRUE(std::isfinite(deviation));
     if (deviation > worst) worst = deviation;
 }
 
-/// Prints what the report quotes: how far the tracer is from an independent answer.
+/// Prints the deviation of the tracer from an independent result, as docs/effects.md states it.
 inline void reportDeviation(const std::string& what, double deviation, const std::string& unit = "") {
     fmt::print("deviation: {}: {:.2e}{}{}\n", what, deviation, unit.empty() ? "" : " ", unit);
     testing::Test::RecordProperty("deviation: " + what, fmt::format("{:.3e}", deviation));
 }
 
 /// Scene data, ray origins and directions are floats: some 16 roundings of 2^-24 each between a scene and its
-/// radiance, so even an estimate without spread agrees with an exact answer no better than this.
+/// radiance, so even an estimate without spread agrees with an exact result no better than this.
 inline constexpr double kFloatRounding = 0x1p-20;
 
-/// Passes if the mean is within 4 standard errors of the exact answer, and if the same test would have found
-/// an estimate that is wrong by one per cent.
+/// Passes if the mean is within 4 standard errors of the exact result, and if the same test would have
+/// detected an error of one per cent.
 inline void expectUnbiased(const std::string& what, const Estimate& estimate, double exact) {
     const double tolerance = 4.0 * estimate.standardError + kFloatRounding * std::abs(exact);
     EXPECT_NEAR(estimate.mean, exact, tolerance) << what;
@@ -70,7 +70,7 @@ double convergenceSlope(int runs, Error&& error) {
     return (kPoints * xy - x * y) / (kPoints * xx - x * x);
 }
 
-/// Passes if the error falls at least as fast as theory says. With 100 runs per point the slope over two
+/// Passes if the error falls at least as fast as in theory. With 100 runs per point the slope over two
 /// decades has a standard error of 0.025; the margin is four of them.
 inline void expectSlope(const std::string& what, double slope, double theory) {
     EXPECT_LT(slope, theory + 0.1) << what;

@@ -1,5 +1,5 @@
 #pragma once
-// Small scenes for tests with an exact answer.
+// Small scenes for tests with an exact result.
 #include <rayscope/scene.h>
 
 #include <memory>

@@ -108,8 +108,8 @@ TEST(MotionBlur, CausesNoSelfIntersection) {
     const auto world = compileScene(scene, {}, 32, 32);
     EventCounter counter;
     for (int i = 0; i < 1024; ++i) pixelMean(*world, 0, i % 32, i / 32, 4, counter);
-    const int blocked = counter.lights[static_cast<int>(Visibility::Occluded)];
-    EXPECT_LT(blocked, counter.lightSamples() / 20);  // the fraction that the small sphere may occlude
+    const int occluded = counter.lights[static_cast<int>(Visibility::Occluded)];
+    EXPECT_LT(occluded, counter.lightSamples() / 20);  // the fraction that the small sphere may occlude
     EXPECT_GT(counter.lightSamples(), 2000);
 }
 

@@ -121,7 +121,7 @@ TEST(PixelSamples, FillExactlyOnePixel) {
     }
 }
 
-TEST(PixelSamples, OfACourseGridFallOnePerCell) {
+TEST(PixelSamples, OfAJitteredGridFallOnePerCell) {
     const SlantedEdge edge;
     for (const int n : {2, 3, 5}) {
         const auto world =

@@ -71,7 +71,7 @@ class SphereRays {
     std::shared_ptr<const trace::World> world_;
 };
 
-TEST(SpawnedRays, OnSpheresOfAnySizeAreRight) {
+TEST(SpawnedRays, OnSpheresOfAnySizeAreCorrect) {
     int left = 0;
     for (const double radius : {1e-6, 1e-3, 1.0, 1e3, 1e6})
         for (const double offset : {0.0, 1.0, 1e3}) {

@@ -41,21 +41,21 @@ TEST(BoxSelection, LargeBoxesHaveAllEdgesAndSmallOnesOneStrokePerSquare) {
 
 TEST(BoxSelection, DropsBoxesOutsideThePicture) {
     const OverlayBoxes one{{{-1, -1, -1}, {1, 1, 1}}};
-    const auto seen = [&](glm::vec3 eye) {
+    const auto boxesFrom = [&](glm::vec3 eye) {
         const BoxSelection choice = selectBoxes(one, frameAt(eye));
         return choice.whole.size() + choice.strokes.size();
     };
-    EXPECT_EQ(seen({0, 0, -5}), 0u) << "behind the camera";
-    EXPECT_EQ(seen({50, 0, 5}), 0u) << "beside the picture";
+    EXPECT_EQ(boxesFrom({0, 0, -5}), 0u) << "behind the camera";
+    EXPECT_EQ(boxesFrom({50, 0, 5}), 0u) << "beside the picture";
     EXPECT_EQ(selectBoxes(one, frameAt({0, 0, 0})).whole.size(), 1u) << "around the camera";
 }
 
 TEST(BoxSelection, IsBoundedByThePictureForAnyNumberOfBoxes) {
     OverlayBoxes boxes;
     for (int i = 0; i < 200000; ++i) {
-        const glm::vec3 place(static_cast<float>(i % 500) * 0.01f - 2.5f,
+        const glm::vec3 lower(static_cast<float>(i % 500) * 0.01f - 2.5f,
                               static_cast<float>(i / 500) * 0.01f - 2.0f, 0);
-        boxes.push_back({place, place + 0.005f});
+        boxes.push_back({lower, lower + 0.005f});
     }
     const std::size_t lines = selectBoxes(boxes, frameAt({0, 0, 5})).strokes.size();
     EXPECT_GT(lines, 5000u);
@@ -71,7 +71,7 @@ std::shared_ptr<const trace::World> worldOf(const std::string& name,
     return trace::compile({scene, settings, CameraDescription{}, 8, 8});
 }
 
-void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::World>& world) {
+void waitUntilIdle(BvhInspector& inspector, const std::shared_ptr<const trace::World>& world) {
     for (int i = 0; i < 2000; ++i) {
         inspector.update(world);
         if (!inspector.busy()) return;
@@ -82,12 +82,12 @@ void waitUntilQuiet(BvhInspector& inspector, const std::shared_ptr<const trace::
 TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
     const auto world = worldOf("monkey");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     ASSERT_NE(inspector.inspected(), nullptr);
     EXPECT_EQ(&inspector.inspected()->tree(), world->motionGroups[0].accel->binaryTree());
     EXPECT_EQ(inspector.referenceTree(), nullptr) << "not requested";
     inspector.shown.showReference = true;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     ASSERT_NE(inspector.referenceTree(), nullptr);
     EXPECT_EQ(inspector.referenceTree()->builder, BvhBuilder::Median);
     EXPECT_GT(inspector.referenceTree()->statistics.sahCost, inspector.inspected()->statistics.sahCost);
@@ -103,7 +103,7 @@ TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
     // Another world has another tree, and the old reference tree is not shown.
     const auto other = worldOf("monkey", BvhBuilder::Median);
     inspector.shown.showReference = false;
-    waitUntilQuiet(inspector, other);
+    waitUntilIdle(inspector, other);
     EXPECT_EQ(inspector.referenceTree(), nullptr);
     EXPECT_EQ(inspector.inspected()->accel, other->motionGroups[0].accel);
 }
@@ -111,7 +111,7 @@ TEST(BvhInspector, InspectsTheTraversedTreeAndTheReferenceTree) {
 TEST(BvhInspector, SteppingThroughLeavesWrapsAround) {
     const auto world = worldOf("cornell");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
+    waitUntilIdle(inspector, world);
     const auto& leaves = inspector.inspected()->index.leaves;
     inspector.stepLeaf(1);
     EXPECT_TRUE(inspector.shown.leaf);
@@ -131,7 +131,7 @@ TEST(BvhInspector, SteppingThroughLeavesWrapsAround) {
 TEST(BvhInspector, HasNoTreeForAnEmptyScene) {
     const auto scene = std::make_shared<const SceneDescription>();
     BvhInspector inspector;
-    waitUntilQuiet(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
+    waitUntilIdle(inspector, trace::compile({scene, Settings{}, CameraDescription{}, 8, 8}));
     EXPECT_EQ(inspector.inspected(), nullptr);
     inspector.stepLeaf(1);
     inspector.stepLevel(1);
@@ -141,13 +141,13 @@ TEST(BvhInspector, HasNoTreeForAnEmptyScene) {
 TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
     const auto world = worldOf("spheres");
     BvhInspector inspector;
-    waitUntilQuiet(inspector, world);
-    const BvhInspector::InspectedTree& seen = *inspector.inspected();
+    waitUntilIdle(inspector, world);
+    const BvhInspector::InspectedTree& inspected = *inspector.inspected();
     inspector.stepLeaf(1);
-    const OverlayBoxes boxes = leafBoxes(seen.indexed(), inspector.shown);
+    const OverlayBoxes boxes = leafBoxes(inspected.indexed(), inspector.shown);
     ASSERT_EQ(boxes.size(), 1u);
-    const auto primitives = probe::primitivesOfLeaf(seen.tree(), seen.index.leaves[0]);
-    const OverlayLines lines = leafLines(seen.indexed(), seen.geometry->input, inspector.shown);
+    const auto primitives = probe::primitivesOfLeaf(inspected.tree(), inspected.index.leaves[0]);
+    const OverlayLines lines = leafLines(inspected.indexed(), inspected.geometry->input, inspector.shown);
     EXPECT_EQ(lines.size(), primitives.size() * 3 * 32) << "three circles per sphere";
     for (const OverlayLine& line : lines)
         for (int axis = 0; axis < 3; ++axis) {
@@ -155,9 +155,9 @@ TEST(BvhOverlay, DrawsTheBoxAndThePrimitivesOfALeaf) {
             EXPECT_LE(line.from[axis], boxes[0].upper[axis] + 1e-4f);
         }
     inspector.shown.leafNumber = 1000;
-    EXPECT_TRUE(leafBoxes(seen.indexed(), inspector.shown).empty());
-    EXPECT_TRUE(nodeBoxes(seen.tree(), 1000000).empty());
-    EXPECT_EQ(nodeBoxes(seen.tree(), 0).size(), seen.tree().nodes[0].isLeaf() ? 1u : 3u);
+    EXPECT_TRUE(leafBoxes(inspected.indexed(), inspector.shown).empty());
+    EXPECT_TRUE(nodeBoxes(inspected.tree(), 1000000).empty());
+    EXPECT_EQ(nodeBoxes(inspected.tree(), 0).size(), inspected.tree().nodes[0].isLeaf() ? 1u : 3u);
 }
 
 }  // namespace

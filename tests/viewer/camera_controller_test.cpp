@@ -29,9 +29,9 @@ TEST(CameraController, orbitMovesTheSceneWithTheCursor) {
     // A point between camera and target moves with the cursor.
     const glm::dvec3 point = glm::mix(before.eye, glm::dvec3(camera.lookAt), 0.8);
     orbit(camera, {20.0, 10.0});
-    const glm::dvec2 seen = *viewFrame(camera, 400, 400).project(point);
-    EXPECT_GT(seen.x, 200.0);
-    EXPECT_GT(seen.y, 200.0);
+    const glm::dvec2 projected = *viewFrame(camera, 400, 400).project(point);
+    EXPECT_GT(projected.x, 200.0);
+    EXPECT_GT(projected.y, 200.0);
 }
 
 TEST(CameraController, orbitStopsBeforeThePoles) {
@@ -50,9 +50,9 @@ TEST(CameraController, panMovesTheTargetPlaneWithTheCursor) {
     CameraDescription camera = someCamera();
     const glm::dvec3 target(camera.lookAt);
     pan(camera, {31.0, -12.0}, 480);
-    const glm::dvec2 seen = *viewFrame(camera, 640, 480).project(target);
-    EXPECT_NEAR(seen.x, 320.0 + 31.0, 1e-3);
-    EXPECT_NEAR(seen.y, 240.0 - 12.0, 1e-3);
+    const glm::dvec2 projected = *viewFrame(camera, 640, 480).project(target);
+    EXPECT_NEAR(projected.x, 320.0 + 31.0, 1e-3);
+    EXPECT_NEAR(projected.y, 240.0 - 12.0, 1e-3);
 }
 
 TEST(CameraController, zoomKeepsTheAnchorUnderTheCursor) {
@@ -114,11 +114,11 @@ TEST(CameraController, frameAllFitsEveryCornerIntoThePicture) {
         const ViewFrame frame = viewFrame(camera, static_cast<int>(400 * aspect), 400);
         EXPECT_LT(glm::distance(frame.forward, before.forward), 1e-5);
         for (int corner = 0; corner < 8; ++corner) {
-            const auto seen = frame.project(
+            const auto projected = frame.project(
                 glm::dvec3(corner & 1 ? 5.0 : -3.0, corner & 2 ? 1.0 : 0.0, corner & 4 ? 40.0 : 10.0));
-            ASSERT_TRUE(seen);
-            EXPECT_TRUE(seen->x >= 0.0 && seen->x <= frame.width && seen->y >= 0.0 &&
-                        seen->y <= frame.height);
+            ASSERT_TRUE(projected);
+            EXPECT_TRUE(projected->x >= 0.0 && projected->x <= frame.width && projected->y >= 0.0 &&
+                        projected->y <= frame.height);
         }
     }
 }

@@ -5,7 +5,7 @@
 namespace rayscope::viewer {
 namespace {
 
-TEST(CameraText, comesBackBitForBit) {
+TEST(CameraText, survivesPrintingAndParsing) {
     CameraDescription camera;
     camera.lookFrom = {0.1f, -3.3333333f, 1e-20f};
     camera.lookAt = {1e7f, 2.0f, -0.7f};
@@ -21,7 +21,7 @@ TEST(CameraText, changesOnlyWhatItNames) {
     EXPECT_EQ(changed.up, camera.up);
 }
 
-TEST(CameraText, saysWhatIsWrong) {
+TEST(CameraText, errorsNameTheExpectedForm) {
     const auto messageOf = [](const char* text) {
         try {
             withOptions(CameraDescription{}, text);

@@ -45,10 +45,10 @@ TEST(DebugRays, recordsOneSampleAtOnceAndReplaysInTheBackground) {
     ASSERT_TRUE(rays.recording());
     EXPECT_TRUE(rays.replaying());
     EXPECT_EQ(rays.recording()->tree().nodes[0].ray.origin, state.camera.lookFrom);
-    EXPECT_FALSE(rays.recording()->verdict);
+    EXPECT_FALSE(rays.recording()->replayResult);
     waitFor(rays);
-    ASSERT_TRUE(rays.recording()->verdict);
-    EXPECT_TRUE(rays.recording()->verdict->good());
+    ASSERT_TRUE(rays.recording()->replayResult);
+    EXPECT_TRUE(rays.recording()->replayResult->good());
 
     rays.step(1);
     ASSERT_EQ(rays.traversals().size(), 1u);

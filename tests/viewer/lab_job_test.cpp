@@ -11,13 +11,13 @@
 namespace rayscope::viewer {
 namespace {
 
-std::shared_ptr<const SceneDescription> boxAt(const glm::vec3& place) {
+std::shared_ptr<const SceneDescription> boxAt(const glm::vec3& position) {
     auto scene = std::make_shared<SceneDescription>();
     scene->materials.emplace_back();
     scene->meshes.push_back({.name = "box",
                              .data = std::make_shared<MeshData>(scene::generate(scene::BoxShape{})),
                              .materials = {0}});
-    scene->meshes[0].transform.translate = place;
+    scene->meshes[0].transform.translate = position;
     return scene;
 }
 
@@ -30,8 +30,8 @@ void waitFor(LabJob& lab) {
 
 TEST(LabJob, DeliversItsResultAndDrawsFailuresInTheScene) {
     LabJob lab;
-    const glm::vec3 place(5, -3, 2);
-    lab.start(boxAt(place), {}, 2);
+    const glm::vec3 position(5, -3, 2);
+    lab.start(boxAt(position), {}, 2);
     const int before = lab.version();
     waitFor(lab);
     ASSERT_NE(lab.result(), nullptr);
@@ -42,7 +42,7 @@ TEST(LabJob, DeliversItsResultAndDrawsFailuresInTheScene) {
     std::size_t near = 0;
     for (const OverlayLine& line : lines) {
         ASSERT_TRUE(std::isfinite(line.from.x) && std::isfinite(line.to.z));
-        const float away = glm::distance(line.from, place) / static_cast<float>(lab.result()->size);
+        const float away = glm::distance(line.from, position) / static_cast<float>(lab.result()->size);
         EXPECT_LT(away, 1100.0f);
         near += away < 3.5f;
     }

@@ -27,10 +27,10 @@ TEST(LightHandles, theOtherHandlesMoveOnePoint) {
     for (const Light& light : {kSegment, kParallelogram}) {
         const auto before = handlePositions(light);
         for (std::size_t moved = 1; moved < before.size(); ++moved) {
-            const glm::vec3 place(0.25f, 5.0f, 0.5f);
-            const auto after = handlePositions(withHandleMoved(light, static_cast<int>(moved), place));
+            const glm::vec3 position(0.25f, 5.0f, 0.5f);
+            const auto after = handlePositions(withHandleMoved(light, static_cast<int>(moved), position));
             for (std::size_t i = 1; i < before.size(); ++i)
-                EXPECT_LT(glm::distance(after[i], i == moved ? place : before[i]), 1e-6f);
+                EXPECT_LT(glm::distance(after[i], i == moved ? position : before[i]), 1e-6f);
         }
     }
 }

@@ -55,8 +55,8 @@ TEST(LinePainter, ALineIsOnePixelPerRowOrColumnAndIncludesItsEnds) {
 TEST(LinePainter, ColoursAreMixedByOpacity) {
     PaintCanvas canvas = blackCanvas(4, 4);
     canvas.pixels.assign(16, 0xff804020u);
-    const glm::vec3 place = centerOf(canvas, 1, 1);
-    paintLines(canvas, {{place, place, {1.0f, 0.0f, 0.5f, 0.5f}}}, {});
+    const glm::vec3 point = centerOf(canvas, 1, 1);
+    paintLines(canvas, {{point, point, {1.0f, 0.0f, 0.5f, 0.5f}}}, {});
     const std::uint32_t mixed = at(canvas, 1, 1);
     EXPECT_NEAR(static_cast<double>(mixed & 0xff), (0x20 + 255) / 2.0, 1.0);
     EXPECT_NEAR(static_cast<double>(mixed >> 8 & 0xff), 0x40 / 2.0, 1.0);

@@ -8,10 +8,10 @@
 namespace rayscope::viewer {
 namespace {
 
-TEST(Menus, EveryEntryAsksForItsCommand) {
+TEST(Menus, EveryEntryIssuesItsCommand) {
     PanelDriver driver("cornell");
     driver.recordPixel(32, 24);
-    int asked = 0;
+    int issued = 0;
     for (const CommandInfo& info : commandTable()) {
         const std::string menu = std::string("Menu/") + info.menu, entry = menu + "/" + info.label;
         driver.click(menu);
@@ -20,13 +20,13 @@ TEST(Menus, EveryEntryAsksForItsCommand) {
         driver.click(entry);
         if (enabled) {
             EXPECT_EQ(driver.takeCommands(), std::vector{info.command}) << entry;
-            ++asked;
+            ++issued;
         } else {
             EXPECT_TRUE(driver.takeCommands().empty()) << entry;
             driver.clickPicture();
         }
     }
-    EXPECT_GT(asked, 40);
+    EXPECT_GT(issued, 40);
 }
 
 TEST(Menus, SwitchTheRasterisedView) {

@@ -24,13 +24,13 @@ RayTree handMadeTree() {
     reflection.ray.origin = camera.position;
     reflection.ray.direction = {0.0f, 2.0f, 0.0f};
     tree.nodes = {camera, reflection};
-    for (const Visibility verdict :
+    for (const Visibility visibility :
          {Visibility::Visible, Visibility::Occluded, Visibility::Attenuated, Visibility::FacingAway}) {
         ShadowRay shadow;
         shadow.from = camera.position;
         shadow.to = {0.0f, 3.0f, 0.0f};
         shadow.color = {0.0f, 0.0f, 1.0f};
-        shadow.visibility = verdict;
+        shadow.visibility = visibility;
         tree.shadowRays.push_back(shadow);
     }
     return tree;
@@ -162,8 +162,8 @@ TEST(DebugRaysOverlay, aClickPicksTheNearestRayInFrontOfTheCamera) {
     camera.lookAt = {0.0f, 1.0f, 2.0f};
     const ViewFrame frame = viewFrame(camera, 800, 600);
     DebugRayFilter filter;
-    const auto pickAt = [&](glm::dvec3 place) {
-        return pickRay(tree, filter, frame, *frame.project(place), 5.0, 10.0f);
+    const auto pickAt = [&](glm::dvec3 point) {
+        return pickRay(tree, filter, frame, *frame.project(point), 5.0, 10.0f);
     };
     EXPECT_EQ(pickAt({0, 0, 3}), (RaySelection{0, -1}));
     EXPECT_EQ(pickAt({0, 4.5, 1}), (RaySelection{1, -1}));
@@ -203,14 +203,14 @@ TEST(LightOverlay, symbolsOfPointLightsHaveAConstantSizeOnTheScreen) {
     CameraDescription camera;
     camera.lookFrom = {0.0f, 0.0f, 10.0f};
     const ViewFrame frame = viewFrame(camera, 800, 600);
-    const auto reachOf = [&](glm::vec3 place) {
+    const auto radiusOf = [&](glm::vec3 point) {
         double reach = 0.0;
-        for (const OverlayLine& line : lightLines({Light{PointLight{place, Rgb(1)}}}, -1, frame, 1.0))
+        for (const OverlayLine& line : lightLines({Light{PointLight{point, Rgb(1)}}}, -1, frame, 1.0))
             reach = std::max(
-                reach, glm::distance(*frame.project(glm::dvec3(line.to)), *frame.project(glm::dvec3(place))));
+                reach, glm::distance(*frame.project(glm::dvec3(line.to)), *frame.project(glm::dvec3(point))));
         return reach;
     };
-    EXPECT_NEAR(reachOf({0, 0, 5}), reachOf({0, 0, -50}), 0.05);
+    EXPECT_NEAR(radiusOf({0, 0, 5}), radiusOf({0, 0, -50}), 0.05);
 }
 
 TEST(LightOverlay, segmentsHaveAColorGradient) {

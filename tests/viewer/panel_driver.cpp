@@ -172,7 +172,7 @@ void PanelDriver::hover(std::string_view label) {
 
 void PanelDriver::click(std::string_view label) {
     press(centerOf(get(label)));
-    // Long enough that the next click at this place is not a double click.
+    // Long enough that the next click at this position is not a double click.
     for (int i = 0; i < 20; ++i) frame();
 }
 
@@ -223,8 +223,8 @@ void PanelDriver::choose(const std::string& row, const std::string& choice) {
 
 void PanelDriver::drag(std::string_view label, float from, float to) {
     const ui::Item item = get(label);
-    const auto at = [&](float share) {
-        return ImVec2{item.lower.x + share * (item.upper.x - item.lower.x), centerOf(item).y};
+    const auto at = [&](float fraction) {
+        return ImVec2{item.lower.x + fraction * (item.upper.x - item.lower.x), centerOf(item).y};
     };
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = at(from);

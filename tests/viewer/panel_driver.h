@@ -25,7 +25,7 @@ class PanelDriver {
     Workspace workspace;
     OpenDialog openDialog;
     RenderDialog renderDialog;
-    /// The commands that controls have asked for since the last call.
+    /// The commands that controls have issued since the last call.
     std::vector<Command> takeCommands();
 
     /// Draws the menu, the side panel and all dialogs, and lets background work report.

@@ -11,13 +11,13 @@ namespace {
 
 std::vector<CameraDescription> someCameras() {
     std::mt19937 random(7);
-    std::uniform_real_distribution<float> place(-5.0f, 5.0f), angle(10.0f, 120.0f);
+    std::uniform_real_distribution<float> coordinate(-5.0f, 5.0f), angle(10.0f, 120.0f);
     std::vector<CameraDescription> cameras;
     for (int i = 0; i < 50; ++i) {
         CameraDescription camera;
-        camera.lookFrom = {place(random), place(random), place(random)};
-        camera.lookAt = {place(random), place(random), place(random)};
-        camera.up = {place(random), place(random), place(random)};
+        camera.lookFrom = {coordinate(random), coordinate(random), coordinate(random)};
+        camera.lookAt = {coordinate(random), coordinate(random), coordinate(random)};
+        camera.up = {coordinate(random), coordinate(random), coordinate(random)};
         camera.fov = angle(random);
         cameras.push_back(camera);
     }

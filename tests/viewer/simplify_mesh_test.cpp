@@ -43,9 +43,9 @@ TEST(SimplifyMesh, KeepsSmallMeshes) {
 MeshData separateTriangles(std::uint32_t count) {
     MeshData mesh;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const glm::vec3 place(static_cast<float>(i), 0.0f, 0.0f);
+        const glm::vec3 offset(static_cast<float>(i), 0.0f, 0.0f);
         for (const glm::vec3 corner : {glm::vec3(0, 0, 0), glm::vec3(0.1, 0, 0), glm::vec3(0, 0.1, 0)})
-            mesh.positions.push_back(place + corner);
+            mesh.positions.push_back(offset + corner);
         mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
         mesh.materialSlots.push_back(i % 2);
     }

@@ -86,9 +86,9 @@ def wait_for(what, condition, timeout=TIMEOUT):
     raise Failure(f"timed out after {timeout:.0f} s waiting for: {what}")
 
 
-def expect(condition, words):
+def expect(condition, message):
     if not condition:
-        raise Failure(words)
+        raise Failure(message)
 
 
 class Viewer:
@@ -112,16 +112,16 @@ class Viewer:
         return subprocess.run(["xdotool", "search", "--name", "Rayscope"], stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL, text=True).stdout
 
-    def do(self, *words):
+    def do(self, *arguments):
         expect(self.process.poll() is None, f"the program ended with {self.process.returncode}")
-        subprocess.run(["xdotool", *map(str, words)], check=True)
+        subprocess.run(["xdotool", *map(str, arguments)], check=True)
         self.wait_for_frame()
 
     def wait_for_frame(self):
-        """Waits until what was done is in a frame: the answer to the second ping comes after the frame that follows
-        the first."""
+        """Waits until earlier input is in a frame: the reply to the second ping comes after the frame that follows the
+        first."""
         for _ in range(2):
-            wait_for("an answer of the window",
+            wait_for("a reply of the window",
                      lambda: self.process.poll() is not None or self.screen.ping(int(self.window), 1.0))
 
     def key(self, keys):
@@ -209,7 +209,7 @@ class Viewer:
             quiet = after.at(*PROGRESS_PIXEL) == after.at(PROGRESS_PIXEL[0], PROGRESS_PIXEL[1] + 6)
             red, _, blue = after.at(*RASTERISED_BUTTON)
             return (quiet or blue > red + 60) and before.crop(*PICTURE).data == after.crop(*PICTURE).data and after.crop(*PICTURE)
-        return wait_for("a picture that stands still", settled)
+        return wait_for("a picture that no longer changes", settled)
 
     def save(self, keys):
         """The picture that these keys write."""
@@ -220,16 +220,16 @@ class Viewer:
         return Pixels(convert_to_ppm("convert", str(path)))
 
     def settled_window(self):
-        """The whole window, once the picture stands still."""
+        """The whole window, once the picture no longer changes."""
         self.settled_picture()
         return self.capture()
 
-    def type_into(self, place, words):
+    def type_into(self, place, text):
         """Types into a slider or a field to drag."""
         self.do("keydown", "ctrl")
         self.click(place)
         self.do("keyup", "ctrl")
-        self.do("type", "--delay", "40", "--", words)
+        self.do("type", "--delay", "40", "--", text)
         self.key("Return")
 
     def scroll_to_end(self, place):
@@ -241,7 +241,7 @@ class Viewer:
             self.wait_for_frame()
 
     def saved_property(self, name, keys="ctrl+s"):
-        """What the picture that these keys write says about itself; empty if nothing."""
+        """A property in the metadata of the picture that these keys write; empty if it has none of that name."""
         known = set(self.folder.glob("rayscope-*.png"))
         self.key(keys)
         wait_for("a file", lambda: set(self.folder.glob("rayscope-*.png")) - known)
@@ -250,9 +250,9 @@ class Viewer:
                               stderr=subprocess.DEVNULL, text=True).stdout
 
     def size(self):
-        words = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window], stdout=subprocess.PIPE,
-                               text=True).stdout
-        values = dict(line.split("=") for line in words.split())
+        output = subprocess.run(["xdotool", "getwindowgeometry", "--shell", self.window], stdout=subprocess.PIPE,
+                                text=True).stdout
+        values = dict(line.split("=") for line in output.split())
         return int(values["WIDTH"]), int(values["HEIGHT"])
 
     def open_by_name(self, name):
@@ -324,7 +324,7 @@ def is_ray_yellow(red, green, blue):
 def test_debug_ray(viewer):
     viewer.click("Ray-traced")
     yellow = viewer.record_rays((360, 300)).count(is_ray_yellow)
-    expect(yellow > 100, f"the camera ray is seen in the ray-traced view ({yellow} pixels)")
+    expect(yellow > 100, f"the camera ray is visible in the ray-traced view ({yellow} pixels)")
     without = viewer.save("ctrl+s").count(is_ray_yellow)
     expect(without == 0, "the saved image has no overlay")
     shot = viewer.save("shift+ctrl+s")
@@ -333,7 +333,7 @@ def test_debug_ray(viewer):
     viewer.key("Tab")
     viewer.point(*ASIDE)
     raster = viewer.settled_picture()
-    expect(raster.count(is_ray_yellow) > 50, "the camera ray is seen in the rasterised view")
+    expect(raster.count(is_ray_yellow) > 50, "the camera ray is visible in the rasterised view")
     viewer.key("c")
     wait_for("the rays to go", lambda: viewer.picture().count(is_ray_yellow) == 0)
 
@@ -358,7 +358,7 @@ def test_traversal(viewer):
     """The traversal of a camera ray, step by step; exported ray trees; the legend as a filter."""
     viewer.open_scene("builtin:monkey")
     bare = viewer.record_rays((390, 480))
-    expect(bare.count(is_ray_yellow) > 100, "the camera ray is seen")
+    expect(bare.count(is_ray_yellow) > 100, "the camera ray is visible")
     viewer.key("t")
     traversed = viewer.settled_picture()
     expect(traversed.count(is_visited_green) > bare.count(is_visited_green) + 1000, "the visited boxes are green")
@@ -616,10 +616,10 @@ def test_compare(viewer):
     beside = (320, 60, 140, 560)
     expect(moved.crop(*beside).differing(wiped.crop(*beside)) > 300, "the divider was dragged")
     viewer.key("x")
-    expect(viewer.settled_picture().crop(*below).data == a.crop(*below).data, "flipped, A is seen")
+    expect(viewer.settled_picture().crop(*below).data == a.crop(*below).data, "flipped, A is shown")
     viewer.key("x")
     b = viewer.settled_picture()
-    expect(b.crop(*below).differing(a.crop(*below)) > 3000, "flipped again, B is seen")
+    expect(b.crop(*below).differing(a.crop(*below)) > 3000, "flipped again, B is shown")
     expect(b.crop(*right).data == wiped.crop(*right).data, "B is what was on the right of the divider")
     viewer.click("Difference")
     viewer.point(*ASIDE)
@@ -642,7 +642,7 @@ def test_stop_criteria(viewer):
     viewer.key("Tab")
     viewer.point(*ASIDE)
     viewer.settled_picture()
-    expect(viewer.saved_property("setting.spp") == "4", "four samples were asked for")
+    expect(viewer.saved_property("setting.spp") == "4", "four samples were requested")
     viewer.click(viewer.within("Quality/Preset##preset", 0.02))
     viewer.point(*ASIDE)
     viewer.settled_picture()
@@ -989,8 +989,8 @@ def exported_tree(viewer):
 
 def test_light_samples(viewer):
     """The number of recorded shadow rays is that of the slider for the kind of light."""
-    for scene, slider, words, rays in (("builtin:cornell-area", "Parallelogram samples", "3", 9),
-                                       ("builtin:cube", "Segment samples", "5", 5)):
+    for scene, slider, number, rays in (("builtin:cornell-area", "Parallelogram samples", "3", 9),
+                                        ("builtin:cube", "Segment samples", "5", 5)):
         viewer.open_scene(scene)
         for expected in 16, rays:
             viewer.record_rays((440, 380))
@@ -1000,7 +1000,7 @@ def test_light_samples(viewer):
             viewer.key("c")
             viewer.key("Home")
             viewer.click("Settings")
-            viewer.type_into(slider, words)
+            viewer.type_into(slider, number)
 
 
 def test_lens(viewer):
@@ -1062,7 +1062,7 @@ def test_moving(viewer):
     viewer.click("Draw all samples")
     viewer.point(*ASIDE)
     viewer.settled_picture()
-    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "a picture that stands still lacks nothing")
+    expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "a still picture is drawn in full")
     viewer.do("mousedown", 1)
     viewer.do("mousemove", ASIDE[0] + 60, ASIDE[1])
     said = viewer.saved_property("drawn", "shift+ctrl+s")
@@ -1071,7 +1071,7 @@ def test_moving(viewer):
     viewer.key("o")
     bare = viewer.picture()
     viewer.key("o")
-    expect(moving.differing(bare) > 3000, "the lines are seen")
+    expect(moving.differing(bare) > 3000, "the lines are visible")
     viewer.do("mouseup", 1)
     expect(viewer.settled_picture().differing(moving) > 1000, "at rest everything is drawn")
     expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is reported")
@@ -1079,7 +1079,7 @@ def test_moving(viewer):
 
 def test_full_screen(viewer):
     small = viewer.size()
-    expect(small == (800, 600), f"the window has the size that was asked for, not {small}")
+    expect(small == (800, 600), f"the window has the requested size, not {small}")
     viewer.key("F11")
     wait_for("the whole screen", lambda: viewer.size() == (WIDTH, HEIGHT))
     wait_for("panels at the new edge", lambda: viewer.capture().at(*PANEL_PIXEL) != (0, 0, 0))
@@ -1171,8 +1171,8 @@ def run_all(program, folder):
 
 
 def start_display():
-    """Starts a virtual display that answers, and names it in DISPLAY. Servers that start at the same moment may take
-    the same number, of which one is then dead: hence the question and the second try."""
+    """Starts a virtual display and sets DISPLAY. Servers that start at the same moment may take the same number, and one
+    of them then ends: hence the check and the repeats."""
     for _ in range(5):
         read, write = os.pipe()
         display = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
@@ -1180,12 +1180,12 @@ def start_display():
         os.close(write)
         with os.fdopen(read) as pipe:
             os.environ["DISPLAY"] = ":" + pipe.readline().strip()
-        answers = subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True, check=False)
-        if answers.returncode == 0 and answers.stdout.split() == [str(WIDTH).encode(), str(HEIGHT).encode()]:
+        check = subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True, check=False)
+        if check.returncode == 0 and check.stdout.split() == [str(WIDTH).encode(), str(HEIGHT).encode()]:
             return display
         display.kill()
         display.wait()
-    sys.exit("FAILED: no virtual display answers")
+    sys.exit("FAILED: no virtual display responds")
 
 
 def main():

@@ -79,9 +79,9 @@ void addToBins(Bins bins, std::span<const PrimitiveRef> refs, const BinMapping& 
     Bin* const axes[3] = {bins.data(), bins.data() + binCount, bins.data() + 2 * binCount};
     for (const PrimitiveRef& ref : refs) {
         const Bounds4 box = ref.bounds();
-        const Int4 place = mapping.bins(ref.centroid());
+        const Int4 index = mapping.bins(ref.centroid());
         for (int axis = 0; axis < 3; ++axis) {
-            Bin& bin = axes[axis][place[axis]];
+            Bin& bin = axes[axis][index[axis]];
             bin.box.extend(box);
             ++bin.count;
         }

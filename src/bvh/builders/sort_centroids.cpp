@@ -31,13 +31,13 @@ constexpr int kDigitBits = 11;
 void sortByDigit(const KeyedIndex* from, KeyedIndex* to, std::size_t size, int shift,
                  const std::stop_token& stop) {
     constexpr std::uint32_t kMask = (1u << kDigitBits) - 1;
-    std::array<std::size_t, kMask + 1> place{};
-    for (std::size_t i = 0; i < size; ++i) ++place[(from[i].key >> shift) & kMask];
+    std::array<std::size_t, kMask + 1> offsets{};
+    for (std::size_t i = 0; i < size; ++i) ++offsets[(from[i].key >> shift) & kMask];
     std::size_t sum = 0;
-    for (std::size_t& each : place) sum += std::exchange(each, sum);
+    for (std::size_t& offset : offsets) sum += std::exchange(offset, sum);
     for (std::size_t i = 0; i < size; ++i) {
         if (i % kStopInterval == 0) throwIfStopped(stop);
-        to[place[(from[i].key >> shift) & kMask]++] = from[i];
+        to[offsets[(from[i].key >> shift) & kMask]++] = from[i];
     }
 }
 

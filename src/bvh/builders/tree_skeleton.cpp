@@ -147,9 +147,9 @@ class TreeSkeleton::Compaction {
             BinaryNode& node = tree_.nodes[number];
             if (node.isLeaf()) continue;
             if (placed++ % kStopInterval == 0) throwIfStopped(from_.settings_.stop);
-            const std::uint32_t place = std::exchange(node.first, static_cast<std::uint32_t>(below));
-            tree_.nodes[below] = from_.nodes_[place];
-            tree_.nodes[below + 1] = from_.nodes_[place + 1];
+            const std::uint32_t children = std::exchange(node.first, static_cast<std::uint32_t>(below));
+            tree_.nodes[below] = from_.nodes_[children];
+            tree_.nodes[below + 1] = from_.nodes_[children + 1];
             stack.push_back({below + 1, level + 1});
             stack.push_back({below, level + 1});
             below += 2;

@@ -14,9 +14,9 @@ namespace rayscope::bvh {
 /// 1.5 · 2^-52 of its value, is off by at most 4 · 2^-50 mX + 1.5 · 2^-52 · 2X² < 6 · 2^-50 mX (`edge`,
 /// because X ≤ 2m + 2^-50 m). The determinant is off by three of those. As long as that is less than a
 /// quarter of it, a weight is off by at most 4 · 4/3 edge errors over the determinant and a few roundings,
-/// and t, the mean of depths of at most m with these weights, by m times 6 · 4/3. Slivers that
-/// are nearly edge-on have a smaller determinant: only that their weights lie in [0, 1], and their depth
-/// between those of the corners, is known.
+/// and t, the mean of depths of at most m with these weights, by m times 6 · 4/3. Slivers that are nearly
+/// edge-on have a smaller determinant; the only bounds for them are weights in [0, 1] and a depth between
+/// those of the corners.
 struct HitError {
     double edge = 0.0;    ///< of an edge function of sheared corners
     double t = 0.0;       ///< in units of the ray's direction

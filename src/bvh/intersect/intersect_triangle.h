@@ -8,8 +8,8 @@ namespace rayscope::bvh {
 using kernel::ShearedRay;
 using kernel::TriangleHit;
 
-/// Tests the whole line, without any bounds on t. Triangles without area as the ray sees them, or with NaN or
-/// infinite coordinates, are never hit.
+/// Tests the whole line, without any bounds on t. Triangles whose projection along the ray has no area, and
+/// triangles with NaN or infinite coordinates, are never hit.
 inline bool intersectTriangle(const ShearedRay& ray, const glm::vec3& a, const glm::vec3& b,
                               const glm::vec3& c, TriangleHit& hit) {
     const kernel::ShearedVertex sa = shear(ray, &a.x), sb = shear(ray, &b.x), sc = shear(ray, &c.x);

@@ -3,10 +3,10 @@
 //
 // The vertices are moved so that the ray starts at the origin and sheared so that it runs along z (Woop,
 // Benthin, Wald 2013). A sheared vertex depends on ray and vertex only, and the sign of an edge function is
-// that of the exact product of its two sheared end points; so two triangles that share an edge see the same
-// line on exactly one side of it. A line that intersects an edge or a vertex exactly is decided by Simulation
-// of Simplicity (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A closed
-// surface is therefore crossed without a leak, and a fan of triangles exactly once.
+// that of the exact product of its two sheared end points; so for two triangles that share an edge, the line
+// passes on exactly one side of the edge. A line that intersects an edge or a vertex exactly is decided by
+// Simulation of Simplicity (Edelsbrunner, Mücke 1990): as if it were moved by (ε, ε²) in the shear plane. A
+// closed surface is therefore crossed without a leak, and a fan of triangles exactly once.
 #include "bvh/kernel/ray_setup.h"
 
 namespace rayscope::bvh::kernel {
@@ -50,9 +50,9 @@ RAYSCOPE_INLINE ShearedVertex shear(const PermutedRay& ray, Float4 vertex) {
     return {sheared[0], sheared[1], relative[2]};
 }
 
-/// True only if two edge functions have opposite signs beyond doubt: the rounding error of fl(p·q − r·s) is
-/// at most ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below
-/// rounded with factor 4ε exceeds; the smallest normal number stands for products that underflow.
+/// True only if two exact edge functions have opposite signs: the rounding error of fl(p·q − r·s) is at most
+/// ε|pq| + ε|rs| + ε|pq − rs|(1 + ε) ≤ 2ε(1 + ε)²(|pq| + |rs|) with ε = 2^-53, which the sum below rounded
+/// with factor 4ε exceeds; the smallest normal number bounds the error of products that underflow.
 RAYSCOPE_INLINE bool certainlyMisses(const ShearedVertex& a, const ShearedVertex& b, const ShearedVertex& c) {
     constexpr double kFactor = 2.0 * __DBL_EPSILON__;
     constexpr double kFloor = __DBL_MIN__;

@@ -2,8 +2,8 @@
 // Rays prepared for tests against boxes and triangles; README.md lists all types of rays.
 //
 // The files of this folder are compiled once per instruction set. They hold plain data and functions that are
-// always inlined, and include nothing else: an inline function of another header, compiled for AVX, might be
-// the copy that the linker picks for everyone.
+// always inlined, and include nothing else: an inline function of another header, compiled for AVX, might
+// become the linker's copy for all callers.
 #include <stdint.h>
 
 namespace rayscope::bvh::kernel {
@@ -55,7 +55,8 @@ RAYSCOPE_INLINE float scaledTMax(float tMax, double scale) {
     return static_cast<float>((tMax < kMaxFloat ? tMax : kMaxFloat) * scale);
 }
 
-/// Whether the ray can hit anything: finite, with a direction, and with room between tMin and tMax.
+/// Whether the ray can hit anything: finite, with a direction that is not zero and an interval (tMin, tMax]
+/// that is not empty.
 RAYSCOPE_INLINE bool isTraceable(RayData ray) {
     const Float4 direction = load4(ray + 3);
     const Float4 nothing = load4(ray) * 0.0f + direction * 0.0f;  // NaN for infinity and NaN

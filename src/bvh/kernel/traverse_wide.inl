@@ -264,8 +264,8 @@ RAYSCOPE_INLINE void withPreparedRay(const WideTreeView& tree, RayData ray, cons
     return found;
 }
 
-/// The traversal of closestHit() or anyHit() with an observer, which learns the hit. Returns whether there is
-/// one. The ray must be traceable.
+/// The traversal of closestHit() or anyHit() with an observer, which receives the hit. Returns whether there
+/// is one. The ray must be traceable.
 template <TraversalObserver O>
 RAYSCOPE_INLINE bool traverseObserved(const WideTreeView& tree, RayData ray, bool any, O& observer) {
     bool found;

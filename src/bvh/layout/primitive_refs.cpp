@@ -65,7 +65,7 @@ bool hasFiniteCoordinates(const AccelInput& input, std::size_t primitive) {
         const PrimitiveBox box = boxOfPrimitive(input, primitive);
         return std::all_of(box.planes, box.planes + 8, finite);
     }
-    // The box does not tell: min() and max() may drop a NaN.
+    // The box may be finite although a coordinate is NaN, because min() and max() may drop a NaN.
     const glm::uvec3& corner = input.triangles[primitive];
     for (int k = 0; k < 3; ++k) {
         const glm::vec3& v = input.vertices[corner[k]];

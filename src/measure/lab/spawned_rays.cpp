@@ -94,7 +94,8 @@ void checkTracer(const LabContext& context, const Corners& t, const Ray& next,
                  const OffsetSurface& offsetSurface, int side, LabTally& tally) {
     LabCounts& counts = tally.of(LabMethod::Rayscope);
     ++counts.spawned;
-    // The ray must start on the side to which it goes, and can only hit triangles with a vertex there.
+    // The ray must start on the side that it points to, and can only hit triangles with a vertex on that
+    // side.
     bool isFalse = sideOfPoint(t, next.origin) != side;
     Hit hit;
     if (context.world.closestHit(next, 0.0f, hit)) {

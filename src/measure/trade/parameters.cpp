@@ -18,8 +18,8 @@ std::vector<std::string> levelsOf(const settings::Choice<E, N>& row, const Setti
     return {row.names.begin(), row.names.end()};
 }
 
-/// Every count of samples trades noise, so the table alone tells samples per pixel and split counts from
-/// other settings, and new ones are found.
+/// Derived from the table, so that new settings are included: every integer that trades noise is a count of
+/// samples.
 template <class Row>
 ParameterMeaning meaningOf(const Row& row) {
     if constexpr (std::is_same_v<Row, settings::Range<int>>) {

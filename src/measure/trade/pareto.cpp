@@ -9,8 +9,8 @@ namespace rayscope::measure {
 
 namespace {
 
-/// Whether the point can be on the front. A switched effect changes the picture that is asked for, and a
-/// point with the picture and the time of the base is no alternative to it.
+/// Whether the point can be on the front. A switched effect changes the picture to be rendered, and a point
+/// with the picture and the time of the base is no alternative to it.
 bool isAlternative(const TradePoint& point) {
     const bool likeBase = point.samePicture && point.role != TradeRole::Base && point.timeRatio.contains(1.0);
     return point.runs >= 2 && !likeBase && point.role != TradeRole::Control &&

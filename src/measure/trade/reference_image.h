@@ -46,7 +46,7 @@ class ReferenceImage {
 };
 
 /// Whether the error of a reference falls as expected; `history` has an entry per doubling of the samples.
-/// The error should halve with four times the samples; with fewer than three entries the answer is yes.
+/// The error should halve with four times the samples; with fewer than three entries the result is true.
 bool converges(const std::vector<std::pair<int, double>>& history);
 
 /// The settings of the reference: those of the picture to which `settings` converge with unlimited samples

@@ -9,7 +9,7 @@
 
 namespace rayscope::measure {
 
-/// The measurements of one candidate, an entry per block where nothing else is said.
+/// The measurements of one candidate, an entry per block unless stated otherwise.
 struct CandidateRuns {
     std::vector<double> seconds, buildSeconds, squaredErrors, flips;
     std::vector<double> squaredBiases, squaredNoises;  ///< an entry per pair of blocks (0, 1), (2, 3) …

@@ -97,8 +97,8 @@ void ViewInput::dragTo(Workspace& workspace, const ViewFrame& frame) {
     if (drag_ == Drag::Handle && workspace.view.selectedLight >= 0) {
         std::vector<Light> lights = workspace.edit.scene->lights;
         Light& light = lights[static_cast<std::size_t>(workspace.view.selectedLight)];
-        const glm::dvec3 place = dragged(dragFrame_, handleStart_, *handlePart_, pressed_, cursor_);
-        light = withHandleMoved(light, workspace.view.selectedHandle, glm::vec3(place));
+        const glm::dvec3 position = dragged(dragFrame_, handleStart_, *handlePart_, pressed_, cursor_);
+        light = withHandleMoved(light, workspace.view.selectedHandle, glm::vec3(position));
         workspace.setLights(std::move(lights));
     }
     last_ = cursor_;
@@ -169,9 +169,9 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
         return;
     }
     const glm::ivec2 image = workspace.imageSize();
-    const glm::dvec2 place = cursor_ * glm::dvec2(image) / glm::dvec2(frame.width, frame.height);
+    const glm::dvec2 position = cursor_ * glm::dvec2(image) / glm::dvec2(frame.width, frame.height);
     CursorInfo info;
-    info.pixel = glm::clamp(glm::ivec2(glm::floor(place)), glm::ivec2(0), image - 1);
+    info.pixel = glm::clamp(glm::ivec2(glm::floor(position)), glm::ivec2(0), image - 1);
     if (const auto world = worldOf(workspace)) {
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {

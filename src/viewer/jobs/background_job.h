@@ -57,12 +57,12 @@ class BackgroundJob {
         return result;
     }
 
-    /// Requests a stop; what the work returns then still arrives.
+    /// Requests a stop; the result that the work then returns is still delivered.
     void cancel() {
         stop_.request_stop();
         next_.reset();
     }
-    /// Requests a stop; nothing arrives.
+    /// Requests a stop; no result is delivered.
     void discard() {
         cancel();
         discarded_ = running_.valid();

@@ -85,7 +85,7 @@ void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> fil
         SampleCounter counter(stop, progress, verified + samples);
         const auto beforeSample = [&counter] { counter(); };
         Replay replay;
-        if (film) replay.verdict = verifyReplay(*world, *film, kViewerSeed, id.x, id.y, beforeSample);
+        if (film) replay.replayResult = verifyReplay(*world, *film, kViewerSeed, id.x, id.y, beforeSample);
         replay.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, samples, beforeSample);
         replay.statistics = probe::statisticsOf(replay.pixel.values);
         return replay;
@@ -94,12 +94,13 @@ void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> fil
 
 void DebugRays::update() {
     if (auto replay = replay_.poll(); replay && recording_) {
-        recording_->verdict = std::move(replay->verdict);
+        recording_->replayResult = std::move(replay->replayResult);
         recording_->pixel = std::move(replay->pixel);
         recording_->statistics = std::move(replay->statistics);
     }
     if (pinRequested_ && !replay_.busy()) pin();
-    if (auto verdict = verification_.poll(); verdict && recording_) recording_->verdict = std::move(*verdict);
+    if (auto replayResult = verification_.poll(); replayResult && recording_)
+        recording_->replayResult = std::move(*replayResult);
     if (auto diagnosis = diagnosis_.poll(); diagnosis && recording_)
         recording_->diagnosis = std::move(*diagnosis);
     auto trees = sampleTrees_.poll();
@@ -172,10 +173,10 @@ void DebugRays::showAllSamples(bool all) {
 }
 
 void DebugRays::verifyAgain(std::shared_ptr<const render::Film> film) {
-    if (!recording_ || !recording_->verdict || replay_.busy() || verification_.busy()) return;
+    if (!recording_ || !recording_->replayResult || replay_.busy() || verification_.busy()) return;
     const SampleId id = recording_->tree().name;
     const int samples = samplesOf(*film, id);
-    if (samples == recording_->verdict->samples) return;
+    if (samples == recording_->replayResult->samples) return;
     verification_.start([world = recording_->world, film = std::move(film), id, samples](
                             const std::stop_token& stop, JobProgress& progress) {
         return verifyReplay(*world, *film, kViewerSeed, id.x, id.y, SampleCounter(stop, progress, samples));

@@ -24,7 +24,7 @@ class DebugRays {
         EditState state;
         glm::ivec2 imageSize{1};
         std::shared_ptr<const trace::World> world;
-        std::optional<ReplayResult> verdict;
+        std::optional<ReplayResult> replayResult;
         probe::PixelSamples pixel;  ///< the first sample until replayed, then at most maxSamples
         probe::SampleStatistics statistics;
         std::optional<std::vector<probe::Diagnosis>> diagnosis;
@@ -51,7 +51,7 @@ class DebugRays {
     bool replaying() const { return replay_.busy(); }
     double replayProgress() const { return replay_.progress(); }
     void cancelReplay() { replay_.cancel(); }
-    /// Compares with the film again if that has other samples than the verdict.
+    /// Compares with the film again if its number of samples differs from that of the replay.
     void verifyAgain(std::shared_ptr<const render::Film> film);
 
     /// Records another sample of the pixel, or all of them.
@@ -98,7 +98,7 @@ class DebugRays {
 
   private:
     struct Replay {
-        std::optional<ReplayResult> verdict;
+        std::optional<ReplayResult> replayResult;
         probe::PixelSamples pixel;
         probe::SampleStatistics statistics;
     };

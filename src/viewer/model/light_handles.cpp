@@ -136,8 +136,8 @@ std::optional<LightPick> pickLight(const ViewFrame& frame, const std::vector<Lig
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const std::vector<glm::vec3> points = handlePositions(lights[i]);
         for (std::size_t handle = 0; handle < points.size(); ++handle)
-            if (const auto place = frame.project(glm::dvec3(points[handle])))
-                consider(i, handle, glm::length(*place - cursor));
+            if (const auto projected = frame.project(glm::dvec3(points[handle])))
+                consider(i, handle, glm::length(*projected - cursor));
     }
     if (nearest) return nearest;
     for (std::size_t i = 0; i < lights.size(); ++i) consider(i, 0, distanceToEdges(frame, lights[i], cursor));

@@ -62,8 +62,8 @@ std::vector<VisibleBox> visibleBoxes(const OverlayBoxes& boxes, const ViewFrame&
             continue;
         }
         const double scale = focal / depth;
-        const glm::dvec2 place(glm::dot(toCenter, frame.right), -glm::dot(toCenter, frame.up));
-        const glm::dvec2 pixel = middle + scale * place;
+        const glm::dvec2 offset(glm::dot(toCenter, frame.right), -glm::dot(toCenter, frame.up));
+        const glm::dvec2 pixel = middle + scale * offset;
         const double size = 2.0 * radius * scale;
         if (overlaps(frame, pixel, size)) visible.push_back({&box, pixel, size});
     }

@@ -76,9 +76,9 @@ class Painter {
             for (std::size_t i = 0; i < bit; ++i) corners[i | bit] = corners[i] + edge;
         }
         if (std::all_of(corners.begin(), corners.end(), [this](const glm::vec4& c) { return isInside(c); })) {
-            std::array<glm::vec3, 8> places;
-            for (std::size_t i = 0; i < 8; ++i) places[i] = placeOf(corners[i]);
-            forEachEdge([&](std::size_t a, std::size_t b) { draw(places[a], places[b], 0.0f, ink); });
+            std::array<glm::vec3, 8> positions;
+            for (std::size_t i = 0; i < 8; ++i) positions[i] = canvasPosition(corners[i]);
+            forEachEdge([&](std::size_t a, std::size_t b) { draw(positions[a], positions[b], 0.0f, ink); });
         } else {
             forEachEdge([&](std::size_t a, std::size_t b) { paint(corners[a], corners[b], ink); });
         }
@@ -103,7 +103,7 @@ class Painter {
     }
 
     /// Pixels from the lower left corner, and the depth from 0 to 1.
-    glm::vec3 placeOf(const glm::vec4& p) const {
+    glm::vec3 canvasPosition(const glm::vec4& p) const {
         const float perW = 1.0f / p.w;
         return {0.5f * (p.x * perW + 1.0f) * size_.x, 0.5f * (p.y * perW + 1.0f) * size_.y,
                 0.5f * (p.z * perW + 1.0f)};
@@ -120,16 +120,17 @@ class Painter {
             if (plane == 0) beforeCamera = enter;
         }
         if (!(enter < leave)) return;
-        const glm::vec3 a = placeOf(glm::mix(from, to, enter)), b = placeOf(glm::mix(from, to, leave));
+        const glm::vec3 a = canvasPosition(glm::mix(from, to, enter)),
+                        b = canvasPosition(glm::mix(from, to, leave));
         // The pattern starts at the start of the line, even if that is outside the picture.
         float along = 0.0f;
         if (ink.period > 0.0f && enter > beforeCamera)
-            along = glm::distance(glm::vec2(placeOf(glm::mix(from, to, beforeCamera))), glm::vec2(a));
+            along = glm::distance(glm::vec2(canvasPosition(glm::mix(from, to, beforeCamera))), glm::vec2(a));
         draw(a, b, along, ink);
     }
 
-    bool isInCanvas(const glm::vec3& place) const {
-        return place.x > 0.0f && place.x < size_.x && place.y > 0.0f && place.y < size_.y;
+    bool isInCanvas(const glm::vec3& position) const {
+        return position.x > 0.0f && position.x < size_.x && position.y > 0.0f && position.y < size_.y;
     }
 
     void draw(const glm::vec3& a, const glm::vec3& b, float along, const Ink& ink) {

@@ -64,36 +64,37 @@ double goldenSequence(std::size_t index) {
 }
 
 /// The projection of a line, if it is in front of the camera, and its drawing cost.
-struct SeenLine {
+struct ProjectedLine {
     std::optional<PixelSegment> segment;
     double cost = kLineCost;
 };
 
-std::vector<SeenLine> seenLines(const OverlayLines& lines, const ViewFrame& frame) {
-    std::vector<SeenLine> seen;
-    seen.reserve(lines.size());
+std::vector<ProjectedLine> projectedLines(const OverlayLines& lines, const ViewFrame& frame) {
+    std::vector<ProjectedLine> projected;
+    projected.reserve(lines.size());
     for (const OverlayLine& line : lines) {
-        SeenLine one{frame.projectSegment(glm::dvec3(line.from), glm::dvec3(line.to))};
+        ProjectedLine one{frame.projectSegment(glm::dvec3(line.from), glm::dvec3(line.to))};
         if (one.segment) one.cost += lengthInside(*one.segment, frame);
-        seen.push_back(one);
+        projected.push_back(one);
     }
-    return seen;
+    return projected;
 }
 
-double sumOf(const std::vector<SeenLine>& seen) {
+double sumOf(const std::vector<ProjectedLine>& projected) {
     double cost = 0.0;
-    for (const SeenLine& line : seen) cost += line.cost;
+    for (const ProjectedLine& line : projected) cost += line.cost;
     return cost;
 }
 
 /// Indices of the visible lines that are not bold, one per appearance.
-std::vector<std::size_t> distinctLines(const OverlayLines& lines, const std::vector<SeenLine>& seen) {
+std::vector<std::size_t> distinctLines(const OverlayLines& lines,
+                                       const std::vector<ProjectedLine>& projected) {
     std::vector<std::size_t> distinct;
-    std::unordered_set<Appearance, AppearanceHash> known(2 * lines.size());
+    std::unordered_set<Appearance, AppearanceHash> appearances(2 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool inPicture = seen[i].segment && seen[i].cost > kLineCost;
+        const bool inPicture = projected[i].segment && projected[i].cost > kLineCost;
         if (isBold(lines[i]) || !inPicture) continue;
-        if (known.insert(appearanceOf(lines[i], *seen[i].segment)).second) distinct.push_back(i);
+        if (appearances.insert(appearanceOf(lines[i], *projected[i].segment)).second) distinct.push_back(i);
     }
     return distinct;
 }
@@ -101,18 +102,18 @@ std::vector<std::size_t> distinctLines(const OverlayLines& lines, const std::vec
 }  // namespace
 
 double drawingCost(const OverlayLines& lines, const ViewFrame& frame) {
-    return sumOf(seenLines(lines, frame));
+    return sumOf(projectedLines(lines, frame));
 }
 
 OverlayLines selectLines(const OverlayLines& lines, const ViewFrame& frame, double maxPixels) {
     if (!std::isfinite(maxPixels)) return lines;
-    const std::vector<SeenLine> seen = seenLines(lines, frame);
-    if (sumOf(seen) <= maxPixels) return lines;
-    const std::vector<std::size_t> candidates = distinctLines(lines, seen);
+    const std::vector<ProjectedLine> projected = projectedLines(lines, frame);
+    if (sumOf(projected) <= maxPixels) return lines;
+    const std::vector<std::size_t> candidates = distinctLines(lines, projected);
     double all = 0.0, left = maxPixels;
-    for (const std::size_t i : candidates) all += seen[i].cost;
+    for (const std::size_t i : candidates) all += projected[i].cost;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        if (isBold(lines[i])) left -= seen[i].cost;
+        if (isBold(lines[i])) left -= projected[i].cost;
     const double fraction = all > 0.0 ? std::max(left, 0.0) / all : 1.0;
 
     std::vector<bool> kept(lines.size());

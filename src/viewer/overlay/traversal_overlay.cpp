@@ -16,7 +16,7 @@ bool isTest(probe::TraversalEvent event) {
 
 /// The latest event of a box within the shown steps.
 struct BoxState {
-    bool seen = false;
+    bool hasEvent = false;
     probe::TraversalEvent last = probe::TraversalEvent::Missed;
 };
 
@@ -44,7 +44,7 @@ OverlayBoxes traversalBoxes(const probe::TraversalLog& log, const TraversalOverl
             {log.boxes[i].lower + log.shift, log.boxes[i].upper + log.shift, color, style, width});
     };
     for (std::size_t i = 0; i < states.size(); ++i) {
-        if (!states[i].seen) continue;
+        if (!states[i].hasEvent) continue;
         switch (states[i].last) {
             case probe::TraversalEvent::Missed:
                 if (options.missed) add(i, palette::kMissedBox, LineStyle::Dotted, 1.0f);

@@ -36,30 +36,30 @@ int steppedSlider(const char* label, int& value, int highest, std::string_view h
     return step;
 }
 
-void drawLevels(BvhInspector& bvh, const InspectedTree& seen) {
+void drawLevels(BvhInspector& bvh, const InspectedTree& inspected) {
     BvhOverlayOptions& shown = bvh.shown;
     ui::checkbox("Boxes of a level (B)", &shown.levels);
     ImGui::SameLine();
     ui::checkbox("Leaves above", &shown.leavesAbove);
     tooltip("Also draw the leaves above this level, so that the boxes together contain all primitives.");
     const int step =
-        steppedSlider("Level", shown.level, seen.tree().levels - 1, "Also with Page down and Page up.");
+        steppedSlider("Level", shown.level, inspected.tree().levels - 1, "Also with Page down and Page up.");
     if (step != 0) bvh.stepLevel(step);
 }
 
-void drawLeaf(BvhInspector& bvh, const InspectedTree& seen) {
+void drawLeaf(BvhInspector& bvh, const InspectedTree& inspected) {
     ui::checkbox("Highlight one leaf", &bvh.shown.leaf);
     tooltip("The box of the leaf and the outlines of its primitives.");
-    const int leaves = static_cast<int>(seen.index.leaves.size());
+    const int leaves = static_cast<int>(inspected.index.leaves.size());
     const int step =
         steppedSlider("Leaf", bvh.shown.leafNumber, leaves - 1,
                       "In preorder. The keys . and , step; G selects the leaf under the cursor.");
     if (step != 0) bvh.stepLeaf(step);
     if (!bvh.shown.leaf || bvh.shown.leafNumber >= leaves) return;
-    const std::uint32_t node = seen.index.leaves[static_cast<std::size_t>(bvh.shown.leafNumber)];
+    const std::uint32_t node = inspected.index.leaves[static_cast<std::size_t>(bvh.shown.leafNumber)];
     constexpr std::size_t kNamed = 12;
-    const auto primitives = probe::primitivesOfLeaf(seen.tree(), node);
-    std::string content = fmt::format("node {}, level {}: primitives", node, seen.index.level[node]);
+    const auto primitives = probe::primitivesOfLeaf(inspected.tree(), node);
+    std::string content = fmt::format("node {}, level {}: primitives", node, inspected.index.level[node]);
     for (const std::uint32_t primitive : primitives.first(std::min(primitives.size(), kNamed)))
         content += fmt::format(" {}", primitive);
     if (primitives.size() > kNamed) content += fmt::format(" and {} more", primitives.size() - kNamed);
@@ -68,13 +68,13 @@ void drawLeaf(BvhInspector& bvh, const InspectedTree& seen) {
     ImGui::PopStyleColor();
 }
 
-void drawBuild(Workspace& workspace, const InspectedTree& seen) {
+void drawBuild(Workspace& workspace, const InspectedTree& inspected) {
     Settings& settings = workspace.edit.settings;
     labelledRow("Max level", settings.bvhMaxLevel != Settings{}.bvhMaxLevel,
                 "Deepest level of the tree (setting bvh_max_level). A change rebuilds the tree.");
     ui::sliderInt("##max", &settings.bvhMaxLevel, 0, bvh::kMaxTreeLevel, "%d", kClamp);
-    const bvh::TreeStatistics& s = seen.statistics;
-    valueRow("Builder", fmt::format("{}, {} levels", nameOf(seen.builder), s.levels));
+    const bvh::TreeStatistics& s = inspected.statistics;
+    valueRow("Builder", fmt::format("{}, {} levels", nameOf(inspected.builder), s.levels));
     valueRow("Nodes", fmt::format("{}, {} of them leaves", s.nodes, s.leaves));
     valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));
     valueRow("Memory", fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
@@ -86,17 +86,18 @@ bool isAncestor(const probe::TreeIndex& index, std::uint32_t node, std::uint32_t
 }
 
 /// A node and, if it is open, its subtree.
-void drawNode(BvhInspector& bvh, const InspectedTree& seen, std::uint32_t number, bool reveal) {
-    const bvh::BinaryNode& node = seen.tree().nodes[number];
+void drawNode(BvhInspector& bvh, const InspectedTree& inspected, std::uint32_t number, bool reveal) {
+    const bvh::BinaryNode& node = inspected.tree().nodes[number];
     ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
     if (node.isLeaf()) flags |= ImGuiTreeNodeFlags_Leaf;
     const bool selected = number == bvh.shown.node;
     if (selected) flags |= ImGuiTreeNodeFlags_Selected;
-    if (reveal && !selected && isAncestor(seen.index, number, bvh.shown.node)) ImGui::SetNextItemOpen(true);
-    const std::string label = node.isLeaf()
-                                  ? fmt::format("leaf {}: {} primitives", number, node.count)
-                                  : fmt::format("node {}: {} primitives, cost {:.2f}", number,
-                                                seen.index.primitives[number], seen.index.cost[number]);
+    if (reveal && !selected && isAncestor(inspected.index, number, bvh.shown.node))
+        ImGui::SetNextItemOpen(true);
+    const std::string label =
+        node.isLeaf() ? fmt::format("leaf {}: {} primitives", number, node.count)
+                      : fmt::format("node {}: {} primitives, cost {:.2f}", number,
+                                    inspected.index.primitives[number], inspected.index.cost[number]);
     const bool open = ImGui::TreeNodeEx(
         reinterpret_cast<const void*>(static_cast<std::uintptr_t>(number) + 1), flags, "%s", label.c_str());
     ui::note(label.c_str());
@@ -104,34 +105,35 @@ void drawNode(BvhInspector& bvh, const InspectedTree& seen, std::uint32_t number
     if (reveal && selected) ImGui::SetScrollHereY();
     if (!open) return;
     if (!node.isLeaf())
-        for (const std::uint32_t child : {node.first, node.first + 1}) drawNode(bvh, seen, child, reveal);
+        for (const std::uint32_t child : {node.first, node.first + 1})
+            drawNode(bvh, inspected, child, reveal);
     ImGui::TreePop();
 }
 
-void drawSelected(const InspectedTree& seen, std::uint32_t number) {
-    if (number >= seen.tree().nodes.size()) return dimText("Click a node to highlight it.");
-    const bvh::BinaryNode& node = seen.tree().nodes[number];
-    const double rootArea = bvh::halfArea(seen.tree().nodes[0]);
-    valueRow("Node", fmt::format("{}, level {}", number, seen.index.level[number]));
+void drawSelected(const InspectedTree& inspected, std::uint32_t number) {
+    if (number >= inspected.tree().nodes.size()) return dimText("Click a node to highlight it.");
+    const bvh::BinaryNode& node = inspected.tree().nodes[number];
+    const double rootArea = bvh::halfArea(inspected.tree().nodes[0]);
+    valueRow("Node", fmt::format("{}, level {}", number, inspected.index.level[number]));
     valueRow("Lower", vectorText(node.lower));
     valueRow("Upper", vectorText(node.upper));
-    valueRow("Primitives", fmt::format("{}", seen.index.primitives[number]));
-    valueRow("SAH cost", fmt::format("{:.4g}", seen.index.cost[number]),
+    valueRow("Primitives", fmt::format("{}", inspected.index.primitives[number]));
+    valueRow("SAH cost", fmt::format("{:.4g}", inspected.index.cost[number]),
              "Expected cost of a ray that visits the node.");
     if (rootArea > 0.0)
         valueRow("Visited", fmt::format("by {:.3g} % of lines", 100.0 * bvh::halfArea(node) / rootArea),
                  "Share of the random lines through the root box that intersect this box.");
     if (!node.isLeaf())
-        valueRow("Overlap", fmt::format("{:.3g} %", 100.0 * probe::childOverlap(seen.tree(), number)),
+        valueRow("Overlap", fmt::format("{:.3g} %", 100.0 * probe::childOverlap(inspected.tree(), number)),
                  "Surface area of the intersection of both child boxes, relative to the area of this box.");
 }
 
-void drawTree(BvhInspector& bvh, const InspectedTree& seen) {
+void drawTree(BvhInspector& bvh, const InspectedTree& inspected) {
     const bool reveal = bvh.takeSelectionChange() && bvh.shown.node != bvh::kNoNode;
     if (ImGui::BeginChild("nodes", {0.0f, scaled(150.0f)}, true, ImGuiWindowFlags_HorizontalScrollbar))
-        drawNode(bvh, seen, 0, reveal);
+        drawNode(bvh, inspected, 0, reveal);
     ImGui::EndChild();
-    drawSelected(seen, bvh.shown.node);
+    drawSelected(inspected, bvh.shown.node);
 }
 
 void drawHistogram(const char* title, const char* unit, const std::vector<std::size_t>& counts) {
@@ -143,9 +145,9 @@ void drawHistogram(const char* title, const char* unit, const std::vector<std::s
     ImGui::PlotHistogram("##counts", values.data(), static_cast<int>(values.size()), 0, nullptr, 0.0f,
                          FLT_MAX, {width, scaled(54.0f)});
     if (ImGui::IsItemHovered() && !counts.empty()) {
-        const float share = (ImGui::GetIO().MousePos.x - at.x) / width;
+        const float fraction = (ImGui::GetIO().MousePos.x - at.x) / width;
         const auto bar =
-            std::min(static_cast<std::size_t>(std::max(share, 0.0f) * static_cast<float>(counts.size())),
+            std::min(static_cast<std::size_t>(std::max(fraction, 0.0f) * static_cast<float>(counts.size())),
                      counts.size() - 1);
         ImGui::SetTooltip("%s", fmt::format("{} leaves {} {}", counts[bar], unit, bar).c_str());
     }
@@ -157,8 +159,8 @@ void drawHistogram(const char* title, const char* unit, const std::vector<std::s
 void drawBvhPanel(Workspace& workspace) {
     workspace.bvhPanelOpen = true;
     BvhInspector& bvh = workspace.bvh;
-    const InspectedTree* seen = bvh.inspected();
-    if (seen == nullptr) {
+    const InspectedTree* inspected = bvh.inspected();
+    if (inspected == nullptr) {
         wrappedText(workspace.edit.settings.bvh ? "No BVH: the scene is empty or still being prepared."
                                                 : "The BVH is off: every ray tests every primitive.");
         return;
@@ -173,23 +175,23 @@ void drawBvhPanel(Workspace& workspace) {
         bvh.motionGroup = static_cast<std::size_t>(std::clamp(motionGroup + step, 0, last));
     }
     if (ui::section("Boxes")) {
-        drawLevels(bvh, *seen);
-        drawLeaf(bvh, *seen);
+        drawLevels(bvh, *inspected);
+        drawLeaf(bvh, *inspected);
         ui::checkbox("Compare with another BVH", &bvh.shown.showReference);
         tooltip(
             "Draws the boxes of the reference tree in red, below those of this tree. Red areas are covered "
             "by "
             "the reference tree only.");
     }
-    if (ui::section("Build")) drawBuild(workspace, *seen);
+    if (ui::section("Build")) drawBuild(workspace, *inspected);
     if (bvh.shown.showReference && ui::section("Comparison with another BVH"))
-        drawReferenceTree(workspace, *seen);
-    if (ui::section("Nodes")) drawTree(bvh, *seen);
+        drawReferenceTree(workspace, *inspected);
+    if (ui::section("Nodes")) drawTree(bvh, *inspected);
     if (ui::section("Split costs of the node")) drawSplitCurve(bvh, workspace.edit.settings.bvhBins);
     if (ui::section("Leaves")) {
-        drawHistogram("Leaves by level", "on level", seen->statistics.leavesAtLevel);
+        drawHistogram("Leaves by level", "on level", inspected->statistics.leavesAtLevel);
         drawHistogram("Leaves by number of primitives",
-                      "with this number of primitives:", seen->statistics.leavesOfSize);
+                      "with this number of primitives:", inspected->statistics.leavesOfSize);
     }
 }
 

@@ -9,7 +9,7 @@ namespace rayscope::viewer {
 std::string_view nameOf(BvhBuilder builder);
 
 /// Builder settings of the reference tree, and the cost of both trees.
-void drawReferenceTree(Workspace& workspace, const BvhInspector::InspectedTree& seen);
+void drawReferenceTree(Workspace& workspace, const BvhInspector::InspectedTree& inspected);
 
 /// SAH cost of the selected node over all candidate split planes.
 void drawSplitCurve(BvhInspector& bvh, int bins);

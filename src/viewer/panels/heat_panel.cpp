@@ -57,13 +57,14 @@ void drawHistogram(HeatMap& heat) {
         const ImU32 color = ImGui::ColorConvertFloat4ToU32(
             {image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
         // The square root keeps rare values visible beside common ones.
-        const float share = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
+        const float fraction = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
         const float x = at.x + width * static_cast<float>(i) / bars;
-        draw.AddRectFilled({x, at.y + height * (1.0f - share)}, {x + width / bars, at.y + height}, color);
+        draw.AddRectFilled({x, at.y + height * (1.0f - fraction)}, {x + width / bars, at.y + height}, color);
     }
     if (ImGui::IsItemActive() && s.highest > s.lowest) {
-        const float share = std::clamp((ImGui::GetIO().MousePos.x - at.x) / width, 0.0f, 1.0f);
-        const auto value = static_cast<float>(s.lowest + (s.highest - s.lowest) * static_cast<double>(share));
+        const float fraction = std::clamp((ImGui::GetIO().MousePos.x - at.x) / width, 0.0f, 1.0f);
+        const auto value =
+            static_cast<float>(s.lowest + (s.highest - s.lowest) * static_cast<double>(fraction));
         // The nearer end follows the cursor.
         (std::abs(value - heat.from) < std::abs(value - heat.to) ? heat.from : heat.to) = value;
         heat.fitRange = false;
@@ -71,8 +72,8 @@ void drawHistogram(HeatMap& heat) {
     }
     for (const float end : {heat.from, heat.to}) {
         if (!(s.highest > s.lowest)) break;
-        const double share = (static_cast<double>(end) - s.lowest) / (s.highest - s.lowest);
-        const float x = at.x + width * static_cast<float>(std::clamp(share, 0.0, 1.0));
+        const double fraction = (static_cast<double>(end) - s.lowest) / (s.highest - s.lowest);
+        const float x = at.x + width * static_cast<float>(std::clamp(fraction, 0.0, 1.0));
         draw.AddLine({x, at.y}, {x, at.y + height}, IM_COL32(255, 255, 255, 220), scaled(1.5f));
     }
     tooltip("Number of pixels by value. Drag the ends of the colour range.");

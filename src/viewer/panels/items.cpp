@@ -88,7 +88,7 @@ void combo(const char* label, const char* shown, const std::function<void()>& dr
     const bool open = ImGui::BeginCombo(label, shown, flags);
     if (!open) return note(label);
     {
-        // The list is the current window now; the item of the closed list cannot be asked for any more.
+        // The list is the current window now; the item of the closed list cannot be queried any more.
         const Scope scope(row);
         draw();
     }

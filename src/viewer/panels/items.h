@@ -82,7 +82,7 @@ inline bool dragFloat(const char* label, float* value, float speed, float lowest
                       const char* format, ImGuiSliderFlags flags = 0) {
     return noted(label, ImGui::DragFloat(label, value, speed, lowest, highest, format, flags));
 }
-/// An area without a look of its own, such as a plot.
+/// An area that draws nothing itself, for instance for a plot.
 inline bool area(const char* label, ImVec2 size) { return noted(label, ImGui::InvisibleButton(label, size)); }
 /// A header that folds what follows up to the next one.
 bool section(const char* label, ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen);

@@ -55,11 +55,11 @@ Light newLight(int kind, const SceneBounds& bounds) {
 
 void drawAddButtons(Workspace& workspace) {
     constexpr const char* kLabels[] = {"+ Point", "+ Segment", "+ Parallelogram"};
-    constexpr float kShares[] = {0.24f, 0.31f, 0.45f};
+    constexpr float kWidthFractions[] = {0.24f, 0.31f, 0.45f};
     const float width = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
     for (int kind = 0; kind < 3; ++kind) {
         if (kind > 0) ImGui::SameLine();
-        if (!ui::button(kLabels[kind], {kShares[kind] * width, 0.0f})) continue;
+        if (!ui::button(kLabels[kind], {kWidthFractions[kind] * width, 0.0f})) continue;
         std::vector<Light> lights = workspace.edit.scene->lights;
         lights.push_back(newLight(kind, boundsOf(*workspace.edit.scene)));
         workspace.view.selectedLight = static_cast<int>(lights.size()) - 1;

@@ -74,8 +74,8 @@ void drawStrip(DebugRays& rays, const DebugRays::PixelRecording& recording, floa
         if (std::isfinite(x)) highest = std::max(highest, x);
     const auto xOf = [&](double i) { return at.x + static_cast<float>(i / count) * width; };
     const auto yOf = [&](double value) {
-        const double share = std::isfinite(value) ? std::clamp(value / highest, 0.0, 1.0) : 1.0;
-        return at.y + height * static_cast<float>(1.0 - share);
+        const double fraction = std::isfinite(value) ? std::clamp(value / highest, 0.0, 1.0) : 1.0;
+        return at.y + height * static_cast<float>(1.0 - fraction);
     };
     // With more samples than pixels, each bar shows the brightest of its samples.
     const int stride = std::max(1, count / std::max(1, static_cast<int>(width)));

@@ -72,20 +72,22 @@ void drawFilter(Workspace& workspace) {
 std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
 
 /// Result of the replay: whether the recorded rays are those of the picture.
-void drawReplay(const ReplayResult& verdict) {
-    if (verdict.samples == 0) return;
-    coloredText(verdict.good() ? kGoodText : kErrorText,
-                verdict.good() ? fmt::format("[x] replay of {} samples: bit-identical", verdict.samples)
-                               : "[ ] replay differs from the picture");
+void drawReplay(const ReplayResult& replayResult) {
+    if (replayResult.samples == 0) return;
+    coloredText(replayResult.good() ? kGoodText : kErrorText,
+                replayResult.good()
+                    ? fmt::format("[x] replay of {} samples: bit-identical", replayResult.samples)
+                    : "[ ] replay differs from the picture");
     tooltip(
         "All samples of the pixel were traced again with the recorder. [x]: their sum is bit-identical to "
         "the pixel of the picture, and the contributions of each ray tree add up to its radiance.");
-    if (verdict.good()) return;
-    if (!verdict.matchesFilm) {
-        text(fmt::format("picture {} {} {}", verdict.film.r, verdict.film.g, verdict.film.b));
-        text(fmt::format("replay  {} {} {}", verdict.replayed.r, verdict.replayed.g, verdict.replayed.b));
+    if (replayResult.good()) return;
+    if (!replayResult.matchesFilm) {
+        text(fmt::format("picture {} {} {}", replayResult.film.r, replayResult.film.g, replayResult.film.b));
+        text(fmt::format("replay  {} {} {}", replayResult.replayed.r, replayResult.replayed.g,
+                         replayResult.replayed.b));
     }
-    if (!verdict.sumMatches) text("contributions do not add up to the radiance");
+    if (!replayResult.sumMatches) text("contributions do not add up to the radiance");
 }
 
 void drawReplayProgress(DebugRays& rays) {
@@ -126,8 +128,8 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
         coloredText(kWarningText, "Outdated: scene, settings or camera changed");
     if (rays.replaying())
         drawReplayProgress(rays);
-    else if (recording.verdict)
-        drawReplay(*recording.verdict);
+    else if (recording.replayResult)
+        drawReplay(*recording.replayResult);
     valueRow("Radiance", rgbText(tree.radiance));
     drawPixelSamples(workspace, recording);
     drawSamples(rays, recording);

@@ -37,16 +37,16 @@ void row(std::string_view name, std::string_view own, std::string_view other) {
     }
 }
 
-void drawTable(const BvhInspector& bvh, const InspectedTree& seen, const InspectedTree& referenceTree) {
+void drawTable(const BvhInspector& bvh, const InspectedTree& inspected, const InspectedTree& referenceTree) {
     if (!ImGui::BeginTable("comparison", 3, ImGuiTableFlags_SizingStretchProp)) return;
     const auto pair = [](const char* name, const char* format, double own, double other) {
         row(name, fmt::format(fmt::runtime(format), own), fmt::format(fmt::runtime(format), other));
     };
-    const probe::LevelComparison c = probe::compareAtLevel(seen.tree(), seen.index, referenceTree.tree(),
-                                                           referenceTree.index, bvh.shown.level);
-    const bvh::TreeStatistics &a = seen.statistics, &b = referenceTree.statistics;
+    const probe::LevelComparison c = probe::compareAtLevel(
+        inspected.tree(), inspected.index, referenceTree.tree(), referenceTree.index, bvh.shown.level);
+    const bvh::TreeStatistics &a = inspected.statistics, &b = referenceTree.statistics;
     row("", "this BVH", "other");
-    row("", nameOf(seen.builder), nameOf(referenceTree.builder));
+    row("", nameOf(inspected.builder), nameOf(referenceTree.builder));
     pair("SAH cost", "{:.3f}", c.sahCost[0], c.sahCost[1]);
     row("nodes", fmt::format("{}", a.nodes), fmt::format("{}", b.nodes));
     row("levels", fmt::format("{}", a.levels), fmt::format("{}", b.levels));
@@ -69,11 +69,11 @@ void drawTable(const BvhInspector& bvh, const InspectedTree& seen, const Inspect
 
 std::string_view nameOf(BvhBuilder builder) { return kBuilders[static_cast<int>(builder)]; }
 
-void drawReferenceTree(Workspace& workspace, const InspectedTree& seen) {
+void drawReferenceTree(Workspace& workspace, const InspectedTree& inspected) {
     BvhInspector& bvh = workspace.bvh;
     drawBuilderSettings(bvh, workspace.edit.settings);
     if (const InspectedTree* referenceTree = bvh.referenceTree())
-        drawTable(bvh, seen, *referenceTree);
+        drawTable(bvh, inspected, *referenceTree);
     else
         dimText("building ...");
 }

@@ -92,16 +92,17 @@ std::string progressText(const Workspace& workspace) {
     return progress + errorText(workspace) + endText(render);
 }
 
-/// The fraction of the work that is done, as far as it is known: 0 to 1.
+/// The estimated fraction of the work that is done, 0 to 1.
 double doneShare(const Workspace& workspace) {
     const RenderStatus& status = workspace.render.status();
     const std::optional<ErrorForecast> forecast = workspace.render.forecast();
-    double share = workspace.stopCriteria.byError ? 0.0 : status.progress;
+    double fraction = workspace.stopCriteria.byError ? 0.0 : status.progress;
     if (workspace.stopCriteria.byError && forecast && forecast->remainingSeconds > 0.0)
-        share = status.elapsedSeconds / (status.elapsedSeconds + forecast->remainingSeconds);
+        fraction = status.elapsedSeconds / (status.elapsedSeconds + forecast->remainingSeconds);
     if (workspace.stopCriteria.byTime)
-        share = std::max(share, status.elapsedSeconds / static_cast<double>(workspace.stopCriteria.seconds));
-    return std::min(share, 1.0);
+        fraction =
+            std::max(fraction, status.elapsedSeconds / static_cast<double>(workspace.stopCriteria.seconds));
+    return std::min(fraction, 1.0);
 }
 
 /// The text at the right end of the bar.

@@ -22,7 +22,7 @@ void wrappedText(std::string_view content) {
 
 bool labelledRow(std::string_view label, bool emphasised, std::string_view help) {
     ui::noteRow(label);
-    constexpr float kShare = 0.49f;
+    constexpr float kLabelFraction = 0.49f;
     const float start = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
     if (emphasised)
@@ -31,8 +31,8 @@ bool labelledRow(std::string_view label, bool emphasised, std::string_view help)
         coloredText({0.74f, 0.76f, 0.79f, 1.0f}, label);
     const bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!help.empty()) tooltip(help);
-    ImGui::SameLine(start + kShare * width);
-    ImGui::SetNextItemWidth((1.0f - kShare) * width);
+    ImGui::SameLine(start + kLabelFraction * width);
+    ImGui::SetNextItemWidth((1.0f - kLabelFraction) * width);
     return reset;
 }
 

@@ -90,15 +90,16 @@ void SceneOverlays::rebuild(const Workspace& workspace, float sceneSize) {
         addRays(*recording, workspace.rays, sceneSize);
     if (const LabResult* lab = workspace.lab.result(); lab && inputsOf(workspace).lab)
         append(lines_, labFailureLines(*lab, workspace.lab.shownMethod));
-    if (const BvhInspector::InspectedTree* seen = workspace.bvh.inspected()) {
+    if (const BvhInspector::InspectedTree* inspected = workspace.bvh.inspected()) {
         const BvhOverlayOptions& choice = workspace.bvh.shown;
         const BvhInspector::InspectedTree* referenceTree = workspace.bvh.referenceTree();
         const std::optional<IndexedTree> indexedReference =
             referenceTree ? std::optional<IndexedTree>(referenceTree->indexed()) : std::nullopt;
-        append(boxes_, levelBoxes(seen->indexed(), indexedReference ? &*indexedReference : nullptr, choice));
-        append(boxes_, nodeBoxes(seen->tree(), choice.node));
-        append(boxes_, leafBoxes(seen->indexed(), choice));
-        append(lines_, leafLines(seen->indexed(), seen->geometry->input, choice));
+        append(boxes_,
+               levelBoxes(inspected->indexed(), indexedReference ? &*indexedReference : nullptr, choice));
+        append(boxes_, nodeBoxes(inspected->tree(), choice.node));
+        append(boxes_, leafBoxes(inspected->indexed(), choice));
+        append(lines_, leafLines(inspected->indexed(), inspected->geometry->input, choice));
     }
 }
 

@@ -38,9 +38,9 @@ std::vector<std::uint64_t> cellsOf(const std::vector<glm::vec3>& positions, cons
     std::vector<std::uint64_t> numbers;
     numbers.reserve(positions.size());
     for (const glm::vec3& position : positions) {
-        const glm::dvec3 place = (glm::dvec3(position) - extent.lower) * scale;
+        const glm::dvec3 cell = (glm::dvec3(position) - extent.lower) * scale;
         const auto axis = [&](double value) { return static_cast<std::uint64_t>(value); };
-        numbers.push_back(math::isFinite(position) ? axis(place.x) << 42 | axis(place.y) << 21 | axis(place.z)
+        numbers.push_back(math::isFinite(position) ? axis(cell.x) << 42 | axis(cell.y) << 21 | axis(cell.z)
                                                    : kNoCell);
     }
     return numbers;
@@ -76,9 +76,9 @@ MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells
     std::vector<std::uint32_t> vertexOf(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         if (cells[i] == kNoCell) continue;
-        const auto [place, isNew] =
+        const auto [entry, isNew] =
             vertexOfCell.try_emplace(cells[i], static_cast<std::uint32_t>(members.size()));
-        const std::uint32_t vertex = vertexOf[i] = place->second;
+        const std::uint32_t vertex = vertexOf[i] = entry->second;
         if (isNew) {
             members.push_back(0.0f);
             coarse.positions.emplace_back(0.0f);
