@@ -17,7 +17,8 @@ constexpr Command kCommands[] = {
      setUpBench},
     {"cast", "Trace a file of rays", setUpCast},
     {"trade",
-     "Measure rendering time against error on this scene, parameter by parameter, and recommend settings",
+     "Measure rendering time against error on this scene, parameter by parameter, and recommend settings for "
+     "several time budgets",
      setUpTrade},
     {"lab", "Test numerical robustness: many scales and offsets, compared with exact arithmetic", setUpLab},
     {"compare", "Measure the error of an image against a reference image", setUpCompare},

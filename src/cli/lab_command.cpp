@@ -87,7 +87,10 @@ std::function<int()> setUpLab(OptionList& list) {
     list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
     list.add("--json", &options->json, "Print the result as JSON");
     list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
-    list.setDetails("Without a scene, generated shapes are tested. Exit code 4 if Rayscope fails.");
+    list.setDetails(
+        "Intersects the triangles of the scene, or of generated shapes without one, at many scales and "
+        "offsets "
+        "and compares the hits with exact arithmetic. Exit code 4 if Rayscope fails.");
     return [options] { return runLabCommand(*options); };
 }
 

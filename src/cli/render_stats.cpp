@@ -1,7 +1,5 @@
 #include "cli/render_stats.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "trace/world.h"

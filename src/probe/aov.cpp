@@ -10,7 +10,6 @@
 #include "probe/sample_cost.h"
 #include "render/film.h"
 #include "render/thread_arena.h"
-#include "sampling/sample_stream.h"
 #include "trace/interaction.h"
 #include "trace/world.h"
 

@@ -3,13 +3,14 @@
 #include <rayscope/open_request.h>
 
 #include "base/nearest_name.h"
+#include "render/scene_defaults.h"
 
 namespace rayscope {
 
 namespace {
 
 CameraDescription cameraNamed(const SceneDescription& scene, const std::string& name) {
-    if (name.empty()) return scene.cameras.empty() ? framingCamera(boundsOf(scene)) : scene.cameras.front();
+    if (name.empty()) return render::defaultCamera(scene);
     std::vector<std::string_view> names;
     for (const CameraDescription& camera : scene.cameras) {
         if (camera.name == name) return camera;
@@ -25,24 +26,13 @@ CameraDescription cameraFor(const SceneDescription& scene, const CameraOverrides
     camera.lookAt = overrides.lookAt.value_or(camera.lookAt);
     camera.up = overrides.up.value_or(camera.up);
     camera.fov = overrides.fov.value_or(camera.fov);
-    if (camera.lookFrom == camera.lookAt)
-        throw InputError("--look-from and --look-at of the camera are the same point; move one of them");
+    render::checkCamera(camera);
     return camera;
-}
-
-void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignments) {
-    for (const SettingAssignment& assignment : assignments) {
-        try {
-            assign(settings, assignment.key, assignment.value);
-        } catch (const InputError& error) {
-            throw InputError(error.diagnostic().message, assignment.position);
-        }
-    }
 }
 
 /// The last step: what overrides the preset.
 void assignOverrides(Settings& settings, const RequestOverrides& overrides) {
-    assignAll(settings, overrides.settings);
+    render::assignAll(settings, overrides.settings);
     if (overrides.spp) assign(settings, "spp", std::to_string(*overrides.spp));
 }
 
@@ -60,7 +50,7 @@ RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene, const Re
     request.height = overrides.height;
     request.seed = overrides.seed;
     request.camera = cameraFor(*scene, overrides.camera);
-    assignAll(request.settings, scene->settings);
+    request.settings = render::settingsOf(*scene);
     if (!overrides.preset.empty())
         applyPreset(request.settings, presetNamed(overrides.preset),
                     blursPixels(requirementsOf(*scene), request.camera));

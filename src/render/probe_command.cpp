@@ -5,35 +5,32 @@
 #include <vector>
 
 #include "base/shell_quote.h"
+#include "render/scene_defaults.h"
 
 namespace rayscope::render {
 
 namespace {
 
-std::string vectorText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
-
 /// Options that turn the scene's default camera into the request's.
 std::string cameraOptions(const SceneDescription& scene, const CameraDescription& camera) {
     std::string text;
-    CameraDescription known = scene.cameras.empty() ? CameraDescription{} : scene.cameras.front();
+    CameraDescription known = defaultCamera(scene);
     for (const CameraDescription& candidate : scene.cameras)
         if (candidate.name == camera.name && camera.name != known.name) {
             text += " --camera " + base::shellQuote(camera.name);
             known = candidate;
             break;
         }
-    if (camera.lookFrom != known.lookFrom) text += " --look-from " + vectorText(camera.lookFrom);
-    if (camera.lookAt != known.lookAt) text += " --look-at " + vectorText(camera.lookAt);
-    if (camera.up != known.up) text += " --up " + vectorText(camera.up);
+    if (camera.lookFrom != known.lookFrom) text += " --look-from " + optionText(camera.lookFrom);
+    if (camera.lookAt != known.lookAt) text += " --look-at " + optionText(camera.lookAt);
+    if (camera.up != known.up) text += " --up " + optionText(camera.up);
     if (camera.fov != known.fov) text += fmt::format(" --fov {}", camera.fov);
     return text;
 }
 
 /// KEY=VALUE of the settings that differ from what the scene file sets, or from the defaults.
 std::vector<std::string> changedSettings(const RenderRequest& request) {
-    Settings ofScene;
-    for (const SettingAssignment& assignment : request.scene->settings)
-        assign(ofScene, assignment.key, assignment.value);
+    const Settings ofScene = settingsOf(*request.scene);
     std::vector<std::string> assignments;
     for (const std::string_view key : settingKeys()) {
         const std::string value = textOf(request.settings, key);

@@ -55,7 +55,7 @@ double distance(const RgbImage& a, const RgbImage& b) {
 
 // A few hundred pixels at edges have most of the error, so its estimate has a standard error of about 5 %.
 TEST(ReferenceImage, EstimatesItsOwnError) {
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     measure::ReferenceImage reference(requestFor("builtin:cornell-area", 80), workers);
     ASSERT_TRUE(reference.extend(8, {}));
     const RgbImage early = reference.mean();
@@ -77,7 +77,7 @@ TEST(ReferenceImage, ConvergesIfItsErrorFalls) {
 TEST(ReferenceImage, ContinuesFromAFileBitForBit) {
     const test::TemporaryFolder folder;
     const std::string file = folder.file("sub/r.films");
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     measure::ReferenceImage whole(requestFor("builtin:cornell", 40), workers),
         part(requestFor("builtin:cornell", 40), workers);
     whole.extend(8, {});
@@ -92,7 +92,7 @@ TEST(ReferenceImage, ContinuesFromAFileBitForBit) {
 
 TEST(ReferenceImage, RejectsDamagedAndForeignFiles) {
     const test::TemporaryFolder folder;
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     measure::ReferenceImage reference(requestFor("builtin:cornell", 40), workers);
     reference.extend(2, {});
     reference.save(folder.file("r.films"));
@@ -118,7 +118,7 @@ TEST(ReferenceImage, RejectsDamagedAndForeignFiles) {
 }
 
 TEST(ReferenceImage, CanBeExtendedAfterAStop) {
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     measure::ReferenceImage reference(requestFor("builtin:cornell", 40), workers);
     std::stop_source stop;
     stop.request_stop();

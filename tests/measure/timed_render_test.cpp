@@ -27,7 +27,7 @@ TEST(Deadline, RequestsAStopByTimeOrWithTheOuterToken) {
 }
 
 TEST(TimedRender, EqualsARenderSession) {
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     const trace::CompileRequest request = requestFor("builtin:cornell-area", 20, 3);
     const std::optional<measure::TimedRender> timed =
         measure::renderTimed(workers, request, nullptr, 5, 1e9, {});
@@ -52,7 +52,7 @@ TEST(TimedRender, EqualsARenderSession) {
 }
 
 TEST(TimedRender, StopsAtItsTimeLimit) {
-    measure::Workers workers(2);
+    render::ThreadArena workers(2);
     EXPECT_FALSE(
         measure::renderTimed(workers, requestFor("builtin:cornell-area", 100, 100000), nullptr, 0, 0.05, {}));
     std::stop_source stop;

@@ -11,6 +11,7 @@ check() { "$CMAKE" "-DMODULES=$BUILD/modules.txt" "-DSOURCE=$1" -P "$SOURCE/cmak
 refuses() {
     rm -rf "${copy:?}"/*
     cp -r "$SOURCE/src" "$SOURCE/include" "$copy"
+    [[ -f $copy/$1 ]] || { echo "no file $1"; exit 1; }
     printf '#include %s\n' "$2" >>"$copy/$1"
     local said
     if said=$(check "$copy" 2>&1); then
@@ -28,6 +29,6 @@ refuses src/base/nearest_name.h '<rayscope/accel.h>' "module 'base' includes mod
 refuses include/rayscope/image.h '<rayscope/scene.h>' "module 'image' includes module 'scene'"
 refuses src/image/srgb.h '<rayscope/nothing.h>' "belongs to no module"
 refuses src/viewer/model/history.h '"viewer/app/application.h"' "folder 'model' includes folder 'app'"
-refuses src/measure/trade/pareto.h '"measure/target/film_pair.h"' "folder 'trade' includes folder 'target'"
-refuses src/measure/lab/mesh.h '"measure/trade/pareto.h"' "folder 'lab' includes folder 'trade'"
-refuses src/bvh/kernel/sphere.h '"bvh/builders/build.h"' "folder 'kernel' includes folder 'build'"
+refuses src/measure/trade/pareto.h '"measure/target/half_films.h"' "folder 'trade' includes folder 'target'"
+refuses src/measure/lab/lab_mesh.h '"measure/trade/pareto.h"' "folder 'lab' includes folder 'trade'"
+refuses src/bvh/kernel/sphere.h '"bvh/builders/build.h"' "folder 'kernel' includes folder 'builders'"

@@ -5,7 +5,6 @@
 
 #include "panel_driver.h"
 #include "settings/table.h"
-#include "viewer/overlay/debug_rays_overlay.h"
 
 namespace rayscope::viewer {
 namespace {

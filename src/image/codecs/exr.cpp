@@ -6,7 +6,6 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
-#include <fmt/format.h>
 #include <rayscope/diagnostics.h>
 
 #include <array>

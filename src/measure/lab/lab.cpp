@@ -8,7 +8,7 @@
 
 #include "measure/lab/lab_summary.h"
 #include "measure/lab/test_point.h"
-#include "measure/statistics/workers.h"
+#include "render/thread_arena.h"
 #include "sampling/hash.h"
 #include "trace/compile.h"
 
@@ -162,7 +162,7 @@ LabResult runLab(const LabRequest& request) {
     result.raysPerTestPoint = request.raysPerTestPoint;
 
     const std::vector<LabTransform> transforms = transformsOf(request.quick);
-    Workers workers(request.threads);
+    render::ThreadArena workers(request.threads);
     std::size_t done = 0;
     try {
         for (const std::size_t i : orderOf(transforms)) {

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/statistics/workers.h"
+#include "measure/statistics/deadline.h"
 #include "measure/target/error_trend.h"
 #include "measure/target/half_films.h"
 #include "measure/target/sample_allocation.h"
 #include "render/pass_plan.h"
 #include "render/probe_command.h"
 #include "render/render_pass.h"
+#include "render/thread_arena.h"
 #include "sampling/hash.h"
 #include "sampling/sample_stream.h"
 #include "trace/compile.h"
@@ -53,7 +54,7 @@ class TargetRender {
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     const ErrorTargetRequest& request_;
-    measure::Workers workers_;
+    render::ThreadArena workers_;
     PixelBounds region_;
     std::unique_ptr<measure::HalfFilms> halves_;
     render::RenderCounters counters_;

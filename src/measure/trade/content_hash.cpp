@@ -133,9 +133,10 @@ std::string filmContentHash(const trace::CompileRequest& request, const trace::W
     add(hash, request.camera);
     add(hash, *request.scene);
     settings::forEachSetting([&](const auto& row) {
-        const bool counts =
+        // Only a pattern that depends on the sample count makes spp part of the content.
+        const bool isOnlyCount =
             row.text.key == "spp" && !sampling::dependsOnSampleCount(request.settings.sampler);
-        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !counts)
+        if (row.invalidates >= Invalidates::Film && row.text.trade != Trade::Speed && !isOnlyCount)
             hash.text(textOf(request.settings, row.text.key));
     });
     addSamples(hash, world);

@@ -44,8 +44,8 @@ bool converges(const std::vector<std::pair<int, double>>& history) {
     return steps < 3 || history[steps - 1].second <= kConverging * history[steps - 3].second;
 }
 
-ReferenceImage::ReferenceImage(trace::CompileRequest request, Workers& workers, const trace::World* previous,
-                               const std::stop_token& stop)
+ReferenceImage::ReferenceImage(trace::CompileRequest request, render::ThreadArena& workers,
+                               const trace::World* previous, const std::stop_token& stop)
     : request_(std::move(request)), workers_(workers) {
     world_ = workers_.run([&] { return trace::compile(request_, previous, stop); });
     for (auto& half : halves_)

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "measure/statistics/workers.h"
 #include "render/film.h"
+#include "render/thread_arena.h"
 #include "trace/compile.h"
 
 namespace rayscope::measure {
@@ -16,8 +16,8 @@ namespace rayscope::measure {
 class ReferenceImage {
   public:
     /// The samples per pixel of the request are ignored; see referenceSettings().
-    ReferenceImage(trace::CompileRequest request, Workers& workers, const trace::World* previous = nullptr,
-                   const std::stop_token& stop = {});
+    ReferenceImage(trace::CompileRequest request, render::ThreadArena& workers,
+                   const trace::World* previous = nullptr, const std::stop_token& stop = {});
 
     const trace::World& world() const { return *world_; }
     /// Complete samples per pixel of each half.
@@ -40,7 +40,7 @@ class ReferenceImage {
 
   private:
     trace::CompileRequest request_;
-    Workers& workers_;
+    render::ThreadArena& workers_;
     std::shared_ptr<const trace::World> world_;
     std::array<std::unique_ptr<render::Film>, 2> halves_;
 };

@@ -41,7 +41,7 @@ class TradeStudy {
     void reportProgress(const std::string& phase) const;
 
     const TradeRequest& request_;
-    Workers workers_;
+    render::ThreadArena workers_;
     std::chrono::steady_clock::time_point start_;
     std::shared_ptr<const trace::World> world_;
     std::unique_ptr<ReferenceImage> reference_;

@@ -8,7 +8,7 @@
 
 namespace rayscope::measure {
 
-std::optional<TimedRender> renderTimed(Workers& workers, const trace::CompileRequest& request,
+std::optional<TimedRender> renderTimed(render::ThreadArena& workers, const trace::CompileRequest& request,
                                        const trace::World* previous, std::uint64_t seed, double maxSeconds,
                                        const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "measure/statistics/workers.h"
+#include "render/thread_arena.h"
 #include "trace/compile.h"
 
 namespace rayscope::measure {
@@ -19,7 +19,7 @@ struct TimedRender {
 
 /// Renders `request.settings.spp` samples per pixel, bit-identical to `rayscope render`. Empty if it takes
 /// longer than `maxSeconds` or a stop is requested.
-std::optional<TimedRender> renderTimed(Workers& workers, const trace::CompileRequest& request,
+std::optional<TimedRender> renderTimed(render::ThreadArena& workers, const trace::CompileRequest& request,
                                        const trace::World* previous, std::uint64_t seed, double maxSeconds,
                                        const std::stop_token& stop);
 

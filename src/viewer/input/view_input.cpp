@@ -1,7 +1,6 @@
 #include "viewer/input/view_input.h"
 
 #include <GLFW/glfw3.h>
-#include <fmt/format.h>
 #include <imgui.h>
 
 #include <cmath>

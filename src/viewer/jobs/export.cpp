@@ -6,7 +6,6 @@
 #include <rayscope/render_image.h>
 #include <filesystem>
 
-#include "render/film.h"
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"
 #include "viewer/model/viewer_seed.h"

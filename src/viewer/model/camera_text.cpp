@@ -7,12 +7,11 @@
 
 #include "base/nearest_name.h"
 #include "base/number_list.h"
+#include "render/scene_defaults.h"
 
 namespace rayscope::viewer {
 
 namespace {
-
-std::string commaSeparated(glm::vec3 v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
 std::vector<std::string_view> splitText(std::string_view text) {
     std::vector<std::string_view> list;
@@ -41,8 +40,8 @@ glm::vec3 vector(std::string_view option, std::string_view text) {
 }  // namespace
 
 std::string toOptions(const CameraDescription& camera) {
-    return fmt::format("--look-from {} --look-at {} --up {} --fov {}", commaSeparated(camera.lookFrom),
-                       commaSeparated(camera.lookAt), commaSeparated(camera.up), camera.fov);
+    return fmt::format("--look-from {} --look-at {} --up {} --fov {}", render::optionText(camera.lookFrom),
+                       render::optionText(camera.lookAt), render::optionText(camera.up), camera.fov);
 }
 
 CameraDescription withOptions(const CameraDescription& camera, std::string_view text) {
@@ -66,7 +65,7 @@ CameraDescription withOptions(const CameraDescription& camera, std::string_view 
     }
     if (!(changed.fov > 0.0f && changed.fov < 180.0f))
         throw InputError("--fov: expected degrees between 0 and 180");
-    if (changed.lookFrom == changed.lookAt) throw InputError("--look-from and --look-at must differ");
+    render::checkCamera(changed);
     return changed;
 }
 

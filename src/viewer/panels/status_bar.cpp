@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "image/srgb.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"

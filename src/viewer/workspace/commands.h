@@ -1,6 +1,6 @@
 #pragma once
-// Everything that menu entries and keys do, in one table. Menus, shortcuts and the list of keys are made from
-// it.
+// The commands of menus and keys. Their table, with a function for each, is app/command_table.cpp; menus,
+// shortcuts and the list of keys are made from it.
 #include <GLFW/glfw3.h>
 
 #include <array>

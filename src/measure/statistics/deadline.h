@@ -7,12 +7,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "render/thread_arena.h"
-
 namespace rayscope::measure {
-
-/// The threads of a measurement.
-using Workers = render::ThreadArena;
 
 /// Requests a stop after some seconds, or when one is requested through `outer`.
 class Deadline {
