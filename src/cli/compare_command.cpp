@@ -145,8 +145,7 @@ std::function<int()> setUpCompare(OptionList& list) {
         .nonNegative();
     list.add("--map", &options->map,
              "Write the error of each tile: a table (.csv), an image in false colour (.png) or as values "
-             "(.exr .pfm "
-             ".hdr)");
+             "(.exr .pfm .hdr)");
     list.add("--tile", &options->tile, "Edge length of the tiles of --map, in pixels")
         .range(1, 1 << 16)
         .showDefault();

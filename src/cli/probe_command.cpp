@@ -103,8 +103,7 @@ std::function<int()> setUpProbe(OptionList& list) {
     list.add("--sample", &options->sample, "Index of the sample of the pixel").nonNegative().showDefault();
     list.add("--traversal", &options->traversal,
              "Also print the BVH traversal of a ray: its number in the tree, with an s before it for a "
-             "shadow ray; "
-             "the camera ray if no number is given")
+             "shadow ray; the camera ray if no number is given")
         .valueOptional("0");
     list.add("--layout", &options->layout,
              "BVH that --traversal uses: binary, or the wide one that renders use")

@@ -1,4 +1,5 @@
 #include "measure/trade/timed_render.h"
+#include "measure/statistics/deadline.h"
 
 #include <gtest/gtest.h>
 #include <rayscope/render_session.h>

@@ -7,6 +7,7 @@
 
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
+#include "measure/statistics/deadline.h"
 #include "measure/trade/candidates.h"
 #include "measure/trade/content_hash.h"
 #include "probe/aov.h"

@@ -2,6 +2,7 @@
 
 #include <rayscope/diagnostics.h>
 
+#include "measure/statistics/deadline.h"
 #include "post/display_transform.h"
 #include "render/pass_plan.h"
 #include "render/render_pass.h"

@@ -180,8 +180,7 @@ void drawBvhPanel(Workspace& workspace) {
         ui::checkbox("Compare with another BVH", &bvh.shown.showReference);
         tooltip(
             "Draws the boxes of the reference tree in red, below those of this tree. Red areas are covered "
-            "by "
-            "the reference tree only.");
+            "by the reference tree only.");
     }
     if (ui::section("Build")) drawBuild(workspace, *inspected);
     if (bvh.shown.showReference && ui::section("Comparison with another BVH"))
