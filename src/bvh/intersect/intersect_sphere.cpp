@@ -1,5 +1,6 @@
 #include "bvh/intersect/intersect_sphere.h"
 
+#include <initializer_list>
 #include "bvh/intersect/ray_data.h"
 #include "bvh/kernel/sphere.h"
 

@@ -2,6 +2,7 @@
 #include <rayscope/interval.h>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rayscope::measure {
 
