@@ -135,9 +135,9 @@ def table(viewer):
     take(viewer, "table")
 
 
-def why(viewer):
+def diagnosis(viewer):
     viewer.record_rays((387, 375))
-    take(viewer, "why")
+    take(viewer, "diagnosis")
 
 
 def traversal(viewer):
@@ -150,11 +150,11 @@ def traversal(viewer):
     viewer.settled_picture()
     for _ in range(2):
         viewer.key("shift+Right")
-    take(viewer, "search-wide")
+    take(viewer, "traversal-wide")
     viewer.click("Binary")
     for _ in range(12):
         viewer.key("Right")
-    take(viewer, "search-binary")
+    take(viewer, "traversal-binary")
 
 
 def hierarchy(viewer):
