@@ -227,7 +227,7 @@ PICTURES = [
     (["builtin:cornell-transparent"], transparency),
     (["builtin:cornell-area"], replay),
     (["builtin:cornell"], table),
-    (["builtin:cornell"], why),
+    (["builtin:cornell"], diagnosis),
     (["builtin:monkey"], nodes),
     (["builtin:cornell-area", "--set", "parallelogram_samples=1"], pins),
     (["builtin:quad-textured"], surface),
