@@ -104,23 +104,28 @@ void Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, 
     glm::vec2 u(0.0f);
     if (compiled.dimensions == 1) u.x = points.get1D(k);
     if (compiled.dimensions == 2) u = points.get2D(k);
-    term.connection = {static_cast<int>(light), k, from, shading::sampleLight(compiled.light, u)};
-    term.toLight = term.connection.at.position - glm::dvec3(from);
-    term.distance = glm::length(term.toLight);
-    term.reflected = glm::dvec3(0.0);
+    // Locals, because values that are stored to `term` and loaded again in wider registers stall the
+    // processor.
+    const shading::LightSample sample = shading::sampleLight(compiled.light, u);
+    const glm::dvec3 toLight = sample.position - glm::dvec3(from);
+    const double distance = glm::length(toLight);
+    glm::dvec3 reflected(0.0);
     if (settings_.shading) {
         const SurfaceMaterial& material = world_.materials[at.material];
-        if (term.distance > 0.0)
-            term.reflected =
-                term.connection.at.color * shading::phong({at.kd, material.ks, material.shininess}, at.normal,
-                                                          term.toLight * (1.0 / term.distance), at.toViewer);
+        if (distance > 0.0)
+            reflected = sample.color * shading::phong({at.kd, material.ks, material.shininess}, at.normal,
+                                                      toLight * (1.0 / distance), at.toViewer);
         if (compiled.light.falloff == Falloff::InverseSquare)
-            term.reflected /= std::max(term.distance * term.distance, 0x1p-126);
+            reflected /= std::max(distance * distance, 0x1p-126);
     } else {
-        term.reflected = at.kd / static_cast<double>(world_.lights.size());
+        reflected = at.kd / static_cast<double>(world_.lights.size());
     }
-    const bool facesAway = term.reflected == glm::dvec3(0.0);
-    if (facesAway) term.connection.visibility = Visibility::FacingAway;
+    const bool facesAway = reflected == glm::dvec3(0.0);
+    term.connection = {static_cast<int>(light), k, from, sample,
+                       facesAway ? Visibility::FacingAway : Visibility::Visible};
+    term.toLight = toLight;
+    term.distance = distance;
+    term.reflected = reflected;
     term.needsShadow = compiled.castsShadows && !facesAway;
 }
 
