@@ -4,8 +4,10 @@
 #include <rayscope/ray.h>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -53,12 +55,13 @@ struct Material {
     std::shared_ptr<const Texture> kdTexture{};  ///< replaces kd
 };
 
-/// An indexed triangle mesh, immutable once read. `normals` and `texCoords` are empty or have the size of
-/// `positions`.
+/// An indexed triangle mesh, immutable once read. `normals`, `texCoords` and `colors` are empty or have the
+/// size of `positions`.
 struct MeshData {
     std::vector<glm::vec3> positions{};
     std::vector<glm::vec3> normals{};
     std::vector<glm::vec2> texCoords{};  ///< (0, 0) is the lower left corner of the image
+    std::vector<Rgb> colors{};           ///< linear
     std::vector<glm::uvec3> triangles{};
     std::vector<std::uint16_t> materialSlots{};  ///< per triangle, or empty if all use slot 0
 };
@@ -150,9 +153,18 @@ struct SceneDescription {
     std::vector<SettingAssignment> settings;
 };
 
-/// Loads a .toml scene, a bare .obj (with a framing camera and a point light) or "builtin:NAME".
-/// Throws InputError with file, line and column at the first error; appends notes and warnings to `notes`.
-SceneDescription loadScene(const std::string& path, Diagnostics& notes);
+/// Progress and cancellation of loadScene().
+struct LoadControl {
+    /// Called by the loading thread with the name of the step, e.g. "reading dragon.obj", and its progress 0
+    /// … 1.
+    std::function<void(const std::string& step, double fraction)> progress{};
+    std::stop_token stop{};  ///< loadScene() throws Stopped soon after a request
+};
+
+/// Loads a .toml scene, a bare mesh file (with a framing camera and a point light) or "builtin:NAME".
+/// Throws InputError with file, line and column at the first error, and Stopped; appends notes and warnings
+/// to `notes`.
+SceneDescription loadScene(const std::string& path, Diagnostics& notes, const LoadControl& control = {});
 
 /// The name, without "builtin:", and the title of a built-in scene.
 struct BuiltinScene {

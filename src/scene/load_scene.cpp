@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <array>
 
+#include "base/file_suffix.h"
 #include "base/nearest_name.h"
-#include "scene/obj_reader.h"
+#include "scene/mesh_files/read_mesh_file.h"
 #include "scene/source_files.h"
-#include "scene/toml_scene.h"
+#include "scene/toml/scene.h"
 
 namespace rayscope {
 
@@ -36,13 +37,6 @@ constexpr std::array<std::string_view, 18> kBuiltinNames{"cornell",
                                                          "million",
                                                          "ten-million"};
 
-bool hasSuffix(const std::string& path, std::string_view suffix) {
-    if (path.size() < suffix.size()) return false;
-    return std::equal(suffix.rbegin(), suffix.rend(), path.rbegin(), [](char a, char b) {
-        return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b);
-    });
-}
-
 /// A point light to the upper left of the camera and slightly behind it, for visible shading and shadows that
 /// fall away from the viewer.
 Light lightBeside(const CameraDescription& camera) {
@@ -54,39 +48,45 @@ Light lightBeside(const CameraDescription& camera) {
     return {PointLight{camera.lookFrom + distance * (0.6f * up - 0.5f * right - 0.1f * forward)}};
 }
 
-SceneDescription loadBareObj(const std::string& path, Diagnostics& notes) {
+SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const LoadControl& control) {
     scene::TextureCache textures;
-    scene::ObjMesh mesh = scene::readObj(path, textures, notes);
+    scene::ImportedMesh mesh = scene::readMeshFile(path, {textures, notes, control});
     SceneDescription scene;
     scene.path = path;
     scene.materials = std::move(mesh.materials);
     MeshInstance instance{.name = path, .data = std::move(mesh.data)};
     for (std::uint32_t slot = 0; slot < scene.materials.size(); ++slot) instance.materials.push_back(slot);
     scene.meshes.push_back(std::move(instance));
-    scene.cameras.push_back(framingCamera(boundsOf(scene)));
-    scene.lights.push_back(lightBeside(scene.cameras.front()));
+    scene.cameras = std::move(mesh.cameras);
+    if (scene.cameras.empty()) scene.cameras.push_back(framingCamera(boundsOf(scene)));
+    scene.lights = std::move(mesh.lights);
+    if (scene.lights.empty()) scene.lights.push_back(lightBeside(scene.cameras.front()));
     return scene;
 }
 
-SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes) {
+SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes, const LoadControl& control) {
     const std::string_view name = std::string_view(path).substr(kBuiltin.size());
     if (std::find(kBuiltinNames.begin(), kBuiltinNames.end(), name) == kBuiltinNames.end())
         throw InputError(fmt::format("unknown built-in scene '{}'{}; expected {}", name,
                                      base::didYouMean(name, kBuiltinNames),
                                      base::joinChoices(kBuiltinNames)));
     const std::string file = path + ".toml";
-    SceneDescription scene = scene::readTomlScene(file, scene::readSource(file), notes);
+    SceneDescription scene = scene::readTomlScene(file, scene::readSource(file), notes, control);
     scene.path = path;
     return scene;
 }
 
 }  // namespace
 
-SceneDescription loadScene(const std::string& path, Diagnostics& notes) {
-    if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes);
-    if (hasSuffix(path, ".toml")) return scene::readTomlScene(path, scene::readSource(path), notes);
-    if (hasSuffix(path, ".obj")) return loadBareObj(path, notes);
-    throw InputError("unknown scene format; expected a .toml file, an .obj file or builtin:NAME", {path});
+SceneDescription loadScene(const std::string& path, Diagnostics& notes, const LoadControl& control) {
+    if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes, control);
+    if (scene::isMeshFileName(path)) return loadBareMesh(path, notes, control);
+    if (base::hasSuffix(path, ".toml"))
+        return scene::readTomlScene(path, scene::readSource(path), notes, control);
+    throw InputError(
+        fmt::format("unknown scene format; expected a .toml file, a mesh file ({}) or builtin:NAME",
+                    scene::meshFileSuffixes()),
+        {path});
 }
 
 std::vector<BuiltinScene> builtinScenes() {

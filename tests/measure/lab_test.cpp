@@ -7,7 +7,7 @@
 #include "bvh/intersect/hit_error.h"
 #include "measure/lab/exact_crossing.h"
 #include "measure/lab/lab_mesh.h"
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 #include "support/expect_input_error.h"
 
 namespace rayscope::test {

@@ -1,4 +1,4 @@
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 #include <gtest/gtest.h>
 

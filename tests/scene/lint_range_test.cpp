@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope {
 namespace {

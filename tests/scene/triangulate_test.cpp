@@ -1,4 +1,4 @@
-#include "scene/triangulate.h"
+#include "scene/mesh_files/triangulate.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 #include "viewer/overlay/lab_overlay.h"
 
 namespace rayscope::viewer {

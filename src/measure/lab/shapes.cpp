@@ -1,6 +1,6 @@
 #include <rayscope/lab.h>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope {
 

@@ -1,12 +1,12 @@
-#include "scene/mtl_reader.h"
+#include "scene/mesh_files/mtl_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
+#include "scene/mesh_files/tinyobj_tokenizer.h"
 #include "scene/source_files.h"
-#include "scene/tinyobj_tokenizer.h"
 
 namespace rayscope::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/obj_reader.h"
+#include "scene/mesh_files/obj_reader.h"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <set>
 #include <sstream>
 
-#include "scene/mtl_reader.h"
-#include "scene/obj_parser.h"
+#include "scene/mesh_files/mtl_reader.h"
+#include "scene/mesh_files/obj_parser.h"
+#include "scene/mesh_files/triangulate.h"
 #include "scene/source_files.h"
-#include "scene/triangulate.h"
 
 namespace rayscope::scene {
 
@@ -169,12 +169,12 @@ class MaterialLibrary {
 
 }  // namespace
 
-ObjMesh readObj(const std::string& path, TextureCache& textures, Diagnostics& notes) {
+ImportedMesh readObj(const std::string& path, const ImportContext& context) {
     ParsedObj obj = parseObj(path);
     if (obj.triangles.empty()) throw InputError("the file has no faces (lines 'f …')", {path});
     checkIndices(path, obj);
-    report(path, obj, notes);
-    MaterialLibrary library(path, textures, notes);
+    report(path, obj, context.notes);
+    MaterialLibrary library(path, context.textures, context.notes);
     for (const ParsedObj::Named& name : obj.libraries) library.open(name);
     std::vector<Material> materials = library.materialsOf(obj.slotNames);
     return {assemble(obj), std::move(materials)};

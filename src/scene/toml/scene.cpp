@@ -1,15 +1,15 @@
-#include "scene/toml_scene.h"
+#include "scene/toml/scene.h"
 
 #include <rayscope/settings.h>
 
 #include <map>
 #include <set>
 
-#include "scene/generate_textures.h"
-#include "scene/obj_reader.h"
+#include "scene/generate/generate.h"
+#include "scene/mesh_files/read_mesh_file.h"
 #include "scene/source_files.h"
 #include "scene/textures.h"
-#include "scene/toml_entries.h"
+#include "scene/toml/entries.h"
 
 namespace rayscope::scene {
 
@@ -29,8 +29,9 @@ toml::table parse(const std::string& path, std::string_view text) {
 /// Builds the description from the entries of one file: resolves names, loads files, collects notes.
 class SceneBuilder {
   public:
-    SceneBuilder(const std::string& path, const toml::table& root, Diagnostics& notes)
-        : path_(path), root_(root), notes_(notes) {}
+    SceneBuilder(const std::string& path, const toml::table& root, Diagnostics& notes,
+                 const LoadControl& control)
+        : path_(path), root_(root), notes_(notes), control_(control) {}
 
     SceneDescription build() {
         scene_.path = path_;
@@ -149,7 +150,8 @@ class SceneBuilder {
         }
         // Instances of the same file share its data.
         auto& loaded = meshes_[resolved];
-        if (!loaded) loaded = std::make_shared<ObjMesh>(readObj(resolved, textures_, notes_));
+        if (!loaded)
+            loaded = std::make_shared<ImportedMesh>(readMeshFile(resolved, {textures_, notes_, control_}));
         MeshInstance& mesh = entry.instance;
         mesh.data = loaded->data;
         if (mesh.name.empty()) mesh.name = entry.file->text;
@@ -233,19 +235,21 @@ class SceneBuilder {
     const std::string& path_;
     const toml::table& root_;
     Diagnostics& notes_;
+    const LoadControl& control_;
     SceneDescription scene_;
     TextureCache textures_;
     std::map<std::string, std::uint32_t> materialIndices_;
     std::optional<std::uint32_t> default_;
-    std::map<std::string, std::shared_ptr<ObjMesh>> meshes_;
+    std::map<std::string, std::shared_ptr<ImportedMesh>> meshes_;
     std::map<std::string, std::optional<std::uint32_t>> firstMaterialOf_;
 };
 
 }  // namespace
 
-SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes) {
+SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes,
+                               const LoadControl& control) {
     const toml::table root = parse(path, text);
-    return SceneBuilder(path, root, notes).build();
+    return SceneBuilder(path, root, notes, control).build();
 }
 
 std::string titleOf(const std::string& path, std::string_view text) {

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "scene/corner_table.h"
+#include "scene/mesh_files/corner_table.h"
 
 namespace rayscope::scene {
 

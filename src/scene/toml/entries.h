@@ -2,7 +2,7 @@
 // The tables of a scene file as plain values, before names are resolved and files are loaded.
 #include <rayscope/scene.h>
 
-#include "scene/toml_record.h"
+#include "scene/toml/record.h"
 
 namespace rayscope::scene {
 

@@ -1,5 +1,5 @@
 // The rectangle and the box.
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope::scene {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/nearest_name.h"
-#include "scene/toml_values.h"
+#include "scene/toml/values.h"
 
 namespace rayscope::scene {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <numbers>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope::scene {
 

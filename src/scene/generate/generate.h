@@ -67,4 +67,8 @@ struct MonkeyShape {
 };
 MeshData generate(const MonkeyShape& shape);
 
+/// A linear latitude-longitude image of a clear sky with a sun above a plain; the top row is up, the centre
+/// is −z.
+RgbImage generateSky(int width, int height);
+
 }  // namespace rayscope::scene

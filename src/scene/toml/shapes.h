@@ -1,7 +1,7 @@
 #pragma once
 #include <rayscope/scene.h>
 
-#include "scene/toml_values.h"
+#include "scene/toml/values.h"
 
 namespace rayscope::scene {
 

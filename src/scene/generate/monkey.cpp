@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope::scene {
 

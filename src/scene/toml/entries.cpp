@@ -1,7 +1,7 @@
-#include "scene/toml_entries.h"
+#include "scene/toml/entries.h"
 
-#include "scene/generate_textures.h"
-#include "scene/toml_shapes.h"
+#include "scene/toml/shapes.h"
+#include "scene/toml/textures.h"
 
 namespace rayscope::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/obj_parser.h"
+#include "scene/mesh_files/obj_parser.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "scene/mesh_files/tinyobj_tokenizer.h"
 #include "scene/source_files.h"
-#include "scene/tinyobj_tokenizer.h"
 
 namespace rayscope::scene {
 

@@ -1,4 +1,4 @@
-#include "scene/toml_values.h"
+#include "scene/toml/values.h"
 
 #include <fmt/format.h>
 

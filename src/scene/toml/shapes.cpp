@@ -1,7 +1,7 @@
-#include "scene/toml_shapes.h"
+#include "scene/toml/shapes.h"
 
-#include "scene/generate.h"
-#include "scene/toml_record.h"
+#include "scene/generate/generate.h"
+#include "scene/toml/record.h"
 
 namespace rayscope::scene {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "scene/generate.h"
+#include "scene/generate/generate.h"
 
 namespace rayscope::scene {
 

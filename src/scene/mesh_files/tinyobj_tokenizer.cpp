@@ -1,4 +1,4 @@
-#include "scene/tinyobj_tokenizer.h"
+#include "scene/mesh_files/tinyobj_tokenizer.h"
 
 #include <fmt/format.h>
 #include <rayscope/diagnostics.h>

@@ -1,0 +1,28 @@
+#pragma once
+#include <rayscope/scene.h>
+
+#include <cstddef>
+#include <string>
+
+namespace rayscope::scene {
+
+/// One step of loading, e.g. reading one file: reports its progress and throws Stopped on a stop request.
+class LoadStep {
+  public:
+    /// `total`: the amount of work, in any unit that advanceTo() uses. `control` must outlive the step.
+    LoadStep(const LoadControl& control, std::string name, std::size_t total);
+
+    /// To be called often, e.g. once per line; costs a comparison except about 250 times per step.
+    void advanceTo(std::size_t done) {
+        if (done >= next_) report(done);
+    }
+
+  private:
+    void report(std::size_t done);
+
+    const LoadControl& control_;
+    std::string name_;
+    std::size_t total_, interval_, next_ = 0;
+};
+
+}  // namespace rayscope::scene

@@ -1,0 +1,35 @@
+#pragma once
+#include <rayscope/diagnostics.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rayscope::scene {
+
+/// Collects what is odd about a file, so that each kind is reported once, with its count and its first line.
+class Oddities {
+  public:
+    explicit Oddities(std::string path) : path_(std::move(path)) {}
+
+    /// `kind` is the message in the singular or with its count left out, e.g. "normals that do not exist;
+    /// ignored". It is also the identity of the kind. `line` 0: the format has no lines.
+    void add(Severity severity, std::string_view kind, int line = 0);
+
+    /// Appends one message per kind in the order of their first occurrences: "file:line: warning: KIND", with
+    /// "(N times, first here)" behind those that occurred more than once.
+    void report(Diagnostics& notes) const;
+
+  private:
+    struct Kind {
+        Severity severity;
+        std::string text;
+        int firstLine;
+        std::size_t count;
+    };
+    std::string path_;
+    std::vector<Kind> kinds_;
+};
+
+}  // namespace rayscope::scene

@@ -1,0 +1,47 @@
+// The table of mesh file formats.
+#include "scene/mesh_files/read_mesh_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/file_suffix.h"
+#include "scene/mesh_files/obj_reader.h"
+
+namespace rayscope::scene {
+
+namespace {
+
+struct MeshFormat {
+    std::string_view suffix;
+    ImportedMesh (*read)(const std::string& path, const ImportContext& context);
+};
+
+constexpr std::array kFormats{MeshFormat{".obj", readObj}};
+
+const MeshFormat* formatOf(std::string_view path) {
+    const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
+        return base::hasSuffix(path, format.suffix);
+    });
+    return found == kFormats.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool isMeshFileName(std::string_view path) { return formatOf(path) != nullptr; }
+
+std::string meshFileSuffixes() {
+    std::vector<std::string_view> suffixes;
+    for (const MeshFormat& format : kFormats) suffixes.push_back(format.suffix);
+    return fmt::format("{}", fmt::join(suffixes, ", "));
+}
+
+ImportedMesh readMeshFile(const std::string& path, const ImportContext& context) {
+    const MeshFormat* format = formatOf(path);
+    if (!format)
+        throw InputError(fmt::format("unknown mesh format; expected a file {}", meshFileSuffixes()), {path});
+    return format->read(path, context);
+}
+
+}  // namespace rayscope::scene

@@ -1,0 +1,16 @@
+#pragma once
+#include "scene/mesh_files/imported_mesh.h"
+
+namespace rayscope::scene {
+
+/// Whether a file with this name is opened as a mesh file; the case of the suffix does not matter.
+bool isMeshFileName(std::string_view path);
+
+/// The suffixes of mesh files, for messages: ".obj, …".
+std::string meshFileSuffixes();
+
+/// Reads a mesh file in any of the formats of isMeshFileName(). Throws InputError with the line, if the
+/// format has lines, and Stopped. Notes and warnings are appended to `context.notes`.
+ImportedMesh readMeshFile(const std::string& path, const ImportContext& context);
+
+}  // namespace rayscope::scene
