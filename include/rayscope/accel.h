@@ -76,7 +76,8 @@ class Accel {
     /// Whether there is a hit in (tMin, tMax].
     bool anyHit(const Ray& ray) const;
 
-    /// The same results for many rays at once; both spans have the same length.
+    /// The same results for many rays at once. Throws std::invalid_argument unless both spans have the same
+    /// length.
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
 

@@ -19,8 +19,8 @@ struct AovOptions {
 };
 
 /// One image per name, in the same order; numbers are in all three channels. Pixels outside the region of the
-/// render are 0. Without a surface, normal, depth and uv are 0, primitive and material −1. `image` must have
-/// a world. Throws InputError with the nearest name if one is unknown.
+/// render are 0. Without a surface, normal, depth and uv are 0, primitive and material −1. Throws
+/// InputError with the nearest name if one is unknown, and std::invalid_argument if `image` has no world.
 std::vector<RgbImage> renderAovs(const RenderedImage& image, std::span<const std::string> names,
                                  const AovOptions& options = {});
 

@@ -24,8 +24,11 @@ std::string_view nameOf(ErrorMetric metric);
 /// Throws InputError, with the nearest name, if there is no such metric.
 ErrorMetric errorMetricNamed(std::string_view name);
 
+/// Range of CompareOptions::pixelsPerDegree. The filters of Flip are about half as wide as it is large.
+inline constexpr double kMinPixelsPerDegree = 1.0, kMaxPixelsPerDegree = 1000.0;
+
 struct CompareOptions {
-    float exposure = 0.0f;  ///< stops; for Ssim and Flip only
+    float exposure = 0.0f;  ///< stops, finite; for Ssim and Flip only
 
     /// Viewing distance for Flip, in pixels per degree of visual angle. The default is that of the paper: 0.7
     /// m from a display 0.7 m wide with 3840 pixels.
@@ -33,7 +36,8 @@ struct CompareOptions {
 };
 
 /// The error of each pixel; NaN where the image or the reference is not finite. Rmse and Max have the unit of
-/// the image, the others have none. Throws InputError if the sizes differ or there are no pixels.
+/// the image, the others have none. Throws InputError if the sizes differ or there are no pixels, and
+/// std::invalid_argument unless hasAllPixels() and the options are in range.
 Image<double> errorMap(const RgbImage& image, const RgbImage& reference, ErrorMetric metric,
                        const CompareOptions& options = {});
 
@@ -42,7 +46,8 @@ struct MapRegion {
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
 };
 
-/// The metric of a whole map or of a region of it, over the finite pixels; NaN if there are none.
+/// The metric of a whole map or of a region of it, over the finite pixels; NaN if there are none. Throws
+/// std::invalid_argument if the region is not within the map.
 double scoreOf(const Image<double>& map, ErrorMetric metric);
 double scoreOf(const Image<double>& map, ErrorMetric metric, const MapRegion& region);
 
@@ -58,7 +63,7 @@ struct ErrorMeasures {
 
     double of(ErrorMetric metric) const;
 };
-/// Throws InputError if the sizes differ or there are no pixels.
+/// Throws like errorMap().
 ErrorMeasures measureErrors(const RgbImage& image, const RgbImage& reference,
                             const CompareOptions& options = {});
 

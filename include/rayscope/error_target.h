@@ -28,9 +28,10 @@ struct ErrorEstimate {
 /// For each pixel the variance of its samples divided by their number. With stratified samples this is an
 /// upper bound of the pixel's squared error, so only its distribution over the pixels is used.
 using VarianceImage = Image<double>;
-/// Estimates the error over the pixels of `region`; non-finite pixels are left out. The error itself comes
-/// from the halves alone. `variance` makes the upper bound more accurate, and the test for errors that few
-/// pixels hold.
+/// Estimates the error over the pixels of `region`; non-finite pixels are left out. Throws
+/// std::invalid_argument if the images differ in size, the region is empty or outside, or the target is out
+/// of range. The error itself comes from the halves alone. `variance` makes the upper bound more accurate,
+/// and the test for errors that few pixels hold.
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
                             const ErrorTarget& target, const VarianceImage* variance = nullptr);
 

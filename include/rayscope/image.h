@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,11 @@ struct Image {
     std::vector<Pixel> pixels;
 
     Image() = default;
-    Image(int w, int h, Pixel fill = Pixel{})
-        : width(w), height(h), pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill) {}
+    /// Throws std::invalid_argument if the width or height is negative.
+    Image(int w, int h, Pixel fill = Pixel{}) : width(w), height(h) {
+        if (w < 0 || h < 0) throw std::invalid_argument("image: negative width or height");
+        pixels.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill);
+    }
 
     bool empty() const { return pixels.empty(); }
     std::size_t index(int x, int y) const {
@@ -26,6 +30,14 @@ struct Image {
     Pixel& at(int x, int y) { return pixels[index(x, y)]; }
     const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
 };
+
+/// Whether pixels.size() == width * height.
+template <class Pixel>
+bool hasAllPixels(const Image<Pixel>& image) {
+    return image.width >= 0 && image.height >= 0 &&
+           image.pixels.size() ==
+               static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
 
 using RgbImage = Image<Rgb>;
 
@@ -54,7 +66,7 @@ RgbImage decodeImage(std::span<const std::byte> file, const std::string& name);
 /// stored in .png and .exr, under names with the prefix "rayscope:"; the other formats cannot store it. NaN
 /// and infinite values are kept in .exr and .pfm; in .png NaN becomes 0 and infinity 255. Replaces an
 /// existing file atomically. Throws InputError if the image is empty, the suffix is unknown or the file
-/// cannot be written.
+/// cannot be written, and std::invalid_argument unless hasAllPixels().
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
                 Encoding encoding = Encoding::Srgb);
 

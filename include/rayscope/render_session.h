@@ -21,6 +21,7 @@ class Film;
 /// Half-open rectangle of pixels: x0 <= x < x1, y0 <= y < y1, from the top left corner.
 struct PixelBounds {
     int x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
     bool operator==(const PixelBounds&) const = default;
 };
 
@@ -35,6 +36,9 @@ struct RenderRequest {
     bool keepBinaryTrees = true;  ///< for the display of BVHs; rays do not need them
     bool progressive = true;  ///< passes of 1, 1, 2, 4, 8 … samples instead of 16; the image is the same
 };
+
+/// The largest number of threads of a session or any other computation.
+inline constexpr int kMaxThreads = 1024;
 
 /// Idle: nothing submitted yet, or cancelled.
 enum class RenderState { Idle, Compiling, Rendering, Paused, Done, Failed };
@@ -68,12 +72,15 @@ struct TileView {
 /// settings continues it. Calls must come from one thread at a time.
 class RenderSession {
   public:
-    /// `threads`: number of tracing threads; 0 takes one per core.
+    /// `threads`: number of tracing threads, 0 … kMaxThreads; 0 takes one per core.
     explicit RenderSession(int threads = 0);
     ~RenderSession();
     RenderSession(const RenderSession&) = delete;
     RenderSession& operator=(const RenderSession&) = delete;
 
+    /// Throws std::invalid_argument if the scene is null or refers to what does not exist, if the image has
+    /// no pixels or more than kMaxImagePixels, if the region is empty or not within the image, or if a
+    /// setting is out of range.
     void submit(RenderRequest request);
     void pause();  ///< drops the tiles in flight; no effect unless compiling or rendering
     void resume();

@@ -153,6 +153,15 @@ struct SceneDescription {
     std::vector<SettingAssignment> settings;
 };
 
+/// Throws std::invalid_argument unless the arrays of the mesh have matching sizes and every vertex index is
+/// valid.
+void checkMesh(const MeshData& mesh);
+
+/// Throws std::invalid_argument, with the name of the member, if a pointer is null, an index is out of range
+/// or an image has no pixels. Descriptions from loadScene() are valid; functions that take a description
+/// throw the same for an invalid one.
+void checkDescription(const SceneDescription& scene);
+
 /// Progress and cancellation of loadScene().
 struct LoadControl {
     /// Called by the loading thread with the name of the step, e.g. "reading dragon.obj", and its progress 0

@@ -103,6 +103,9 @@ enum class Trade {
 /// The maximum over the fields in which a and b differ.
 Invalidates changed(const Settings& a, const Settings& b);
 
+/// Throws std::invalid_argument, with the key and the range, if a value is out of the range of its setting.
+void checkSettings(const Settings& settings);
+
 /// Sets the field of `key` from text. Throws InputError, without a position, if the value is invalid or the
 /// key unknown; the message has the expected values or the nearest key. Settings stay unchanged then.
 void assign(Settings& settings, std::string_view key, std::string_view value);

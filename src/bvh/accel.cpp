@@ -1,8 +1,8 @@
 #include <rayscope/accel.h>
 
-#include <cassert>
 #include <stdexcept>
 
+#include "base/check_argument.h"
 #include "bvh/builders/build.h"
 #include "bvh/builders/refit.h"
 #include "bvh/isa.h"
@@ -32,6 +32,26 @@ struct Accel::State {
     double cost() const { return kernels ? bvh::sahCostOf(wide) : bvh::statisticsOf(tree).sahCost; }
 };
 
+namespace {
+
+template <class Enum>
+void checkEnumerator(Enum value, Enum last, std::string_view name) {
+    base::checkArgument(value >= Enum{} && value <= last, "{} is enumerator {}; expected 0 … {}", name,
+                        static_cast<int>(value), static_cast<int>(last));
+}
+
+void checkEnumerators(const BuildSettings& settings) {
+    checkEnumerator(settings.builder, BvhBuilder::SahReinsertion, "builder");
+    checkEnumerator(settings.layout, BvhLayout::Wide, "layout");
+    checkEnumerator(settings.isa, Isa::Avx512, "isa");
+}
+
+void checkSpans(std::size_t rays, std::size_t results, std::string_view name) {
+    base::checkArgument(rays == results, "{}: {} elements for {} rays", name, results, rays);
+}
+
+}  // namespace
+
 Accel::Accel() = default;
 Accel::~Accel() = default;
 Accel::Accel(Accel&&) noexcept = default;
@@ -44,6 +64,7 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     state.input = input;
     state.settings = settings;
     state.settings.stop = {};
+    checkEnumerators(settings);
     const bvh::kernel::Kernels& kernels = bvh::kernelsFor(settings.isa);
     state.tree = bvh::buildBinaryTree(input, settings);
     state.summary = {.binaryNodes = state.tree.nodes.size(),
@@ -119,7 +140,7 @@ bool Accel::anyHit(const Ray& ray) const {
 }
 
 void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
-    assert(rays.size() == hits.size());
+    checkSpans(rays.size(), hits.size(), "hits");
     if (state_ && state_->kernels) {
         state_->kernels->closestHits(state_->view, reinterpret_cast<const float*>(rays.data()),
                                      bvh::hitData(hits.data()), rays.size());
@@ -129,7 +150,7 @@ void Accel::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
 }
 
 void Accel::anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const {
-    assert(rays.size() == occluded.size());
+    checkSpans(rays.size(), occluded.size(), "occluded");
     if (state_ && state_->kernels) {
         state_->kernels->anyHits(state_->view, reinterpret_cast<const float*>(rays.data()), occluded.data(),
                                  rays.size());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/check_argument.h"
 #include "probe/names.h"
 #include "trace/world.h"
 
@@ -69,6 +70,24 @@ std::string groupName(std::string_view name) {
     return group;
 }
 
+/// Throws std::invalid_argument if an index of the tree does not refer to the tree or to the world.
+void checkTree(const RayTree& tree, const trace::World& world) {
+    const SceneDescription& scene = *world.description;
+    const auto isIndex = [](int index, std::size_t count) {
+        return index >= 0 && static_cast<std::size_t>(index) < count;
+    };
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const RayNode& node = tree.nodes[i];
+        base::checkArgument(node.parent == -1 || isIndex(node.parent, i), "tree: nodes[{}] has parent {}", i,
+                            node.parent);
+        if (!node.hit) continue;
+        base::checkArgument(node.primitiveHit.primitive < world.primitiveCount() &&
+                                isIndex(node.object, scene.meshes.size() + scene.spheres.size()) &&
+                                isIndex(node.material, scene.materials.size()),
+                            "tree: nodes[{}] hits what the world does not contain", i);
+    }
+}
+
 glm::vec3 endOf(const RayNode& node, float missLength) {
     if (node.hit) return node.position;
     const float length = glm::length(node.ray.direction);
@@ -78,6 +97,7 @@ glm::vec3 endOf(const RayNode& node, float missLength) {
 }  // namespace
 
 std::string toText(const RayTree& tree, const trace::World& world) {
+    checkTree(tree, world);
     std::string out = fmt::format("pixel {},{} sample {}: radiance {}\n", tree.name.x, tree.name.y,
                                   tree.name.index, text(tree.radiance));
     // Shadow rays are recorded in the order of the nodes they belong to.
@@ -99,6 +119,7 @@ std::string toText(const RayTree& tree, const trace::World& world) {
 }
 
 std::string toJson(const RayTree& tree, const trace::World& world) {
+    checkTree(tree, world);
     nlohmann::json j = {{"pixel", {tree.name.x, tree.name.y}},
                         {"sample", tree.name.index},
                         {"radiance", json(tree.radiance)},

@@ -1,5 +1,6 @@
 #include <rayscope/probe.h>
 
+#include "base/check_argument.h"
 #include "probe/ray_tree_recorder.h"
 #include "trace/radiance_definition.h"
 
@@ -36,6 +37,8 @@ std::vector<RgbSum> radianceAlong(const RayTree& tree) {
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
         const RayNode& node = tree.nodes[i];
         sums[i] += node.contribution;
+        base::checkArgument(node.parent < static_cast<int>(i), "tree: nodes[{}] has parent {}", i,
+                            node.parent);
         if (node.parent >= 0) sums[static_cast<std::size_t>(node.parent)] += sums[i];
         sums[i] = dividedBy(sums[i], node.throughput);
     }

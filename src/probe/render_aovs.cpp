@@ -1,6 +1,7 @@
 #include <rayscope/aov.h>
 #include <algorithm>
 
+#include "base/check_argument.h"
 #include "probe/aov.h"
 #include "render/film.h"
 
@@ -14,6 +15,7 @@ std::vector<std::string_view> aovNames() {
 
 std::vector<RgbImage> renderAovs(const RenderedImage& image, std::span<const std::string> names,
                                  const AovOptions& options) {
+    base::checkArgument(image.world != nullptr, "image: world is null");
     std::vector<probe::Aov> aovs;
     for (const std::string& name : names) aovs.push_back(probe::aovNamed(name));
     const int samples = image.film ? std::max(1, image.film->completeSamples()) : 1;

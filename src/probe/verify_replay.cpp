@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/check_argument.h"
 #include "render/film.h"
 
 namespace rayscope {
@@ -13,6 +14,7 @@ bool sameBits(const RgbSum& a, const RgbSum& b) { return std::memcmp(&a, &b, siz
 
 ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
                           int y, const std::function<void()>& beforeSample) {
+    base::checkArgument(film.region().contains(x, y), "pixel {}, {} is outside the film", x, y);
     ReplayResult result;
     result.film = film.sums(x, y, result.samples).radiance;
     result.sumMatches = true;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/check_argument.h"
+#include "render/check_request.h"
 #include "render/session_state.h"
 
 namespace rayscope {
@@ -21,6 +23,7 @@ RenderSession::~RenderSession() {
 }
 
 void RenderSession::submit(RenderRequest request) {
+    render::checkRequest(request);
     const std::scoped_lock guard(state_->lock);
     state_->pending = std::move(request);
     state_->paused = false;
@@ -92,6 +95,7 @@ RenderStatus RenderSession::status() const {
 }
 
 int RenderSession::collect(const std::function<void(const TileView&)>& take, double budgetSeconds) {
+    base::checkArgument(static_cast<bool>(take), "take is empty");
     const render::SessionClock::time_point start = render::SessionClock::now();
     State& s = *state_;
     std::shared_ptr<render::Film> film;

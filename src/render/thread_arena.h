@@ -2,19 +2,22 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
+#include <rayscope/render_session.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+
+#include "base/check_argument.h"
 
 namespace rayscope::render {
 
 /// The TBB threads of a computation, the calling thread included. There may be more of them than cores.
 class ThreadArena {
   public:
-    /// 0 takes one thread per core.
+    /// 0 takes one thread per core. Throws std::invalid_argument unless 0 <= threads <= kMaxThreads.
     explicit ThreadArena(int threads = 0)
-        : count_(threads > 0 ? threads : oneapi::tbb::info::default_concurrency()),
+        : count_(checkedCount(threads)),
           parallelism_(oneapi::tbb::global_control::max_allowed_parallelism,
                        static_cast<std::size_t>(std::max(count_, oneapi::tbb::info::default_concurrency()))),
           arena_(count_) {}
@@ -28,6 +31,12 @@ class ThreadArena {
     }
 
   private:
+    static int checkedCount(int threads) {
+        base::checkArgument(threads >= 0 && threads <= kMaxThreads, "threads is {}; expected 0 … {}", threads,
+                            kMaxThreads);
+        return threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+    }
+
     int count_;
     // TBB's default limit is one thread per core.
     oneapi::tbb::global_control parallelism_;

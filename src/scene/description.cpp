@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check_argument.h"
+
 namespace rayscope {
 
 glm::dmat4 matrixOf(const Transform& transform) {
@@ -28,6 +30,7 @@ SceneBounds boundsOf(const SceneDescription& scene) {
         upper = glm::max(upper, point);
     };
     for (const MeshInstance& mesh : scene.meshes) {
+        base::checkArgument(mesh.data != nullptr, "mesh '{}': data is null", mesh.name);
         const glm::dmat4 matrix = matrixOf(mesh.transform);
         for (const glm::vec3& position : mesh.data->positions)
             include(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)));

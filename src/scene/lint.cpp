@@ -149,6 +149,9 @@ class Linter {
 
 }  // namespace
 
-Diagnostics lint(const SceneDescription& scene) { return Linter(scene).run(); }
+Diagnostics lint(const SceneDescription& scene) {
+    checkDescription(scene);
+    return Linter(scene).run();
+}
 
 }  // namespace rayscope

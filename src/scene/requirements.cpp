@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scene/check_description.h"
+
 namespace rayscope {
 
 namespace {
@@ -119,6 +121,9 @@ class Collector {
 
 }  // namespace
 
-SceneRequirements requirementsOf(const SceneDescription& scene) { return Collector(scene).collect(); }
+SceneRequirements requirementsOf(const SceneDescription& scene) {
+    scene::checkReferences(scene);
+    return Collector(scene).collect();
+}
 
 }  // namespace rayscope

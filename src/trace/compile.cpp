@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
+
+#include "base/check_argument.h"
+#include "scene/check_description.h"
 
 namespace rayscope::trace {
 
@@ -110,10 +114,30 @@ void compileLights(World& world) {
     for (const SurfaceMaterial& material : world.materials) world.attenuatesShadows |= material.opacity < 1.0;
 }
 
+/// Throws std::invalid_argument if the request breaks an invariant that tracing relies on. Meshes that
+/// `previous` has, too, are not checked again.
+void checkRequest(const CompileRequest& request, const World* previous) {
+    base::checkArgument(request.scene != nullptr, "scene is null");
+    base::checkArgument(request.width > 0 && request.height > 0, "image of {} x {} pixels", request.width,
+                        request.height);
+    checkSettings(request.settings);
+    scene::checkReferences(*request.scene);
+    std::set<std::pair<const MeshData*, std::size_t>> checked;  // with the number of materials
+    if (previous)
+        for (const MeshInstance& mesh : previous->description->meshes)
+            checked.emplace(mesh.data.get(), mesh.materials.size());
+    for (const MeshInstance& mesh : request.scene->meshes) {
+        if (!checked.emplace(mesh.data.get(), mesh.materials.size()).second) continue;
+        checkMesh(*mesh.data);
+        scene::checkSlots(mesh);
+    }
+}
+
 }  // namespace
 
 std::shared_ptr<const World> compile(const CompileRequest& request, const World* previous,
                                      std::stop_token stop) {
+    checkRequest(request, previous);
     auto world = std::make_shared<World>();
     world->description = request.scene;
     world->settings = request.settings;

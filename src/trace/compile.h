@@ -23,7 +23,8 @@ BuildSettings buildSettingsOf(const Settings& settings, std::stop_token stop = {
 
 /// Compiles a scene description into a world. What did not change since `previous` (which may be null) is
 /// shared with it, so that moving a light or the camera rebuilds no BVH. Throws Stopped if a stop is
-/// requested, InputError if the scene cannot be traced.
+/// requested, InputError if the scene cannot be traced, and std::invalid_argument if it is invalid, see
+/// checkDescription().
 std::shared_ptr<const World> compile(const CompileRequest& request, const World* previous = nullptr,
                                      std::stop_token stop = {});
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "bvh/binary_tree.h"
@@ -63,6 +64,24 @@ TEST(Accel, SpheresCountAfterTriangles) {
     EXPECT_TRUE(sameHit(hit, {0.25f, 2, 0, 0}));
     ASSERT_TRUE(accel.closestHit({kRay.origin, kRay.direction, 1.0f, 9.0f}, hit));
     EXPECT_TRUE(sameHit(hit, {5.0f, 1, 0, 0}));
+}
+
+TEST(Accel, InvalidArgumentsThrow) {
+    const TestGeometry geometry = oneTriangle();
+    const Accel accel = Accel::build(geometry.input());
+    const std::vector<Ray> rays(1000, kRay);
+    std::vector<Hit> hits(10);
+    std::vector<std::uint8_t> occluded(2000);
+    for (const Accel* tested : {&accel, &static_cast<const Accel&>(Accel())}) {
+        EXPECT_THROW(tested->closestHits(rays, hits), std::invalid_argument);
+        EXPECT_THROW(tested->anyHits(rays, occluded), std::invalid_argument);
+        EXPECT_NO_THROW(tested->closestHits({}, {}));
+    }
+    EXPECT_THROW(Accel::build(geometry.input(), {.builder = static_cast<BvhBuilder>(99)}),
+                 std::invalid_argument);
+    EXPECT_THROW(Accel::build(geometry.input(), {.layout = static_cast<BvhLayout>(99)}),
+                 std::invalid_argument);
+    EXPECT_THROW(Accel::build(geometry.input(), {.isa = static_cast<Isa>(-1)}), std::invalid_argument);
 }
 
 }  // namespace

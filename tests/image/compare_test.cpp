@@ -187,5 +187,22 @@ TEST(Compare, ColourMapIsMonotonicAndMarksNonFiniteValues) {
     EXPECT_EQ(applyColorMap(Image<double>(1, 1, NAN), 1.0).at(0, 0), Rgb(1.0f, 0.0f, 1.0f));
 }
 
+TEST(Compare, InvalidArgumentsThrow) {
+    const RgbImage image(20, 20);
+    RgbImage lacking(20, 20);
+    lacking.pixels.resize(2);
+    for (const double value : {0.0, -5.0, 1e9, static_cast<double>(NAN)})
+        EXPECT_THROW(measureErrors(image, image, {.pixelsPerDegree = value}), std::invalid_argument) << value;
+    EXPECT_THROW(measureErrors(image, image, {.exposure = NAN}), std::invalid_argument);
+    EXPECT_THROW(errorMap(image, lacking, ErrorMetric::Rmse), std::invalid_argument);
+    EXPECT_THROW(errorMap(image, image, static_cast<ErrorMetric>(99)), std::invalid_argument);
+    const Image<double> map(4, 4, 1.0);
+    EXPECT_THROW(scoreOf(map, ErrorMetric::Rmse, {-10, 100, -10, 100}), std::invalid_argument);
+    EXPECT_TRUE(std::isnan(scoreOf(map, ErrorMetric::Rmse, {3, 1, 3, 1})));
+    EXPECT_THROW(RgbImage(-1, -1), std::invalid_argument);
+    for (const char* name : {"a.png", "a.exr", "a.pfm", "a.hdr"})
+        EXPECT_THROW(writeImage(name, lacking), std::invalid_argument) << name;
+}
+
 }  // namespace
 }  // namespace rayscope

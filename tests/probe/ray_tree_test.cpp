@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <stdexcept>
 
 #include <rayscope/probe.h>
 #include <nlohmann/json.hpp>
@@ -99,6 +100,24 @@ TEST(RayTree, MissIsOneNode) {
     EXPECT_EQ(tree.nodes[0].end, RayEnd::Missed);
     EXPECT_FALSE(tree.nodes[0].hit);
     EXPECT_FALSE(toText(tree, *world).empty());
+}
+
+TEST(RayTree, InvalidTreesThrow) {
+    const auto world = test::compileScene({}, {}, 4, 4);
+    RayTree tree;
+    EXPECT_NO_THROW(toText(tree, *world));
+    RayNode node;
+    node.parent = 77;
+    tree.nodes = {node};
+    EXPECT_THROW(toText(tree, *world), std::invalid_argument);
+    EXPECT_THROW(toJson(tree, *world), std::invalid_argument);
+    EXPECT_THROW(radianceAlong(tree), std::invalid_argument);
+    node.parent = -1;
+    node.hit = true;
+    node.material = 99;
+    tree.nodes = {node};
+    EXPECT_THROW(toText(tree, *world), std::invalid_argument);
+    EXPECT_THROW(toJson(tree, *world), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <rayscope/probe.h>
 #include <rayscope/render_session.h>
 #include <cstring>
+#include <stdexcept>
 
 #include "render/film.h"
+#include "support/test_scenes.h"
 #include "trace/compile.h"
 #include "trace/radiance.h"
 
@@ -87,6 +89,13 @@ std::string testName(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, Replay, testing::ValuesIn(sceneNames()), testName);
+
+TEST(VerifyReplay, PixelsOutsideTheFilmThrow) {
+    const auto world = test::compileScene({}, {}, 4, 4);
+    const render::Film film(4, 4, {1, 3, 1, 3});
+    for (const auto& [x, y] : {std::pair{-1, 1}, {0, 1}, {3, 1}, {99999, 1}, {1, 3}})
+        EXPECT_THROW(verifyReplay(*world, film, 0, x, y), std::invalid_argument) << x << ", " << y;
+}
 
 }  // namespace
 }  // namespace rayscope

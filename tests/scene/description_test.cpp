@@ -85,7 +85,9 @@ TEST(Requirements, HaveReasons) {
     scene.spheres[0].motion = {1, 0, 0};
     scene.cameras[0].lens = Lens{};
     scene.lights.push_back({SegmentLight{}});
-    scene.environment = std::make_shared<Environment>();
+    auto environment = std::make_shared<Environment>();
+    environment->equirect = std::make_shared<Texture>(Texture{"generated", RgbImage(2, 1)});
+    scene.environment = environment;
     needs = requirementsOf(scene);
     EXPECT_TRUE(needs.reflections && needs.transparency && needs.motion && needs.lens &&
                 needs.segmentLights && needs.environment);

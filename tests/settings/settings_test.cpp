@@ -1,7 +1,9 @@
 #include <rayscope/settings.h>
 
+#include <fmt/format.h>
 #include <cctype>
 #include <set>
+#include <stdexcept>
 
 #include "settings/table.h"
 #include "support/expect_input_error.h"
@@ -259,6 +261,29 @@ TEST(Presets, HaveOneSamplePerLightWherePixelsAreBlurred) {
 TEST(Presets, AreFoundByName) {
     EXPECT_EQ(presetNamed("final").name, "final");
     EXPECT_THROW(presetNamed("finel"), InputError);
+}
+
+TEST(Settings, CheckAcceptsWhatAssignAccepts) {
+    EXPECT_NO_THROW(checkSettings(Settings{}));
+    Settings settings;
+    for (const SettingInfo& info : describeSettings()) {
+        if (info.kind != "integer" && info.kind != "number") continue;
+        for (const double bound : {info.lowest, info.highest}) {
+            assign(settings, info.key, fmt::format("{}", bound));
+            EXPECT_NO_THROW(checkSettings(settings)) << info.key;
+        }
+    }
+}
+
+TEST(Settings, CheckNamesTheKeyAndTheRange) {
+    Settings settings;
+    settings.maxDepth = -1;
+    try {
+        checkSettings(settings);
+        FAIL();
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "settings: max_depth is -1; expected 0 … 16");
+    }
 }
 
 }  // namespace

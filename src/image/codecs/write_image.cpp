@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/atomic_file.h"
+#include "base/check_argument.h"
 #include "base/nearest_name.h"
 #include "image/codecs/codecs.h"
 
@@ -40,6 +41,8 @@ std::string encode(const std::string& suffix, const RgbImage& image, const Image
 
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
                 Encoding encoding) {
+    base::checkArgument(hasAllPixels(image), "image: {} x {} pixels with {} stored pixels", image.width,
+                        image.height, image.pixels.size());
     checkImageDestination(path);
     if (image.empty()) throw InputError("the image has no pixels", {path});
     base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, encoding));

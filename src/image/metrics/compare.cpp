@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/check_argument.h"
 #include "base/nearest_name.h"
 #include "image/metrics/perceptual_metrics.h"
 #include "math/vectors.h"
@@ -20,12 +21,28 @@ constexpr std::array<std::string_view, 6> kNames{"rmse", "relmse", "smape", "max
 constexpr double kEpsilon = 0.01;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-void checkSameSize(const RgbImage& image, const RgbImage& reference) {
+void checkImages(const RgbImage& image, const RgbImage& reference) {
+    base::checkArgument(hasAllPixels(image) && hasAllPixels(reference),
+                        "image or reference: pixels.size() is not width * height");
     if (image.width != reference.width || image.height != reference.height)
         throw InputError(
             fmt::format("image sizes differ: {} x {} and {} x {} pixels; render both with the same --size",
                         image.width, image.height, reference.width, reference.height));
     if (image.empty()) throw InputError("the images have no pixels");
+}
+
+/// Filters grow with the pixels per degree: at the limit they are some hundred pixels wide.
+void checkOptions(const CompareOptions& options) {
+    base::checkArgument(
+        options.pixelsPerDegree >= kMinPixelsPerDegree && options.pixelsPerDegree <= kMaxPixelsPerDegree,
+        "options: pixelsPerDegree is {}; expected {} … {}", options.pixelsPerDegree, kMinPixelsPerDegree,
+        kMaxPixelsPerDegree);
+    base::checkArgument(std::isfinite(options.exposure), "options: exposure is not finite");
+}
+
+void checkMetric(ErrorMetric metric) {
+    base::checkArgument(metric >= ErrorMetric::Rmse && metric <= ErrorMetric::Flip,
+                        "metric is no enumerator");
 }
 
 double pixelError(const Rgb& pixel, const Rgb& reference, ErrorMetric metric) {
@@ -92,7 +109,9 @@ ErrorMetric errorMetricNamed(std::string_view name) {
 
 Image<double> errorMap(const RgbImage& image, const RgbImage& reference, ErrorMetric metric,
                        const CompareOptions& options) {
-    checkSameSize(image, reference);
+    checkImages(image, reference);
+    checkOptions(options);
+    checkMetric(metric);
     const bool perceptual = metric == ErrorMetric::Ssim || metric == ErrorMetric::Flip;
     Image<double> map = perceptual ? perceptualMap(image, reference, metric, options)
                                    : Image<double>(image.width, image.height);
@@ -111,6 +130,10 @@ double scoreOf(const Image<double>& map, ErrorMetric metric) {
 }
 
 double scoreOf(const Image<double>& map, ErrorMetric metric, const MapRegion& region) {
+    checkMetric(metric);
+    base::checkArgument(hasAllPixels(map), "map: pixels.size() is not width * height");
+    base::checkArgument(region.x0 >= 0 && region.x1 <= map.width && region.y0 >= 0 && region.y1 <= map.height,
+                        "region is outside the map");
     double sum = 0.0, largest = 0.0;
     long long count = 0;
     for (int y = region.y0; y < region.y1; ++y) {

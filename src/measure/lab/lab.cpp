@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/check_argument.h"
 #include "measure/lab/lab_summary.h"
 #include "measure/lab/test_point.h"
 #include "render/thread_arena.h"
@@ -142,6 +143,11 @@ const LabMethodInfo& infoOf(LabMethod method) { return kMethods[static_cast<int>
 const char* nameOf(LabFailureKind kind) { return kFailureKinds[static_cast<int>(kind)]; }
 
 LabResult runLab(const LabRequest& request) {
+    base::checkArgument(request.scene != nullptr, "scene is null");
+    base::checkArgument(request.raysPerTestPoint >= 1, "raysPerTestPoint is {}; expected at least 1",
+                        request.raysPerTestPoint);
+    checkSettings(request.settings);
+    checkDescription(*request.scene);
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "measure/statistics/statistics.h"
+#include "measure/target/check_target.h"
 
 namespace rayscope {
 
@@ -84,10 +85,26 @@ ErrorEstimate estimateRegion(const RgbImage& a, const RgbImage& b, const PixelBo
     return estimate;
 }
 
+/// Throws std::invalid_argument unless all images have the size of the first and contain the region.
+void checkImages(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
+                 const VarianceImage* variance) {
+    using base::checkArgument;
+    const auto isSame = [&](const auto& image) {
+        return image.width == halfA.width && image.height == halfA.height && hasAllPixels(image);
+    };
+    checkArgument(isSame(halfA) && isSame(halfB), "halfA and halfB differ in size or lack pixels");
+    checkArgument(!variance || isSame(*variance), "variance has another size than the halves");
+    checkArgument(region.x0 >= 0 && region.x0 < region.x1 && region.x1 <= halfA.width && region.y0 >= 0 &&
+                      region.y0 < region.y1 && region.y1 <= halfA.height,
+                  "region is empty or outside the halves");
+}
+
 }  // namespace
 
 ErrorEstimate estimateError(const RgbImage& halfA, const RgbImage& halfB, const PixelBounds& region,
                             const ErrorTarget& target, const VarianceImage* variance) {
+    measure::checkTarget(target);
+    checkImages(halfA, halfB, region, variance);
     constexpr double kNormal = std::numeric_limits<double>::infinity();
     if (!target.worstTile)
         return estimateRegion(halfA, halfB, region, target.metric,

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "measure/statistics/deadline.h"
+#include "measure/target/check_target.h"
 #include "measure/target/error_trend.h"
 #include "measure/target/half_films.h"
 #include "measure/target/sample_allocation.h"
+#include "render/check_request.h"
 #include "render/pass_plan.h"
 #include "render/probe_command.h"
 #include "render/render_pass.h"
@@ -226,6 +228,12 @@ void TargetRender::finish(StopReason reason) {
 
 }  // namespace
 
-ErrorTargetResult renderToTarget(const ErrorTargetRequest& request) { return TargetRender(request).run(); }
+ErrorTargetResult renderToTarget(const ErrorTargetRequest& request) {
+    render::checkRequest(request.render);
+    measure::checkTarget(request.target);
+    base::checkArgument(request.maxSamples >= 1, "maxSamples is {}; expected at least 1", request.maxSamples);
+    base::checkArgument(request.timeLimit >= 0.0, "timeLimit is {}; expected at least 0", request.timeLimit);
+    return TargetRender(request).run();
+}
 
 }  // namespace rayscope

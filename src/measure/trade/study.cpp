@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
+#include "base/check_argument.h"
 #include "measure/statistics/deadline.h"
 #include "measure/trade/candidates.h"
 #include "measure/trade/content_hash.h"
 #include "probe/aov.h"
+#include "render/check_request.h"
 #include "render/film.h"
 
 namespace rayscope::measure {
@@ -239,6 +242,14 @@ void TradeStudy::measureErrors(const TimedRender& timed, CandidateRuns& runs, in
 
 namespace rayscope {
 
-TradeResult measureTrade(const TradeRequest& request) { return measure::TradeStudy(request).run(); }
+TradeResult measureTrade(const TradeRequest& request) {
+    RenderRequest whole = request.render;
+    whole.region.reset();  // ignored
+    render::checkRequest(whole);
+    for (const auto& [name, settings] : request.extra) checkSettings(settings);
+    base::checkArgument(request.budgetSeconds >= 0.0 && std::isfinite(request.budgetSeconds),
+                        "budgetSeconds is {}; expected a finite number of at least 0", request.budgetSeconds);
+    return measure::TradeStudy(request).run();
+}
 
 }  // namespace rayscope
