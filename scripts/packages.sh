@@ -17,3 +17,6 @@ test_packages=(
 # Used if installed; some distributions do not have all of them. Embree and GMP are test oracles, mold links faster, and
 # universal-ctags measures the length of functions.
 optional_packages=(libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags)
+
+# What scripts/fuzz.sh needs besides build_packages.
+fuzz_packages=(clang imagemagick)
