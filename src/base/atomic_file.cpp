@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void throwReason(const std::string& path, int error) {
+[[noreturn]] void throwCannotWrite(const std::string& path, int error) {
     throw InputError("cannot be written: " + std::generic_category().message(error), {path});
 }
 
@@ -117,7 +117,7 @@ struct AtomicFile::State {
             target = destinationOf(path);
             temporary = createBeside(target, path);
         }
-        if (descriptor() < 0) throwReason(path, errno);
+        if (descriptor() < 0) throwCannotWrite(path, errno);
     }
     int descriptor() const { return device ? device->descriptor() : temporary->descriptor(); }
 
@@ -131,11 +131,12 @@ AtomicFile::AtomicFile(const std::string& path) : state_(std::make_unique<State>
 AtomicFile::~AtomicFile() = default;
 
 void AtomicFile::write(std::string_view bytes) {
-    if (!writeAll(state_->descriptor(), bytes)) throwReason(state_->path, errno);
+    if (!writeAll(state_->descriptor(), bytes)) throwCannotWrite(state_->path, errno);
 }
 
 void AtomicFile::commit() {
-    if (state_->temporary && !state_->temporary->moveTo(state_->target)) throwReason(state_->path, errno);
+    if (state_->temporary && !state_->temporary->moveTo(state_->target))
+        throwCannotWrite(state_->path, errno);
 }
 
 void writeFileAtomically(const std::string& path, std::string_view bytes) {
@@ -147,12 +148,12 @@ void writeFileAtomically(const std::string& path, std::string_view bytes) {
 void checkFileDestination(const std::string& path) {
     if (path.empty()) throw InputError("the name of the file to write is empty");
     if (isPipeOrDevice(path)) {
-        if (::access(path.c_str(), W_OK) != 0) throwReason(path, errno);
+        if (::access(path.c_str(), W_OK) != 0) throwCannotWrite(path, errno);
         return;
     }
     // Creating a file is the only reliable check: permission bits do not cover read-only or full file
     // systems.
-    if (createBeside(destinationOf(path), path)->descriptor() < 0) throwReason(path, errno);
+    if (createBeside(destinationOf(path), path)->descriptor() < 0) throwCannotWrite(path, errno);
 }
 
 }  // namespace rayscope::base

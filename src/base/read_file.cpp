@@ -11,7 +11,7 @@
 namespace rayscope::base {
 
 namespace {
-[[noreturn]] void throwReason(const std::string& path, int error) {
+[[noreturn]] void throwCannotRead(const std::string& path, int error) {
     throw InputError("cannot be read: " + std::generic_category().message(error), {path});
 }
 }  // namespace
@@ -22,7 +22,7 @@ std::string readFile(const std::string& path) {
 
     const auto close = [](std::FILE* file) { std::fclose(file); };
     const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"));
-    if (!file) throwReason(path, errno);
+    if (!file) throwCannotRead(path, errno);
 
     std::string bytes;
     const auto expected = std::filesystem::file_size(path, ignored);
@@ -30,7 +30,7 @@ std::string readFile(const std::string& path) {
     char block[1 << 16];
     while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
         bytes.append(block, count);
-    if (std::ferror(file.get())) throwReason(path, errno);
+    if (std::ferror(file.get())) throwCannotRead(path, errno);
     return bytes;
 }
 

@@ -6,7 +6,7 @@
 #include "bvh/intersect/ray_query.h"
 // clang-format off: the lanes come first
 #include "bvh/kernel/compress_portable.inl"
-#include "bvh/kernel/lanes_portable.inl"
+#include "bvh/kernel/lanes_baseline.inl"
 // clang-format on
 #include "bvh/kernel/traverse_wide.inl"
 

@@ -6,14 +6,12 @@
 #include <cstring>
 
 #include "bvh/meshes.h"
+#include "support/non_finite.h"
 
 namespace rayscope::test {
 namespace {
 
 using bvh::kernel::ShearedVertex;
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 struct Case {
     Ray ray;

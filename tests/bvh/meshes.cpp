@@ -7,11 +7,10 @@
 #include <map>
 #include <numbers>
 
+#include "support/non_finite.h"
+
 namespace rayscope::test {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 TestGeometry octahedron() {
     return {"octahedron",

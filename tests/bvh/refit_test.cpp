@@ -8,11 +8,10 @@
 #include "bvh/layout/wide_tree.h"
 #include "bvh/meshes.h"
 #include "bvh/traversal/traverse.h"
+#include "support/non_finite.h"
 
 namespace rayscope::test {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<BuildSettings> variants() {
     std::vector<BuildSettings> all;
@@ -122,7 +121,7 @@ TEST(Refit, RebuildsIfOtherTrianglesAreNotFinite) {
     const TestGeometry scene = soup(500, 0.3, 8);
     TestGeometry broken = scene, otherwise = scene;
     broken.vertices[scene.triangles[100].x].x = kNaN;
-    broken.vertices[scene.triangles[300].y].z = std::numeric_limits<float>::infinity();
+    broken.vertices[scene.triangles[300].y].z = kInfinity;
     otherwise.vertices[scene.triangles[20].z].y = kNaN;
     otherwise.vertices[scene.triangles[21].z].y = kNaN;
     for (const BuildSettings& settings : variants()) {

@@ -3,16 +3,16 @@
 
 #include <rayscope/compare.h>
 #include <cmath>
-#include <limits>
 
 #include "image/srgb.h"
 #include "image/test_images.h"
 #include "support/expect_input_error.h"
+#include "support/non_finite.h"
 
 namespace rayscope {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using test::kInfinity;
 
 RgbImage plain(int width, int height, const Rgb& color) { return RgbImage(width, height, color); }
 

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "support/non_finite.h"
+
 namespace rayscope {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using test::kInfinity, test::kNaN;
 
 /// The curve in double precision.
 double exactEncoded(double linear) {
@@ -63,7 +64,7 @@ TEST(Srgb, ValuesOutsideTheRangeAreClamped) {
     for (const Encoding encoding : {Encoding::Srgb, Encoding::None}) {
         EXPECT_EQ(image::encodeByte(-1.0f, encoding), 0);
         EXPECT_EQ(image::encodeByte(-kInfinity, encoding), 0);
-        EXPECT_EQ(image::encodeByte(kNan, encoding), 0);
+        EXPECT_EQ(image::encodeByte(kNaN, encoding), 0);
         EXPECT_EQ(image::encodeByte(7.0f, encoding), 255);
         EXPECT_EQ(image::encodeByte(kInfinity, encoding), 255);
         EXPECT_EQ(image::encodeByte(std::nextafter(1.0f, 0.0f), encoding),

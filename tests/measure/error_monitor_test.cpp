@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "render/render_pass.h"
+#include "support/image_distance.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {
@@ -24,15 +25,6 @@ void extend(const trace::World& world, render::Film& film, int samples, std::uin
     render::renderPass(world, seed, film, samples, {}, counters);
 }
 
-double distance(const RgbImage& a, const RgbImage& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
-        sum += glm::dot(d, d) / 3.0;
-    }
-    return std::sqrt(sum / static_cast<double>(a.pixels.size()));
-}
-
 /// Against the distance to a picture with far more samples.
 TEST(ErrorMonitor, EstimatesErrorAndUpperBound) {
     for (const SamplePattern sampler : {SamplePattern::Independent, SamplePattern::Sobol}) {
@@ -49,7 +41,7 @@ TEST(ErrorMonitor, EstimatesErrorAndUpperBound) {
                 monitor.update(measure::ErrorMonitor::snapshotOf(film));
                 EXPECT_FALSE(monitor.isEstimateDue(film.completeSamples()));
             }
-            const double error = distance(film.mean(), reference.mean());
+            const double error = test::distanceOf(film.mean(), reference.mean());
             ASSERT_TRUE(monitor.hasEstimate());
             EXPECT_LE(error, 1.1 * monitor.latest().upper);
             // Sobol points of the second half fill the gaps of the first: the estimate is conservative.

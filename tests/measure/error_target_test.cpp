@@ -9,6 +9,7 @@
 
 #include "measure/target/sample_allocation.h"
 #include "support/expect_input_error.h"
+#include "support/image_distance.h"
 
 namespace rayscope {
 namespace {
@@ -22,15 +23,6 @@ RgbImage noisy(int size, double sigma, std::uint64_t seed) {
     RgbImage image(size, size);
     for (Rgb& pixel : image.pixels) pixel = Rgb(noise(random), noise(random), noise(random));
     return image;
-}
-
-double distance(const RgbImage& a, const RgbImage& b) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
-        squares += glm::dot(d, d) / 3.0;
-    }
-    return std::sqrt(squares / static_cast<double>(a.pixels.size()));
 }
 
 ErrorTargetRequest requestFor(const std::string& name, int size, double error) {
@@ -66,7 +58,7 @@ TEST(ErrorEstimate, UpperBoundHasTheConfidenceLevel) {
         RgbImage mean = a;
         for (std::size_t i = 0; i < mean.pixels.size(); ++i)
             mean.pixels[i] = 0.5f * (a.pixels[i] + b.pixels[i]);
-        covered += distance(mean, reference) <= estimateError(a, b, {0, 24, 0, 24}, target).upper;
+        covered += test::distanceOf(mean, reference) <= estimateError(a, b, {0, 24, 0, 24}, target).upper;
     }
     EXPECT_NEAR(static_cast<double>(covered) / kTimes, 0.9, 0.04);  // four standard errors
 }
@@ -127,7 +119,7 @@ TEST(ErrorEstimate, SampleVariancesMakeTheUpperBoundMoreAccurate) {
         const ErrorEstimate plain = estimateError(halves.a, halves.b, whole, target);
         const ErrorEstimate known = estimateError(halves.a, halves.b, whole, target, &halves.variance);
         EXPECT_EQ(plain.error, known.error);
-        covered += distance(halves.mean, reference) <= known.upper;
+        covered += test::distanceOf(halves.mean, reference) <= known.upper;
         without.push_back(plain.upper / plain.error);
         with.push_back(known.upper / known.error);
     }
@@ -189,7 +181,7 @@ TEST(ErrorTarget, HoldsTheConfidenceLevelOnScenes) {
                 const ErrorTargetResult result = renderToTarget(request);
                 EXPECT_EQ(result.reason, StopReason::Reached);
                 EXPECT_LE(result.estimate.upper, error);
-                below += distance(result.mean, reference) <= error;
+                below += test::distanceOf(result.mean, reference) <= error;
             }
             // With 95 % each, fewer than 13 of 16 have a probability of 1 in 140.
             EXPECT_GE(below, 13) << scene;

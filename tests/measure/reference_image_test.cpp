@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "support/image_distance.h"
 #include "support/temporary_folder.h"
 
 namespace rayscope {
@@ -44,15 +45,6 @@ TEST(ReferenceImage, NonFinitePixelsAreLeftOut) {
         std::isnan(measure::meanSquaredError(RgbImage(2, 2, Rgb(NAN)), RgbImage(2, 2), RgbImage(2, 2))));
 }
 
-double distance(const RgbImage& a, const RgbImage& b) {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const glm::dvec3 d = glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
-        squares += glm::dot(d, d) / 3.0;
-    }
-    return std::sqrt(squares / static_cast<double>(a.pixels.size()));
-}
-
 // A few hundred pixels at edges have most of the error, so its estimate has a standard error of about 5 %.
 TEST(ReferenceImage, EstimatesItsOwnError) {
     render::ThreadArena workers(2);
@@ -62,7 +54,7 @@ TEST(ReferenceImage, EstimatesItsOwnError) {
     const double estimated = reference.error();
     ASSERT_TRUE(reference.extend(256, {}));
     EXPECT_LT(reference.error(), 0.2 * estimated);
-    EXPECT_NEAR(distance(early, reference.mean()) / estimated, 1.0, 0.15);
+    EXPECT_NEAR(test::distanceOf(early, reference.mean()) / estimated, 1.0, 0.15);
 }
 
 TEST(ReferenceImage, ConvergesIfItsErrorFalls) {

@@ -16,12 +16,6 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const trace::World> builtin(const std::string& name, const Settings& settings = {},
-                                            int size = 20) {
-    Diagnostics notes;
-    return test::compileScene(loadScene("builtin:" + name, notes), settings, size, size);
-}
-
 std::vector<RgbImage> render(const trace::World& world, std::vector<probe::Aov> wanted, int samples = 2,
                              int threads = 0) {
     probe::AovRequest request{world};
@@ -32,7 +26,7 @@ std::vector<RgbImage> render(const trace::World& world, std::vector<probe::Aov> 
 }
 
 TEST(Aov, SurfaceValuesMatchTheFirstHit) {
-    const auto world = builtin("cornell");
+    const auto world = test::compileBuiltin("cornell", 20);
     const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Depth, probe::Aov::Uv,
                                         probe::Aov::Primitive, probe::Aov::Material});
     int hits = 0;
@@ -80,7 +74,7 @@ TEST(Aov, CountsAgreeWithTraversalLogs) {
         for (const std::string name : {"cornell-area", "cubes-transparent", "monkey", "spheres"}) {
             Settings settings;
             settings.bvhLayout = layout;
-            const auto world = builtin(name, settings, 8);
+            const auto world = test::compileBuiltin(name, 8, settings);
             const auto images =
                 render(*world, {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays}, 2);
             for (int y = 0; y < 8; ++y)
@@ -129,7 +123,7 @@ TEST(Aov, CountsNeedNoBinaryTree) {
 }
 
 TEST(Aov, EqualForAnyNumberOfThreads) {
-    const auto world = builtin("teapot");
+    const auto world = test::compileBuiltin("teapot", 20);
     const std::vector<probe::Aov> wanted{probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Triangles,
                                          probe::Aov::Rays, probe::Aov::NonFinite};
     const auto one = render(*world, wanted, 2, 1), many = render(*world, wanted, 2, 7);

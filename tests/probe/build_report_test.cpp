@@ -13,11 +13,6 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const trace::World> builtin(const std::string& name) {
-    Diagnostics notes;
-    return test::compileScene(loadScene("builtin:" + name, notes), {}, 64, 64);
-}
-
 double lowest(const probe::SplitCurve& curve) {
     double best = std::numeric_limits<double>::infinity();
     for (const auto& planes : curve.axes)
@@ -49,7 +44,7 @@ TEST(SplitCurve, TwoTrianglesComputedByHand) {
 }
 
 TEST(SplitCurve, MinimumIsTheSplitOfTheBinnedBuilder) {
-    const auto world = builtin("monkey");
+    const auto world = test::compileBuiltin("monkey", 64);
     const AccelInput& input = world->motionGroups[0].geometry->input;
     for (const int bins : {8, 32}) {
         BuildSettings settings;
@@ -74,7 +69,7 @@ TEST(SplitCurve, MinimumIsTheSplitOfTheBinnedBuilder) {
 }
 
 TEST(TraversalCosts, BetterTreeCostsLess) {
-    const auto world = builtin("monkey");
+    const auto world = test::compileBuiltin("monkey", 64);
     const AccelInput& input = world->motionGroups[0].geometry->input;
     const probe::ViewRays rays = probe::raysOfView(*world, 0, 0, 16, 16);
     EXPECT_GE(rays.closest.size(), 256u);

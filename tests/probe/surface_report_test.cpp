@@ -9,18 +9,11 @@
 namespace rayscope {
 namespace {
 
-std::shared_ptr<const trace::World> builtin(const std::string& name, const Settings& settings,
-                                            int size = 24) {
-    Diagnostics notes;
-    SceneDescription scene = loadScene("builtin:" + name, notes);
-    return test::compileScene(std::move(scene), settings, size, size);
-}
-
 TEST(TexelQuad, ResultIsTheColorOfTheTracer) {
     for (const TextureFilter filter : {TextureFilter::Nearest, TextureFilter::Bilinear}) {
         Settings settings;
         settings.textureFilter = filter;
-        const auto world = builtin("quad-textured", settings);
+        const auto world = test::compileBuiltin("quad-textured", 24, settings);
         int found = 0;
         for (int y = 0; y < 24; ++y)
             for (int x = 0; x < 24; ++x) {
@@ -40,7 +33,7 @@ TEST(TexelQuad, ResultIsTheColorOfTheTracer) {
 }
 
 TEST(VertexNormals, InterpolateToTheShadingNormal) {
-    const auto world = builtin("teapot", {});
+    const auto world = test::compileBuiltin("teapot", 24);
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
@@ -58,11 +51,11 @@ TEST(VertexNormals, InterpolateToTheShadingNormal) {
             EXPECT_LT(glm::distance(position, glm::dvec3(tree.nodes[0].position)), 1e-4);
         }
     EXPECT_GT(found, 50);
-    EXPECT_FALSE(probe::vertexNormalsOf(*builtin("spheres", {}), RayNode{}, 0.0f));
+    EXPECT_FALSE(probe::vertexNormalsOf(*test::compileBuiltin("spheres", 24), RayNode{}, 0.0f));
 }
 
 TEST(EnvironmentPoint, IsTheColorOfAMiss) {
-    const auto world = builtin("environment", {});
+    const auto world = test::compileBuiltin("environment", 24);
     int found = 0;
     for (int y = 0; y < 24; y += 2)
         for (int x = 0; x < 24; x += 2)
@@ -81,7 +74,7 @@ TEST(EnvironmentPoint, IsTheColorOfAMiss) {
 TEST(EnvironmentPoint, WithReflectionMapIsTheReflectedColor) {
     Settings settings;
     settings.reflectionMap = true;
-    const auto world = builtin("environment", settings);
+    const auto world = test::compileBuiltin("environment", 24, settings);
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
@@ -100,7 +93,7 @@ TEST(GlossySquare, ContainsRaysWithinTheirDeviation) {
     Settings settings;
     settings.glossy = true;
     settings.glossySamples = 400;
-    const auto world = builtin("cornell-glossy", settings);
+    const auto world = test::compileBuiltin("cornell-glossy", 24, settings);
     int found = 0;
     for (int y = 0; y < 24; ++y)
         for (int x = 0; x < 24; ++x) {
@@ -134,7 +127,7 @@ TEST(LensReport, RaysStartInTheOutlineAndConvergeAtTheFocus) {
         settings.lensShape = shape;
         settings.lensSamples = 64;
         settings.sharpZone = 1e-4f;
-        const auto world = builtin("spheres-dof", settings);
+        const auto world = test::compileBuiltin("spheres-dof", 24, settings);
         const auto lens = probe::lensOf(*world);
         ASSERT_TRUE(lens);
         float widest = 0.0f;
@@ -150,7 +143,7 @@ TEST(LensReport, RaysStartInTheOutlineAndConvergeAtTheFocus) {
     }
     Settings pinhole;
     pinhole.depthOfField = false;
-    EXPECT_FALSE(probe::lensOf(*builtin("spheres-dof", pinhole)));
+    EXPECT_FALSE(probe::lensOf(*test::compileBuiltin("spheres-dof", 24, pinhole)));
 }
 
 }  // namespace

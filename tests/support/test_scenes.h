@@ -49,4 +49,11 @@ inline std::shared_ptr<const trace::World> compileScene(SceneDescription scene, 
     return trace::compile({shared, settings, shared->cameras.front(), width, height});
 }
 
+/// A built-in scene with square pictures.
+inline std::shared_ptr<const trace::World> compileBuiltin(const std::string& name, int size,
+                                                          const Settings& settings = {}) {
+    Diagnostics notes;
+    return compileScene(loadScene("builtin:" + name, notes), settings, size, size);
+}
+
 }  // namespace rayscope::test

@@ -37,7 +37,7 @@ SceneDescription sphereScene(bool withNormals, const Transform& transform = {}) 
     return scene;
 }
 
-constexpr int kSize = 48;
+constexpr int kPictureSize = 48;
 
 struct FirstHit {
     trace::Interaction at;
@@ -46,8 +46,8 @@ struct FirstHit {
 /// The first hits of all pixels.
 std::vector<FirstHit> hitsOf(const trace::World& world) {
     RecordingObserver record;
-    for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) trace::radiance(world, 0, {x, y, 0}, record);
+    for (int y = 0; y < kPictureSize; ++y)
+        for (int x = 0; x < kPictureSize; ++x) trace::radiance(world, 0, {x, y, 0}, record);
     std::vector<FirstHit> hits;
     for (std::size_t i = 0; i < record.hits.size(); ++i)
         hits.push_back({record.hits[i], glm::dvec3(record.hitRays[i].origin) +
@@ -56,7 +56,8 @@ std::vector<FirstHit> hitsOf(const trace::World& world) {
 }
 
 TEST(NormalInterpolation, ReproducesTheNormalsOfASphere) {
-    const std::vector<FirstHit> hits = hitsOf(*compileScene(sphereScene(true), {}, kSize, kSize));
+    const std::vector<FirstHit> hits =
+        hitsOf(*compileScene(sphereScene(true), {}, kPictureSize, kPictureSize));
     ASSERT_GT(hits.size(), 800u);
     double worst = 0.0, worstFlat = 0.0;
     for (const auto& [at, point] : hits) {
@@ -79,7 +80,8 @@ TEST(NormalInterpolation, FollowsRotationScaleAndReflection) {
     reflection.matrix = mirrored;
     for (const Transform& t : {transform, reflection}) {
         double worst = 0.0;
-        for (const auto& [at, point] : hitsOf(*compileScene(sphereScene(true, t), {}, kSize, kSize)))
+        for (const auto& [at, point] :
+             hitsOf(*compileScene(sphereScene(true, t), {}, kPictureSize, kPictureSize)))
             updateWorst(worst, glm::distance(at.normal, glm::normalize(point)));
         EXPECT_LT(worst, 1e-6);
     }
@@ -94,7 +96,7 @@ TEST(NormalInterpolation, OfAnEllipsoidIsNearItsGradient) {
     SceneDescription scene = sphereScene(true, transform);
     scene.meshes[0].data = sphereMesh(48, true);
     double worst = 0.0;
-    for (const auto& [at, point] : hitsOf(*compileScene(scene, {}, kSize, kSize)))
+    for (const auto& [at, point] : hitsOf(*compileScene(scene, {}, kPictureSize, kPictureSize)))
         updateWorst(worst, glm::distance(at.normal, glm::normalize(point / (axes * axes))));
     // Vertex normals are exact; between them the error is of the second order in the facets' size of 1/15.
     EXPECT_LT(worst, 0.01);
@@ -103,14 +105,15 @@ TEST(NormalInterpolation, OfAnEllipsoidIsNearItsGradient) {
 TEST(NormalInterpolation, FallsBackToGeometricNormals) {
     Settings off;
     off.normalInterpolation = false;
-    const auto without = compileScene(sphereScene(false), {}, kSize, kSize);
-    const auto switchedOff = compileScene(sphereScene(true), off, kSize, kSize);
+    const auto without = compileScene(sphereScene(false), {}, kPictureSize, kPictureSize);
+    const auto switchedOff = compileScene(sphereScene(true), off, kPictureSize, kPictureSize);
     for (const auto& [at, point] : hitsOf(*without)) {
         EXPECT_FALSE(at.interpolated);
         EXPECT_EQ(at.normal, at.geometricNormal);
     }
-    for (int y = 0; y < kSize; ++y)
-        EXPECT_EQ(pixelMean(*without, 0, kSize / 2, y, 1), pixelMean(*switchedOff, 0, kSize / 2, y, 1));
+    for (int y = 0; y < kPictureSize; ++y)
+        EXPECT_EQ(pixelMean(*without, 0, kPictureSize / 2, y, 1),
+                  pixelMean(*switchedOff, 0, kPictureSize / 2, y, 1));
 }
 
 TEST(NormalInterpolation, SurvivesInvalidNormals) {
@@ -129,7 +132,7 @@ TEST(NormalInterpolation, SurvivesInvalidNormals) {
         data->normals = normals;
         mesh.data = data;
         scene.meshes = {mesh};
-        for (const auto& [at, point] : hitsOf(*compileScene(scene, {}, kSize, kSize))) {
+        for (const auto& [at, point] : hitsOf(*compileScene(scene, {}, kPictureSize, kPictureSize))) {
             ASSERT_NEAR(glm::length(at.normal), 1.0, 1e-12);
             ASSERT_GE(glm::dot(at.normal, at.geometricNormal), 0.0);
         }

@@ -9,7 +9,7 @@
 namespace rayscope::test {
 namespace {
 
-constexpr int kWidth = 64;
+constexpr int kRowWidth = 64;
 
 /// A floor seen from straight above, and an occluding half-plane x < 0 at a quarter of the light's height.
 struct HalfPlane {
@@ -36,7 +36,7 @@ HalfPlane halfPlaneScene(const glm::vec3& light) {
 /// Column of the shadow's edge, as the sum of the row's brightness relative to the lit side.
 double edgeColumn(const trace::World& world, const trace::World& lit) {
     double shadowed = 0.0;
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kRowWidth; ++x) {
         const double full = pixelMean(lit, 1, x, 0, 1024).x;
         shadowed += 1.0 - pixelMean(world, 1, x, 0, 1024).x / full;
     }
@@ -50,9 +50,9 @@ TEST(HardShadow, HasItsEdgeAtTheProjectionOfTheOccluder) {
             const HalfPlane made = halfPlaneScene({lightX, 4.0f, 0.0f});
             Settings settings;
             settings.shading = shading;
-            const auto world = compileScene(made.scene, settings, kWidth, 1);
+            const auto world = compileScene(made.scene, settings, kRowWidth, 1);
             settings.hardShadows = false;
-            const auto lit = compileScene(made.scene, settings, kWidth, 1);
+            const auto lit = compileScene(made.scene, settings, kRowWidth, 1);
             const double expected = world->camera.project({made.edge, 0.0, 0.0}).x;
             updateWorst(worst, std::abs(edgeColumn(*world, *lit) - expected));
         }
@@ -65,10 +65,10 @@ TEST(HardShadow, HasItsEdgeAtTheProjectionOfTheOccluder) {
 
 TEST(HardShadow, ClassifiesEverySampleOfTheFloor) {
     const HalfPlane made = halfPlaneScene({0.7f, 4.0f, 0.0f});
-    const auto world = compileScene(made.scene, {}, kWidth, 1);
+    const auto world = compileScene(made.scene, {}, kRowWidth, 1);
     RecordingObserver record;
-    for (int x = 0; x < kWidth; ++x) pixelMean(*world, 1, x, 0, kWidth, record);
-    ASSERT_EQ(record.lights.size(), std::size_t{kWidth * kWidth});
+    for (int x = 0; x < kRowWidth; ++x) pixelMean(*world, 1, x, 0, kRowWidth, record);
+    ASSERT_EQ(record.lights.size(), std::size_t{kRowWidth * kRowWidth});
     double closest = 1.0;
     for (std::size_t i = 0; i < record.lights.size(); ++i) {
         const double beyond = record.hits[i].position.x - made.edge;

@@ -107,14 +107,14 @@ void addToBinsInParallel(Bins bins, std::span<const PrimitiveRef> refs, const Bi
     std::ranges::copy(sum, bins.begin());
 }
 
-struct Split {
+struct BinSplit {
     float cost = std::numeric_limits<float>::infinity();
     int axis = -1;  ///< −1: all centroids are in one bin
     std::size_t firstRightBin = 0;
 };
 
 /// Sweep over the borders between bins.
-Split bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float scale) {
+BinSplit bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float scale) {
     Buffer<float, kFewBins> buffer(bins.size());
     float* const rightArea = buffer.data();
     Bounds4 right;
@@ -122,7 +122,7 @@ Split bestSplit(std::span<const Bin> bins, int axis, std::size_t size, float sca
         right.extend(bins[i].box);
         rightArea[i] = right.halfArea(scale);
     }
-    Split best;
+    BinSplit best;
     Bounds4 left;
     std::size_t before = 0;
     for (std::size_t i = 1; i < bins.size(); ++i) {
@@ -180,8 +180,8 @@ struct BinnedBuilder {
     std::size_t splitMany(const Subtree& tree, const RangeBounds& bounds, RangeBounds (&sides)[2]) const {
         const auto range = refs.subspan(tree.begin, tree.size());
         const BinMapping mapping(bounds.centroids, binCountFor(tree.size()));
-        const Split split =
-            TreeSkeleton::mustSplitAtMedian(tree) ? Split{} : bestSplitOf(range, mapping, sides);
+        const BinSplit split =
+            TreeSkeleton::mustSplitAtMedian(tree) ? BinSplit{} : bestSplitOf(range, mapping, sides);
         if (isLeafCheaper(tree, bounds, split.cost)) return 0;
         return split.axis >= 0 ? partition(range, mapping, split, sides) : splitInHalf(range, bounds, sides);
     }
@@ -199,8 +199,8 @@ struct BinnedBuilder {
     }
 
     /// Also sets the boxes of both sides.
-    Split bestSplitOf(std::span<const PrimitiveRef> range, const BinMapping& mapping,
-                      RangeBounds (&sides)[2]) const {
+    BinSplit bestSplitOf(std::span<const PrimitiveRef> range, const BinMapping& mapping,
+                         RangeBounds (&sides)[2]) const {
         const auto binCount = static_cast<std::size_t>(mapping.last[0]) + 1;
         Buffer<Bin, 3 * kFewBins> buffer(3 * binCount);
         const Bins bins(buffer.data(), 3 * binCount);
@@ -211,10 +211,10 @@ struct BinnedBuilder {
         const auto binsOf = [&](int axis) {
             return bins.subspan(static_cast<std::size_t>(axis) * binCount, binCount);
         };
-        Split best;
+        BinSplit best;
         for (int axis = 0; axis < 3; ++axis) {
             if (!mapping.isUsable[axis]) continue;
-            const Split split = bestSplit(binsOf(axis), axis, range.size(), scale);
+            const BinSplit split = bestSplit(binsOf(axis), axis, range.size(), scale);
             if (split.cost < best.cost) best = split;
         }
         if (best.axis < 0) return best;
@@ -232,7 +232,7 @@ struct BinnedBuilder {
     /// Moves the primitives left of the border to the front, and computes the bounds of the centroids of both
     /// sides. The side of a primitive is unpredictable, so there is no branch on it: for the other side its
     /// centroid is NaN, which Bounds4::extend() ignores.
-    std::size_t partition(std::span<PrimitiveRef> range, const BinMapping& mapping, const Split& split,
+    std::size_t partition(std::span<PrimitiveRef> range, const BinMapping& mapping, const BinSplit& split,
                           RangeBounds (&sides)[2]) const {
         const auto firstRightBin = static_cast<float>(split.firstRightBin);
         Bounds4 left, right;

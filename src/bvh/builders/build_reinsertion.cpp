@@ -13,25 +13,25 @@
 namespace rayscope::bvh {
 namespace {
 
-/// On scanned meshes three rounds gain more than kMinRelativeGain, on long thin triangles five.
+/// On scanned meshes three rounds gain more than kMinRoundGain, on long thin triangles five.
 constexpr int kMaxRounds = 8;
-constexpr double kMinRelativeGain = 0.002;  ///< of the cost, for another round
+constexpr double kMinRoundGain = 0.002;  ///< of the cost, for another round
 
-constexpr std::size_t kGrain = 64;
-constexpr std::size_t kStopInterval = 1024;
+constexpr std::size_t kSearchesPerTask = 64;
 
 using Reinsertions = tbb::concurrent_vector<Reinsertion>;
 
 /// All reinsertions with a gain in the current tree, the highest first.
 Reinsertions findReinsertions(const LinkedTree& tree, const std::stop_token& stop) {
     Reinsertions found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, tree.size(), kGrain), [&](const auto& block) {
-        throwIfStopped(stop);
-        for (std::size_t node = block.begin(); node < block.end(); ++node) {
-            const Reinsertion best = bestReinsertion(tree, static_cast<std::uint32_t>(node));
-            if (best.target != kNoNode) found.push_back(best);
-        }
-    });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, tree.size(), kSearchesPerTask), [&](const auto& block) {
+            throwIfStopped(stop);
+            for (std::size_t node = block.begin(); node < block.end(); ++node) {
+                const Reinsertion best = bestReinsertion(tree, static_cast<std::uint32_t>(node));
+                if (best.target != kNoNode) found.push_back(best);
+            }
+        });
     tbb::parallel_sort(found.begin(), found.end(), [&](const Reinsertion& a, const Reinsertion& b) {
         throwIfStopped(stop);
         return a.gain > b.gain || (a.gain == b.gain && a.node < b.node);
@@ -57,7 +57,7 @@ BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings
     const float costBefore = LeafPlan(tree, source, settings).cost();
     for (int round = 0; round < kMaxRounds; ++round) {
         const double gain = reinsert(tree, findReinsertions(tree, settings.stop), settings);
-        if (gain < kMinRelativeGain * static_cast<double>(costBefore)) break;
+        if (gain < kMinRoundGain * static_cast<double>(costBefore)) break;
     }
     const LeafPlan plan(tree, source, settings);
     if (plan.cost() <= costBefore) return plan.make();

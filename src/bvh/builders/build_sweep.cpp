@@ -12,16 +12,15 @@ namespace rayscope::bvh {
 namespace {
 
 constexpr std::size_t kParallelAxes = 65536;  ///< ranges from here on sweep the axes in parallel
-constexpr std::size_t kStopInterval = 16384;
 
-struct Split {
+struct SweepSplit {
     float cost = std::numeric_limits<float>::infinity();
     std::size_t middle = 0;  ///< relative to the first primitive of the builder
     std::size_t offCentre = 0;
     int axis = -1;
 
     /// Prefers the cheaper, of equal cost the more balanced split, so that equal boxes give a shallow tree.
-    bool isBetterThan(const Split& other) const {
+    bool isBetterThan(const SweepSplit& other) const {
         return cost < other.cost || (cost == other.cost && offCentre < other.offCentre);
     }
 };
@@ -49,7 +48,7 @@ class SweepBuilder {
         const std::size_t begin = tree.begin - firstSlot_, end = tree.end - firstSlot_;
         if (skeleton_.mustBeLeaf(tree)) return makeLeaf(tree, boxOf(begin, end));
         Bounds4 box;
-        const Split split = bestSplit(tree, box);
+        const SweepSplit split = bestSplit(tree, box);
         const float area = box.halfArea(scale_);
         if (tree.size() <= static_cast<std::size_t>(skeleton_.settings().leafSize) &&
             leafCost(area, tree.size()) <= splitCost(area, split.cost))
@@ -88,14 +87,14 @@ class SweepBuilder {
             skeleton_.slot(i) = refs_[order_[0][i - firstSlot_]].primitive;
     }
 
-    Split bestSplit(const Subtree& tree, Bounds4& box) {
+    SweepSplit bestSplit(const Subtree& tree, Bounds4& box) {
         const std::size_t begin = tree.begin - firstSlot_, end = tree.end - firstSlot_;
-        Split splits[3];
+        SweepSplit splits[3];
         Bounds4 boxes[3];
         forEachAxis(tree.size(), [&](int axis) { splits[axis] = sweep(axis, begin, end, boxes[axis]); });
         box = boxes[0];
-        Split best;
-        for (const Split& split : splits)
+        SweepSplit best;
+        for (const SweepSplit& split : splits)
             if (split.isBetterThan(best)) best = split;
         if (TreeSkeleton::mustSplitAtMedian(tree) || !haveDistinctCentroids(begin, end))
             return {best.cost, begin + tree.size() / 2, 0, 0};
@@ -110,7 +109,7 @@ class SweepBuilder {
     }
 
     /// Areas from the right, then costs from the left.
-    Split sweep(int axis, std::size_t begin, std::size_t end, Bounds4& box) {
+    SweepSplit sweep(int axis, std::size_t begin, std::size_t end, Bounds4& box) {
         const base::BigVector<std::uint32_t>& order = order_[axis];
         base::BigVector<float>& rightArea = areas_[axis];
         Bounds4 right;
@@ -120,7 +119,7 @@ class SweepBuilder {
             rightArea[i] = right.halfArea(scale_);
         }
         box = right;
-        Split best;
+        SweepSplit best;
         Bounds4 left;
         for (std::size_t i = begin + 1; i < end; ++i) {
             if (i % kStopInterval == 0) throwIfStopped(stop_);
@@ -128,14 +127,14 @@ class SweepBuilder {
             const float cost = left.halfArea(scale_) * static_cast<float>(i - begin) +
                                rightArea[i] * static_cast<float>(end - i);
             const std::size_t before = i - begin, after = end - i;
-            const Split split{cost, i, before > after ? before - after : after - before, axis};
+            const SweepSplit split{cost, i, before > after ? before - after : after - before, axis};
             if (split.isBetterThan(best)) best = split;
         }
         return best;
     }
 
     /// Stable partition of all three orders by child.
-    void partition(std::size_t begin, std::size_t end, const Split& split) {
+    void partition(std::size_t begin, std::size_t end, const SweepSplit& split) {
         for (std::size_t i = begin; i < end; ++i) onRight_[order_[split.axis][i]] = i >= split.middle;
         forEachAxis(end - begin, [&](int axis) {
             if (axis != split.axis) partition(axis, begin, end);

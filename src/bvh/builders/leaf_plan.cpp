@@ -6,12 +6,6 @@
 #include "bvh/stop_check.h"
 
 namespace rayscope::bvh {
-namespace {
-
-constexpr std::uint32_t kStopInterval = 65536;
-
-}  // namespace
-
 LeafPlan::LeafPlan(const LinkedTree& tree, const BinaryTree& source, const BuildSettings& settings)
     : tree_(tree), source_(source), settings_(settings), plans_(tree.size()) {
     plan(tree.root());

@@ -7,8 +7,6 @@
 namespace rayscope::bvh {
 namespace {
 
-constexpr std::size_t kStopInterval = 65536;
-
 /// Gains below this fraction of the area saved by detaching are rounding errors.
 constexpr double kMinRelativeGain = 1e-6;
 

@@ -15,8 +15,7 @@ using kernel::ChildRef;
 using kernel::kWidth;
 using Block = tbb::blocked_range<std::size_t>;
 
-constexpr std::size_t kGrain = 2048;
-constexpr std::size_t kStopInterval = 16384;
+constexpr std::size_t kPrimitivesPerTask = 2048;
 
 /// Like Bounds4, but of equal coordinates (zeros with and without sign) keeps the earlier one.
 struct Box {
@@ -63,7 +62,7 @@ Box boxOfNode(const kernel::WideNode& node) {
 template <class Move>
 bool moveAll(std::size_t count, const std::stop_token& stop, const Move& move) {
     return tbb::parallel_reduce(
-        Block(0, count, kGrain), true,
+        Block(0, count, kPrimitivesPerTask), true,
         [&](const Block& block, bool isFinite) {
             throwIfStopped(stop);
             for (std::size_t i = block.begin(); i < block.end(); ++i) isFinite &= move(i);

@@ -23,7 +23,6 @@ std::uint32_t keyOf(float x) {
     return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-constexpr std::size_t kStopInterval = 65536;
 constexpr std::size_t kSmall = 1024;  ///< up to here std::sort is faster
 constexpr int kDigitBits = 11;
 

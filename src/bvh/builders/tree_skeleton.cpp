@@ -12,7 +12,6 @@
 namespace rayscope::bvh {
 namespace {
 
-constexpr std::size_t kStopInterval = 65536;
 constexpr std::size_t kChunkSize = 512;
 
 BinaryNode makeNode(const Bounds4& box, std::size_t first, std::size_t count) {

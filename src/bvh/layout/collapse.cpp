@@ -18,7 +18,7 @@ using kernel::kWidth;
 /// The index of the first node, block and sphere of a subtree.
 using Offsets = WideTreeSize;
 
-constexpr std::uint32_t kParallelNodes = 512;
+constexpr std::uint32_t kMinParallelSubtree = 512;
 
 void setBox(kernel::WideNode& node, int child, const float* lower, const float* upper) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -74,7 +74,7 @@ class Collapser {
         }
         setEmpty(wide, children.count);
         const auto placeChild = [&](std::size_t i) { wide.child[i] = place(children.node[i], offsets[i]); };
-        if (plan_.countOf(number).nodes > kParallelNodes) {
+        if (plan_.countOf(number).nodes > kMinParallelSubtree) {
             throwIfStopped(stop_);
             tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(children.count), placeChild);
         } else {

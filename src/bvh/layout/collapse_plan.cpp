@@ -16,7 +16,7 @@ namespace {
 constexpr float kNodeCost = 1.0f;
 constexpr float kBlockCost = 1.0f;
 constexpr int kParallelLevels = 7;
-constexpr std::size_t kParallelNodes = 4096;
+constexpr std::size_t kMinParallelTree = 4096;
 
 float areaOf(const BinaryNode& node) { return halfAreaOf(node.upper - node.lower); }
 
@@ -56,7 +56,7 @@ CollapsePlan::CollapsePlan(const BinaryTree& tree, const AccelInput& input, cons
       input_(input),
       stop_(stop),
       plans_(tree.nodes.size()),
-      parallelLevels_(tree.nodes.size() > kParallelNodes ? kParallelLevels : 0) {
+      parallelLevels_(tree.nodes.size() > kMinParallelTree ? kParallelLevels : 0) {
     plan(0, 0);
 }
 

@@ -7,7 +7,7 @@
 #include "bvh/traversal/traverse.h"
 // clang-format off: the lanes come first
 #include "bvh/kernel/compress_portable.inl"
-#include "bvh/kernel/lanes_portable.inl"
+#include "bvh/kernel/lanes_baseline.inl"
 // clang-format on
 #include "bvh/kernel/traverse_wide.inl"
 

@@ -14,7 +14,7 @@ namespace {
 
 using measure::escaped;
 
-const measure::ReportTemplate& parts() {
+const measure::ReportTemplate& labParts() {
     static const measure::ReportTemplate embedded = measure::embeddedTemplate("lab.html");
     return embedded;
 }
@@ -65,7 +65,7 @@ const LabTestPoint* testPointAt(const LabResult& r, int scale, double offset) {
 }
 
 std::string powerOfTwo(int exponent) {
-    return parts().fill("power of two", {{"exponent", std::to_string(exponent)}});
+    return labParts().fill("power of two", {{"exponent", std::to_string(exponent)}});
 }
 
 /// A table of one fraction over the test points: a row per scale, a column per offset.
@@ -73,19 +73,19 @@ std::string map(const LabResult& r, LabMethod method, Fraction value, const char
     const std::vector<double> offsets = offsetsOf(r);
     std::string heads, rows;
     for (const double offset : offsets)
-        heads += parts().fill("map offset", {{"offset", fmt::format("{:g}", offset)}});
+        heads += labParts().fill("map offset", {{"offset", fmt::format("{:g}", offset)}});
     for (const int scale : scalesOf(r)) {
         std::string cells;
         for (const double offset : offsets) {
             const LabTestPoint* testPoint = testPointAt(r, scale, offset);
             const double x = testPoint ? value(testPoint->of(method)) : std::nan("");
             cells += std::isnan(x)
-                         ? parts().fill("map gap", {})
-                         : parts().fill("map cell", {{"color", cellColor(x)}, {"fraction", percent(x)}});
+                         ? labParts().fill("map gap", {})
+                         : labParts().fill("map cell", {{"color", cellColor(x)}, {"fraction", percent(x)}});
         }
-        rows += parts().fill("map row", {{"scale", powerOfTwo(scale)}, {"cells", cells}}) + "\n";
+        rows += labParts().fill("map row", {{"scale", powerOfTwo(scale)}, {"cells", cells}}) + "\n";
     }
-    return parts().fill(
+    return labParts().fill(
         "map",
         {{"title", title}, {"method", escaped(infoOf(method).label)}, {"offsets", heads}, {"rows", rows}});
 }
@@ -123,8 +123,8 @@ std::string errorChart(const LabResult& r) {
 std::string legend() {
     std::string entries;
     for (const LabMethod method : kLabMethods)
-        entries += parts().fill("legend",
-                                {{"class", infoOf(method).name}, {"label", escaped(infoOf(method).label)}});
+        entries += labParts().fill(
+            "legend", {{"class", infoOf(method).name}, {"label", escaped(infoOf(method).label)}});
     return entries;
 }
 
@@ -145,20 +145,20 @@ std::string facts(const LabResult& r) {
 std::string labHtml(const LabResult& r) {
     return measure::reportPage(
         "Numerical robustness: " + r.scene,
-        parts().fill("body", {{"scene", escaped(r.scene)},
-                              {"triangles", std::to_string(r.triangles)},
-                              {"edges", std::to_string(r.sharedEdges)},
-                              {"vertices", std::to_string(r.closedVertices)},
-                              {"points", std::to_string(r.testPoints.size())},
-                              {"rays", std::to_string(r.raysPerTestPoint + r.raysPerTestPoint / 2)},
-                              {"facts", facts(r)},
-                              {"remarks", measure::reportRemarks(r.remarks)},
-                              {"chart", errorChart(r)},
-                              {"legend", legend()},
-                              {"leaks", maps(r, leakFraction, "Leaks")},
-                              {"double hits", maps(r, doubleHitFraction, "Double hits")},
-                              {"false hits", maps(r, falseHitFraction, "False hits")},
-                              {"lost surfaces", maps(r, missedFraction, "Lost surfaces")}}));
+        labParts().fill("body", {{"scene", escaped(r.scene)},
+                                 {"triangles", std::to_string(r.triangles)},
+                                 {"edges", std::to_string(r.sharedEdges)},
+                                 {"vertices", std::to_string(r.closedVertices)},
+                                 {"points", std::to_string(r.testPoints.size())},
+                                 {"rays", std::to_string(r.raysPerTestPoint + r.raysPerTestPoint / 2)},
+                                 {"facts", facts(r)},
+                                 {"remarks", measure::reportRemarks(r.remarks)},
+                                 {"chart", errorChart(r)},
+                                 {"legend", legend()},
+                                 {"leaks", maps(r, leakFraction, "Leaks")},
+                                 {"double hits", maps(r, doubleHitFraction, "Double hits")},
+                                 {"false hits", maps(r, falseHitFraction, "False hits")},
+                                 {"lost surfaces", maps(r, missedFraction, "Lost surfaces")}}));
 }
 
 }  // namespace rayscope

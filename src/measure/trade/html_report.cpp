@@ -16,13 +16,13 @@ namespace {
 using measure::escaped;
 using measure::shortNumber;
 
-const measure::ReportTemplate& parts() {
+const measure::ReportTemplate& tradeParts() {
     static const measure::ReportTemplate embedded = measure::embeddedTemplate("trade.html");
     return embedded;
 }
 
 std::string withInterval(const Interval& i) {
-    return parts().fill(
+    return tradeParts().fill(
         "interval",
         {{"value", shortNumber(i.value)}, {"lower", shortNumber(i.lower)}, {"upper", shortNumber(i.upper)}});
 }
@@ -90,61 +90,62 @@ std::string paretoFront(const TradeResult& r) {
     chart.line(frontLine(r), "front");
     for (const TradeAdvice& a : r.advice)
         chart.label(r.points[a.point].seconds.value, r.points[a.point].error.value, r.points[a.point].name);
-    return parts().fill("pareto front", {{"chart", chart.svg()}});
+    return tradeParts().fill("pareto front", {{"chart", chart.svg()}});
 }
 
 std::string recommendations(const TradeResult& r) {
     std::string rows;
     for (const TradeAdvice& a : r.advice) {
         const TradePoint& p = r.points[a.point];
-        rows += parts().fill("recommendation", {{"budget", shortNumber(a.budgetSeconds)},
-                                                {"seconds", withInterval(p.predictedSeconds)},
-                                                {"error", withInterval(p.predictedError)},
-                                                {"flip", withInterval(p.flip)},
-                                                {"scene", escaped(r.scene)},
-                                                {"arguments", escaped(renderArguments(r, p))}}) +
+        rows += tradeParts().fill("recommendation", {{"budget", shortNumber(a.budgetSeconds)},
+                                                     {"seconds", withInterval(p.predictedSeconds)},
+                                                     {"error", withInterval(p.predictedError)},
+                                                     {"flip", withInterval(p.flip)},
+                                                     {"scene", escaped(r.scene)},
+                                                     {"arguments", escaped(renderArguments(r, p))}}) +
                 "\n";
     }
-    return parts().fill("recommendations", {{"rows", rows}});
+    return tradeParts().fill("recommendations", {{"rows", rows}});
 }
 
 std::string presetTable(const TradeResult& r) {
     std::string rows;
     for (const TradePreset& preset : r.presetPoints)
-        rows += parts().fill("preset", {{"preset", escaped(preset.preset)},
-                                        {"seconds", withInterval(r.points[preset.point].seconds)},
-                                        {"error", withInterval(r.points[preset.point].error)},
-                                        {"excess", excessText(r, preset)}}) +
+        rows += tradeParts().fill("preset", {{"preset", escaped(preset.preset)},
+                                             {"seconds", withInterval(r.points[preset.point].seconds)},
+                                             {"error", withInterval(r.points[preset.point].error)},
+                                             {"excess", excessText(r, preset)}}) +
                 "\n";
-    return rows.empty() ? "" : parts().fill("presets", {{"rows", rows}});
+    return rows.empty() ? "" : tradeParts().fill("presets", {{"rows", rows}});
 }
 
 std::string effectResult(const TradeEffect& effect, const TradePoint& p) {
     if (!effect.reason.empty()) {
         const std::string check = p.runs == 0     ? ""
-                                  : p.samePicture ? parts().fill("effect check passed", {})
-                                                  : parts().fill("effect check failed", {});
-        return parts().fill("effect reason", {{"reason", escaped(effect.reason)}, {"check", check}});
+                                  : p.samePicture ? tradeParts().fill("effect check passed", {})
+                                                  : tradeParts().fill("effect check failed", {});
+        return tradeParts().fill("effect reason", {{"reason", escaped(effect.reason)}, {"check", check}});
     }
-    if (p.runs == 0) return parts().fill("effect not measured", {});
-    if (p.samePicture) return parts().fill("effect identical", {});
-    return parts().fill("effect error",
-                        {{"state", effect.on ? "off" : "on"}, {"bias", withInterval(p.bias)}});
+    if (p.runs == 0) return tradeParts().fill("effect not measured", {});
+    if (p.samePicture) return tradeParts().fill("effect identical", {});
+    return tradeParts().fill("effect error",
+                             {{"state", effect.on ? "off" : "on"}, {"bias", withInterval(p.bias)}});
 }
 
 std::string effectTable(const TradeResult& r) {
     std::string rows;
     for (const TradeEffect& effect : r.effects) {
         const TradePoint& p = r.points[effect.point];
-        rows += parts().fill("effect", {{"label", escaped(effect.label)},
-                                        {"state", effect.on ? "on" : "off"},
-                                        {"result", effectResult(effect, p)},
-                                        {"ratio", p.runs > 1 ? withInterval(p.timeRatio) : "–"}}) +
+        rows += tradeParts().fill("effect", {{"label", escaped(effect.label)},
+                                             {"state", effect.on ? "on" : "off"},
+                                             {"result", effectResult(effect, p)},
+                                             {"ratio", p.runs > 1 ? withInterval(p.timeRatio) : "–"}}) +
                 "\n";
     }
-    return parts().fill("effects", {{"lowest", fmt::format("{:.3f}", 1.0 / (1.0 + r.smallestTimeDifference))},
-                                    {"highest", fmt::format("{:.3f}", 1.0 + r.smallestTimeDifference)},
-                                    {"rows", rows}});
+    return tradeParts().fill("effects",
+                             {{"lowest", fmt::format("{:.3f}", 1.0 / (1.0 + r.smallestTimeDifference))},
+                              {"highest", fmt::format("{:.3f}", 1.0 + r.smallestTimeDifference)},
+                              {"rows", rows}});
 }
 
 std::string parameterChart(const TradeResult& r, const std::string& key,
@@ -162,7 +163,7 @@ std::string parameterChart(const TradeResult& r, const std::string& key,
         chart.mark(p->seconds, p->error, cssClass, tooltipOf(*p), 3.5);
         chart.label(p->seconds.value, p->error.value, base ? textOf(p->settings, key) : p->level);
     }
-    return parts().fill("parameter chart", {{"parameter", escaped(key)}, {"chart", chart.svg()}}) + "\n";
+    return tradeParts().fill("parameter chart", {{"parameter", escaped(key)}, {"chart", chart.svg()}}) + "\n";
 }
 
 std::string parameterRows(const std::vector<const TradePoint*>& points) {
@@ -174,14 +175,14 @@ std::string parameterRows(const std::vector<const TradePoint*>& points) {
                                                      : "";
         if (p->samePicture) result = "identical picture" + (result.empty() ? "" : "; " + result);
         if (p->biased) result = "biased" + (result.empty() ? "" : "; " + result);
-        rows += parts().fill("parameter row", {{"parameter", escaped(p->parameter)},
-                                               {"level", escaped(p->level)},
-                                               {"result", escaped(result)},
-                                               {"ratio", withInterval(p->timeRatio)},
-                                               {"error", withInterval(p->error)},
-                                               {"noise", withInterval(p->noise)},
-                                               {"bias", withInterval(p->bias)},
-                                               {"efficiency", withInterval(p->efficiency)}}) +
+        rows += tradeParts().fill("parameter row", {{"parameter", escaped(p->parameter)},
+                                                    {"level", escaped(p->level)},
+                                                    {"result", escaped(result)},
+                                                    {"ratio", withInterval(p->timeRatio)},
+                                                    {"error", withInterval(p->error)},
+                                                    {"noise", withInterval(p->noise)},
+                                                    {"bias", withInterval(p->bias)},
+                                                    {"efficiency", withInterval(p->efficiency)}}) +
                 "\n";
     }
     return rows;
@@ -201,49 +202,49 @@ std::string parameterSection(const TradeResult& r) {
         charts += parameterChart(r, key, byParameter[key]);
         rows += parameterRows(byParameter[key]);
     }
-    return parts().fill("parameters", {{"charts", charts}, {"rows", rows}});
+    return tradeParts().fill("parameters", {{"charts", charts}, {"rows", rows}});
 }
 
 std::string breakEvenTable(const TradeResult& r) {
     if (r.breakEvens.empty()) return "";
     std::string rows;
     for (const TradeBreakEven& b : r.breakEvens)
-        rows += parts().fill("break-even", {{"setting", escaped(r.points[b.point].name)},
-                                            {"seconds", withInterval(r.points[b.point].buildSeconds)},
-                                            {"result", escaped(b.text)}}) +
+        rows += tradeParts().fill("break-even", {{"setting", escaped(r.points[b.point].name)},
+                                                 {"seconds", withInterval(r.points[b.point].buildSeconds)},
+                                                 {"result", escaped(b.text)}}) +
                 "\n";
-    return parts().fill("break-evens",
-                        {{"seconds", withInterval(r.points.front().buildSeconds)},
-                         {"rays", fmt::format("{:.3g}", static_cast<double>(r.points.front().work.rays))},
-                         {"rows", rows}});
+    return tradeParts().fill(
+        "break-evens", {{"seconds", withInterval(r.points.front().buildSeconds)},
+                        {"rays", fmt::format("{:.3g}", static_cast<double>(r.points.front().work.rays))},
+                        {"rows", rows}});
 }
 
 std::string measurementTable(const TradeResult& r) {
     std::string rows;
     for (const TradePoint& p : r.points)
         if (p.runs > 0)
-            rows += parts().fill("measurement", {{"class", classOf(p)},
-                                                 {"name", escaped(p.name)},
-                                                 {"runs", std::to_string(p.runs)},
-                                                 {"samples", std::to_string(p.work.samples)},
-                                                 {"rays", std::to_string(p.work.rays)},
-                                                 {"nodes", fmt::format("{:.2f}", p.work.nodesPerRay)},
-                                                 {"tests", fmt::format("{:.2f}", p.work.testsPerRay)},
-                                                 {"seconds", withInterval(p.seconds)},
-                                                 {"error", withInterval(p.error)},
-                                                 {"flip", withInterval(p.flip)},
-                                                 {"dominated by", escaped(p.dominatedBy)}}) +
+            rows += tradeParts().fill("measurement", {{"class", classOf(p)},
+                                                      {"name", escaped(p.name)},
+                                                      {"runs", std::to_string(p.runs)},
+                                                      {"samples", std::to_string(p.work.samples)},
+                                                      {"rays", std::to_string(p.work.rays)},
+                                                      {"nodes", fmt::format("{:.2f}", p.work.nodesPerRay)},
+                                                      {"tests", fmt::format("{:.2f}", p.work.testsPerRay)},
+                                                      {"seconds", withInterval(p.seconds)},
+                                                      {"error", withInterval(p.error)},
+                                                      {"flip", withInterval(p.flip)},
+                                                      {"dominated by", escaped(p.dominatedBy)}}) +
                     "\n";
     const std::string missing =
         r.notMeasured.empty()
             ? ""
-            : parts().fill("missing measurements", {{"count", std::to_string(r.notMeasured.size())}});
-    return parts().fill("measurements", {{"rows", rows}, {"missing", missing}});
+            : tradeParts().fill("missing measurements", {{"count", std::to_string(r.notMeasured.size())}});
+    return tradeParts().fill("measurements", {{"rows", rows}, {"missing", missing}});
 }
 
 std::string methodSection(const TradeResult& r) {
-    return parts().fill("method", {{"samples", std::to_string(r.reference.samples)},
-                                   {"error", shortNumber(r.reference.error)}});
+    return tradeParts().fill("method", {{"samples", std::to_string(r.reference.samples)},
+                                        {"error", shortNumber(r.reference.error)}});
 }
 
 }  // namespace
@@ -254,16 +255,17 @@ std::string tradeHtml(const TradeResult& result) {
         for (const auto& section : {paretoFront, recommendations, presetTable, effectTable, parameterSection,
                                     breakEvenTable, measurementTable, methodSection})
             if (const std::string html = section(result); !html.empty()) sections += html + "\n";
-    return measure::reportPage("Speed against accuracy: " + result.scene,
-                               parts().fill("body", {{"scene", escaped(result.scene)},
-                                                     {"width", std::to_string(result.width)},
-                                                     {"height", std::to_string(result.height)},
-                                                     {"threads", std::to_string(result.threads)},
-                                                     {"blocks", std::to_string(result.blocks)},
-                                                     {"seconds", fmt::format("{:.0f}", result.spentSeconds)},
-                                                     {"facts", facts(result)},
-                                                     {"remarks", measure::reportRemarks(result.remarks)},
-                                                     {"sections", sections}}));
+    return measure::reportPage(
+        "Speed against accuracy: " + result.scene,
+        tradeParts().fill("body", {{"scene", escaped(result.scene)},
+                                   {"width", std::to_string(result.width)},
+                                   {"height", std::to_string(result.height)},
+                                   {"threads", std::to_string(result.threads)},
+                                   {"blocks", std::to_string(result.blocks)},
+                                   {"seconds", fmt::format("{:.0f}", result.spentSeconds)},
+                                   {"facts", facts(result)},
+                                   {"remarks", measure::reportRemarks(result.remarks)},
+                                   {"sections", sections}}));
 }
 
 }  // namespace rayscope

@@ -32,13 +32,6 @@ void move(ParallelogramLight& light, int handle, glm::vec3 delta) {
     if (handle == 3) light.edges[1] += delta;
 }
 
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 ab = b - a;
-    const double squared = glm::dot(ab, ab);
-    const double t = squared > 0.0 ? std::clamp(glm::dot(p - a, ab) / squared, 0.0, 1.0) : 0.0;
-    return glm::length(p - (a + ab * t));
-}
-
 /// The lines of the symbol of a light.
 using Edges = std::vector<std::pair<glm::dvec3, glm::dvec3>>;
 Edges edges(const PointLight&) { return {}; }

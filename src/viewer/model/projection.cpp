@@ -53,6 +53,13 @@ ViewFrame viewFrame(const CameraDescription& camera, int width, int height) {
     return frame;
 }
 
+double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
+    const glm::dvec2 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(point, a + t * along);
+}
+
 glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds) {
     const glm::dvec3 center = (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper)) * 0.5;
     const double radius = glm::length(glm::dvec3(bounds.upper) - center);

@@ -30,6 +30,9 @@ struct ViewFrame {
 /// The frame of the tracer's camera, also if it looks along `up`.
 ViewFrame viewFrame(const CameraDescription& camera, int width, int height);
 
+/// From a point to the nearest point of the segment a b, for instance in pixels.
+double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b);
+
 /// OpenGL clip coordinates with the near and far plane fitted to `bounds`.
 glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds);
 

@@ -107,13 +107,6 @@ OverlayLine shadowLine(const ShadowRay& ray) {
     return {ray.from, ray.to, glm::vec4(displayColor(ray.color), 0.9f), LineStyle::Solid, 1.5f};
 }
 
-double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 along = b - a;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0.0;
-    return glm::distance(point, a + t * along);
-}
-
 /// Distance in pixels from the cursor to the part of a segment in front of the camera.
 std::optional<double> distanceOnScreen(const ViewFrame& frame, glm::dvec3 a, glm::dvec3 b,
                                        glm::dvec2 cursor) {

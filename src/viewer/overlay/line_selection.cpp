@@ -35,9 +35,9 @@ double lengthInside(const PixelSegment& segment, const ViewFrame& frame) {
 }
 
 /// Pixel coordinates, colour and style of a line, quantised.
-using Appearance = std::array<long, 6>;
+using AppearanceKey = std::array<long, 6>;
 
-Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
+AppearanceKey appearanceKeyOf(const OverlayLine& line, const PixelSegment& segment) {
     const auto square = [](double pixel) { return std::lround(std::clamp(pixel / kPixelGrid, -1e6, 1e6)); };
     const auto level = [&](int channel) { return std::lround(line.color[channel] * 15.0f); };
     const long color = ((level(0) * 16 + level(1)) * 16 + level(2)) * 16 + level(3);
@@ -47,10 +47,10 @@ Appearance appearanceOf(const OverlayLine& line, const PixelSegment& segment) {
 }
 
 /// FNV-1a over the numbers instead of bytes.
-struct AppearanceHash {
-    std::size_t operator()(const Appearance& appearance) const {
+struct AppearanceKeyHash {
+    std::size_t operator()(const AppearanceKey& key) const {
         std::uint64_t hash = 14695981039346656037u;
-        for (const long part : appearance) hash = (hash ^ static_cast<std::uint64_t>(part)) * 1099511628211u;
+        for (const long part : key) hash = (hash ^ static_cast<std::uint64_t>(part)) * 1099511628211u;
         return static_cast<std::size_t>(hash ^ hash >> 32);
     }
 };
@@ -90,11 +90,12 @@ double sumOf(const std::vector<ProjectedLine>& projected) {
 std::vector<std::size_t> distinctLines(const OverlayLines& lines,
                                        const std::vector<ProjectedLine>& projected) {
     std::vector<std::size_t> distinct;
-    std::unordered_set<Appearance, AppearanceHash> appearances(2 * lines.size());
+    std::unordered_set<AppearanceKey, AppearanceKeyHash> appearances(2 * lines.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const bool inPicture = projected[i].segment && projected[i].cost > kLineCost;
         if (isBold(lines[i]) || !inPicture) continue;
-        if (appearances.insert(appearanceOf(lines[i], *projected[i].segment)).second) distinct.push_back(i);
+        if (appearances.insert(appearanceKeyOf(lines[i], *projected[i].segment)).second)
+            distinct.push_back(i);
     }
     return distinct;
 }

@@ -14,10 +14,6 @@ namespace {
 
 using InspectedTree = BvhInspector::InspectedTree;
 
-constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
-
-std::string vectorText(glm::vec3 v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
-
 /// A slider with a button for a step back and one for a step forward. Returns the step: -1, 0 or 1.
 int steppedSlider(const char* label, int& value, int highest, std::string_view help) {
     labelledRow(label, false, help);

@@ -54,8 +54,8 @@ void drawHistogram(HeatMap& heat) {
         const double range = static_cast<double>(heat.to) - static_cast<double>(heat.from);
         const Rgb c =
             post::mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
-        const ImU32 color = ImGui::ColorConvertFloat4ToU32(
-            {image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
+        const ImU32 color =
+            toU32({image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
         // The square root keeps rare values visible beside common ones.
         const float fraction = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
         const float x = at.x + width * static_cast<float>(i) / bars;

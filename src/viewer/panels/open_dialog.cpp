@@ -13,7 +13,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr const char* kTitle = "Open a scene";
+constexpr const char* kOpenTitle = "Open a scene";
 
 bool isScene(const std::filesystem::path& path) {
     std::string suffix = path.extension().string();
@@ -74,15 +74,15 @@ void OpenDialog::draw(Workspace& workspace) {
     if (std::exchange(requested_, false)) {
         std::error_code ignored;
         enter(folder_.empty() ? std::filesystem::current_path(ignored) : folder_);
-        ImGui::OpenPopup(kTitle);
+        ImGui::OpenPopup(kOpenTitle);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
         {std::min(scaled(620.0f), display.x * 0.9f), std::min(scaled(460.0f), display.y * 0.8f)},
         ImGuiCond_Appearing);
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
-    const ui::Scope scope(kTitle);
+    if (!ImGui::BeginPopupModal(kOpenTitle, nullptr, ImGuiWindowFlags_NoCollapse)) return;
+    const ui::Scope scope(kOpenTitle);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     bool open = ui::noted(

@@ -13,8 +13,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
-
 /// With more samples than this, only the selected one is outlined.
 constexpr std::size_t kMaxCircles = 256;
 

@@ -9,8 +9,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
-
 /// The index of the preset that the settings equal; -1 if none.
 int presetIndex(const Settings& settings, bool blurred) {
     const std::vector<Preset>& all = presets();

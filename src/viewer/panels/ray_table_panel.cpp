@@ -13,9 +13,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
-std::string vectorText(const glm::vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
-
 int levelOf(const RayTree& tree, int node) {
     int level = 0;
     while ((node = tree.nodes[static_cast<std::size_t>(node)].parent) >= 0) ++level;
@@ -57,8 +54,8 @@ void drawNode(const trace::World& world, const RayNode& node) {
         valueRow("Normal", vectorText(node.normal));
         valueRow("Opacity", fmt::format("{:.4g}", node.opacity));
     }
-    valueRow("Throughput", rgbText(node.throughput));
-    valueRow("Contribution", rgbText(node.contribution));
+    valueRow("Throughput", vectorText(node.throughput));
+    valueRow("Contribution", vectorText(node.contribution));
     valueRow("End", std::string(probe::nameOf(node.end)));
 }
 
@@ -67,8 +64,8 @@ void drawShadowRay(const ShadowRay& ray) {
     valueRow("To", vectorText(ray.to));
     valueRow("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
     valueRow("Visibility", std::string(probe::nameOf(ray.visibility)));
-    valueRow("Colour", rgbText(RgbSum(ray.color)));
-    valueRow("Contribution", rgbText(ray.contribution));
+    valueRow("Colour", vectorText(RgbSum(ray.color)));
+    valueRow("Contribution", vectorText(ray.contribution));
 }
 
 void drawActions(Workspace& workspace) {

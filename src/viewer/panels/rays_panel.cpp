@@ -12,10 +12,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
-
-ImU32 toU32(glm::vec4 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, c.w}); }
-
 /// A line in the style of the picture, in front of the text that follows.
 void drawLineSample(const RayLegendEntry& entry, bool shown) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -68,8 +64,6 @@ void drawFilter(Workspace& workspace) {
         ui::button(fmt::format("Show {} hidden rays", filter.hidden.size()).c_str(), {-1.0f, 0.0f}))
         filter.hidden.clear();
 }
-
-std::string rgbText(const RgbSum& c) { return fmt::format("{:.4g}  {:.4g}  {:.4g}", c.r, c.g, c.b); }
 
 /// Result of the replay: whether the recorded rays are those of the picture.
 void drawReplay(const ReplayResult& replayResult) {
@@ -130,7 +124,7 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
         drawReplayProgress(rays);
     else if (recording.replayResult)
         drawReplay(*recording.replayResult);
-    valueRow("Radiance", rgbText(tree.radiance));
+    valueRow("Radiance", vectorText(tree.radiance));
     drawPixelSamples(workspace, recording);
     drawSamples(rays, recording);
     drawRayTable(workspace, recording);

@@ -9,7 +9,6 @@ namespace {
 
 using InspectedTree = BvhInspector::InspectedTree;
 
-constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
 constexpr std::string_view kBuilders[] = {"median", "SAH", "binned SAH", "reinsertion"};
 
 void drawBuilderSettings(BvhInspector& bvh, const Settings& settings) {
@@ -22,10 +21,10 @@ void drawBuilderSettings(BvhInspector& bvh, const Settings& settings) {
     });
     labelledRow("Bins", false, "Bins per axis of the binned builders.");
     ImGui::BeginDisabled(!usesBins(builderSettings.builder));
-    ui::sliderInt("##bins", &builderSettings.bins, 2, 4096, "%d", kClamp);
+    ui::sliderInt("##bins", &builderSettings.bins, 2, 4096, "%d", kClamp | ImGuiSliderFlags_Logarithmic);
     ImGui::EndDisabled();
     labelledRow("Leaf size", false, "Maximum number of primitives in a leaf.");
-    ui::sliderInt("##leaf", &builderSettings.leafSize, 1, 64, "%d", kClamp);
+    ui::sliderInt("##leaf", &builderSettings.leafSize, 1, 64, "%d", kClamp | ImGuiSliderFlags_Logarithmic);
     if (builderSettings != bvh.referenceBuild(settings)) bvh.compareWith = builderSettings;
 }
 

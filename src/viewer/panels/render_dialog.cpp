@@ -11,7 +11,7 @@ namespace rayscope::viewer {
 
 namespace {
 
-constexpr const char* kTitle = "Render to file";
+constexpr const char* kRenderTitle = "Render to file";
 
 void drawOutcome(const RenderJob& job) {
     switch (job.phase()) {
@@ -92,13 +92,13 @@ void RenderDialog::draw(Workspace& workspace) {
         size_[1] = workspace.imageSize().y;
         samples_ = workspace.edit.settings.spp;
         errorMessage_.clear();
-        ImGui::OpenPopup(kTitle);
+        ImGui::OpenPopup(kRenderTitle);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.45f}, ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(scaled(460.0f), display.x * 0.9f), 0.0f});
-    if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_NoResize)) return;
-    const ui::Scope scope(kTitle);
+    if (!ImGui::BeginPopupModal(kRenderTitle, nullptr, ImGuiWindowFlags_NoResize)) return;
+    const ui::Scope scope(kRenderTitle);
     if (workspace.job && workspace.job->running())
         drawProgress(workspace);
     else

@@ -13,8 +13,6 @@ namespace rayscope::viewer {
 
 namespace {
 
-ImU32 toU32(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1.0f}); }
-
 /// The four texels as squares with their weights, the hit point as a circle, and the filtered colour.
 void drawTexels(const probe::TexelQuad& quad) {
     const float side = scaled(44.0f);

@@ -1,10 +1,18 @@
 #include "viewer/panels/widgets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "viewer/panels/theme.h"
 
 namespace rayscope::viewer {
+
+ImU32 toU32(const glm::vec4& color) {
+    return ImGui::ColorConvertFloat4ToU32({color.r, color.g, color.b, color.a});
+}
+
+std::string vectorText(const glm::dvec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
 
 void coloredText(const ImVec4& color, std::string_view content) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);

@@ -12,6 +12,15 @@ namespace rayscope::viewer {
 /// `units` at scale 1 in pixels of this window; a line of text is 13 units high.
 inline float scaled(float units) { return units * ImGui::GetFontSize() / 13.0f; }
 
+/// Sliders keep typed values within their range.
+constexpr ImGuiSliderFlags kClamp = ImGuiSliderFlags_AlwaysClamp;
+
+ImU32 toU32(const glm::vec4& color);
+inline ImU32 toU32(const glm::vec3& color) { return toU32(glm::vec4(color, 1.0f)); }
+
+/// The components with four digits each.
+std::string vectorText(const glm::dvec3& v);
+
 inline void text(std::string_view content) {
     ImGui::TextUnformatted(content.data(), content.data() + content.size());
     ui::noteText(content);
