@@ -43,7 +43,7 @@ TEST(Format, FormatsThatAreNotReadAreNamed) {
         {"\xabKTX 11\xbb\r\n\x1a\n", "a KTX texture"},
         {"\xabKTX 20\xbb\r\n\x1a\n", "a KTX texture"},
         {"qoif", "a QOI image"},
-        {"\0\0\1\0\1\0"s, "an icon"},
+        {"\0\0\1\0\1\0"s, "an icon or cursor"},
         {"BA", "an OS/2 bitmap array"},
         {"\x8aMNG\r\n\x1a\n", "an MNG animation"},
         {"gimp xcf v011", "a GIMP document"},

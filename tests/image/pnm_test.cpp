@@ -112,7 +112,7 @@ TEST(Pnm, WrittenFilesHoldSrgbCodes) {
     writeImage(folder.file("b.ppm"), image, {}, Encoding::None);
     EXPECT_EQ(test::readText(folder.file("b.ppm")), "P6\n2 1\n255\n" + bytesOf({127, 0, 255, 0, 255, 255}));
     writeImage(folder.file("a.PGM"), RgbImage(1, 1, Rgb(0.0f, 0.5f, 0.0f)));
-    EXPECT_EQ(decode(test::readText(folder.file("a.PGM"))).at(0, 0).x, linearOf(160));  // 0.7152 · 0.5
+    EXPECT_EQ(decode(test::readText(folder.file("a.PGM"))).at(0, 0).x, linearOf(161));  // 0.7152 · 0.5
 }
 
 const std::string kOne("\x3f\x80\0\0", 4), kTwo("\x40\0\0\0", 4);

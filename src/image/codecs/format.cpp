@@ -56,8 +56,6 @@ constexpr Signature kForeign[]{
     {1, "KTX 20"sv, "a KTX texture"},
     {0, "qoif"sv, "a QOI image"},
     {0, "farbfeld"sv, "a farbfeld image"},
-    {0, "\0\0\1\0"sv, "an icon"},
-    {0, "\0\0\2\0"sv, "a cursor"},
     {0, "BA"sv, "an OS/2 bitmap array"},
     {0, "\x8aMNG\r\n\x1a\n"sv, "an MNG animation"},
     {0, "\x8bJNG\r\n\x1a\n"sv, "a JNG image"},
@@ -101,9 +99,17 @@ bool matches(FileBytes file, const Signature& signature) {
            textOf(file.subspan(signature.offset)).starts_with(signature.bytes);
 }
 
+/// Icons and cursors start like TGA files without a colour map, but with a count of images.
+bool looksLikeIcon(FileBytes file) {
+    const std::string_view text = textOf(file);
+    return file.size() > 5 && (text.starts_with("\0\0\1\0"sv) || text.starts_with("\0\0\2\0"sv)) &&
+           text[4] != 0 && text[5] == 0;
+}
+
 }  // namespace
 
 std::string describeForeignFormat(FileBytes file) {
+    if (looksLikeIcon(file)) return "is an icon or cursor; convert it to PNG or EXR";
     for (const Signature& signature : kForeign)
         if (matches(file, signature)) return fmt::format("is {}{}", signature.name, signature.advice);
     return {};
