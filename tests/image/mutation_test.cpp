@@ -112,13 +112,17 @@ TEST(Mutation, TheOutcomeForCutFilesDependsOnTheFileAlone) {
 TEST(Mutation, TheOutcomeForChangedFilesDependsOnTheFileAlone) {
     std::mt19937 random(11);
     for (const auto& [kind, file] : files())
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 2000; ++i) {
             std::string changed = file;
             for (unsigned n = random() % 4 + 1; n > 0; --n)
                 changed[random() %
                         (random() % 2 ? changed.size() : std::min<std::size_t>(changed.size(), 64))] =
                     static_cast<char>(random() % 3 ? random() : 0xff);
-            expectSameOutcome(changed, kind + " change " + std::to_string(i));
+            // Filling memory takes longer than decoding.
+            if (i % 8 == 0)
+                expectSameOutcome(changed, kind + " change " + std::to_string(i));
+            else
+                outcomeOf(changed);
         }
 }
 

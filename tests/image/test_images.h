@@ -43,10 +43,10 @@ inline float linearOf(double code, double maximum = 255.0) {
 
 inline Rgb linearOf(int red, int green, int blue) { return {linearOf(red), linearOf(green), linearOf(blue)}; }
 
-/// The number in `count` bytes.
+/// The number in `count` bytes, also more than 4.
 inline std::string littleEndian(std::uint32_t value, int count) {
     std::string bytes;
-    for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(i < 4 ? value >> (8 * i) & 255 : 0);
     return bytes;
 }
 inline std::string bigEndian(std::uint32_t value, int count) {

@@ -7,8 +7,9 @@
 
 namespace rayscope::image {
 
-/// Decoders throw InputError; its messages name the file.
-RgbImage decodeExr(FileBytes file, const std::string& name);
+/// Decoders throw InputError; its messages name the file. They report what they ignore or approximate to the
+/// notes, unless these are null.
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes = nullptr);
 RgbImage decodeBmp(const ImageFile& file);
 RgbImage decodeHdr(const ImageFile& file);
 RgbImage decodeJpeg(const ImageFile& file);

@@ -119,7 +119,7 @@ RgbImage readPixels(Imf::InputFile& input, std::size_t fileSize, const std::stri
 
 }  // namespace
 
-RgbImage decodeExr(FileBytes file, const std::string& name) try {
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics*) try {
     checkedWindow(readHeader(file, name), file.size(), name);
     MemoryInput stream(file, name);
     Imf::InputFile input(stream);

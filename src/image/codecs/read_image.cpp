@@ -28,7 +28,7 @@ RgbImage decode(image::Format format, const image::ImageFile& file) {
         case image::Format::Exr:
             break;
     }
-    return image::decodeExr(file.bytes, file.name);
+    return image::decodeExr(file.bytes, file.name, file.notes);
 }
 
 }  // namespace
