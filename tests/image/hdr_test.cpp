@@ -106,7 +106,9 @@ TEST(Hdr, ExposureAndColorCorrectionAreUndone) {
     for (const std::string bad : {"EXPOSURE=-1", "EXPOSURE=nan", "EXPOSURE=", "EXPOSURE=0", "COLORCORR=1 2",
                                   "PIXASPECT=2", "GAMMA=2.2", "PRIMARIES=0 0 0 0 0 0 0 0"})
         EXPECT_THAT(notes(bad + "\n"), AllOf(HasSubstr("warning"), HasSubstr(bad + " is ignored")));
-    EXPECT_EQ(notes("PIXASPECT=1.0\n"), "");
+    for (const char* usual : {"PIXASPECT=1.0\n", "GAMMA=1\n", "\tEXPOSURE=2\n", "# EXPOSURE=2\n",
+                              "PRIMARIES=0.640 0.330 0.290 0.600 0.150 0.060 0.333 0.333\n"})
+        EXPECT_EQ(notes(usual), "");
 }
 
 TEST(Hdr, XyzIsConvertedToSrgb) {

@@ -43,6 +43,15 @@ std::optional<std::array<double, count>> positiveNumbers(std::string_view text) 
     return numbers;
 }
 
+/// Whether the text consists of numbers that differ from the given ones by at most `tolerance`.
+template <std::size_t count>
+bool areNear(std::string_view text, const std::array<double, count>& expected, double tolerance) {
+    const auto numbers = positiveNumbers<count>(text);
+    for (std::size_t i = 0; numbers && i < count; ++i)
+        if (std::abs((*numbers)[i] - expected[i]) > tolerance) return false;
+    return numbers.has_value();
+}
+
 class HeaderReader {
   public:
     explicit HeaderReader(const ImageFile& file)
@@ -65,12 +74,14 @@ class HeaderReader {
         if (end == std::string_view::npos) file_.damaged("unexpected end of the header");
         const std::string_view line = text_.substr(at_, end - at_);
         at_ = end + 1;
-        return trimmed(line);
+        return line.substr(0, line.find_last_not_of(kSpaces) + 1);
     }
 
     void readVariable(std::string_view line) {
         const std::size_t equals = line.find('=');
-        if (line.starts_with('#') || equals == std::string_view::npos) return;
+        // Programs indent the headers of the pictures that they combined.
+        const bool indented = line.starts_with(' ') || line.starts_with('\t');
+        if (indented || line.starts_with('#') || equals == std::string_view::npos) return;
         const std::string_view name = trimmed(line.substr(0, equals)),
                                value = trimmed(line.substr(equals + 1));
         if (name == "FORMAT") {
@@ -89,11 +100,12 @@ class HeaderReader {
             } else {
                 ignore(name, value);
             }
-        } else if (name == "PIXASPECT") {
-            const auto aspect = positiveNumbers<1>(value);
-            if (!aspect || std::abs(aspect->front() - 1.0) > 1e-3) ignore(name, value);
-        } else if (name == "PRIMARIES" || name == "GAMMA") {
-            ignore(name, value);
+        } else if (name == "PIXASPECT" || name == "GAMMA") {
+            if (!areNear<1>(value, {1.0}, 1e-3)) ignore(name, value);
+        } else if (name == "PRIMARIES") {
+            // Those of sRGB; those of Radiance, which files without primaries have, differ by up to 0.021.
+            if (!areNear<8>(value, {0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329}, 0.025))
+                ignore(name, value);
         }
     }
 
@@ -101,12 +113,14 @@ class HeaderReader {
         header_.xyz = value == "32-bit_rle_xyze";
         if (!header_.xyz && value != "32-bit_rle_rgbe")
             file_.refuse(fmt::format(
-                "is a Radiance picture with FORMAT={}; expected 32-bit_rle_rgbe or 32-bit_rle_xyze", value));
+                "is a Radiance picture with FORMAT={}; expected 32-bit_rle_rgbe or 32-bit_rle_xyze",
+                cut(value)));
     }
 
+    static std::string_view cut(std::string_view value) { return value.substr(0, 60); }
+
     void ignore(std::string_view name, std::string_view value) {
-        constexpr std::size_t kMaxLength = 60;
-        file_.warn(fmt::format("{}={} is ignored", name, value.substr(0, kMaxLength)));
+        file_.warn(fmt::format("{}={} is ignored", name, cut(value)));
     }
 
     /// "-Y 480 +X 640": the first axis counts scan lines, the second pixels along one.
