@@ -4,13 +4,14 @@
 build_packages=(
     build-essential cmake ninja-build pkg-config
     libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
-    libtomlplusplus-dev libtinyobjloader-dev libstb-dev libopenexr-dev # scenes, meshes, images
+    libtomlplusplus-dev libtinyobjloader-dev                       # scenes, meshes
+    libpng-dev libjpeg-dev libopenexr-dev                          # images
     libcli11-dev nlohmann-json3-dev                                # command line
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
 )
 
 test_packages=(
-    libgtest-dev libgmock-dev clang-format valgrind
+    libgtest-dev libgmock-dev clang-format valgrind libstb-dev     # stb is an oracle for image files
     xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window on a virtual display
 )
 

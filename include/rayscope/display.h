@@ -10,9 +10,9 @@ namespace rayscope {
 /// applied by writeImage().
 RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings);
 
-/// Writes a rendered image as `rayscope render -o` does: with bloom; .png also with the exposure and the
-/// encoding of the settings, while .exr, .pfm and .hdr hold linear values. Throws InputError like
-/// writeImage().
+/// Writes a rendered image as `rayscope render -o` does: with bloom; .png, .ppm and .pgm also with the
+/// exposure and the encoding of the settings, while .exr, .pfm and .hdr hold linear values. Throws InputError
+/// like writeImage().
 void writeRenderedImage(const std::string& path, const RgbImage& mean, const Settings& settings,
                         const ImageMetadata& metadata = {});
 

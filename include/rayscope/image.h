@@ -1,4 +1,5 @@
 #pragma once
+#include <rayscope/diagnostics.h>
 #include <rayscope/vector.h>
 #include <cstddef>
 #include <map>
@@ -54,19 +55,22 @@ enum class Encoding {
 /// before memory is allocated.
 inline constexpr long long kMaxImagePixels = 1LL << 28;
 
-/// Reads .png .jpg .bmp .tga .hdr .exr .pfm into linear values; the format is detected from the content.
-/// Files with 8 or 16 bits per channel are decoded with the sRGB curve; alpha is ignored. Throws InputError
-/// if the file is missing, empty, damaged, in another format or larger than kMaxImagePixels.
-RgbImage readImage(const std::string& path);
+/// Reads PNG, JPEG, BMP, TGA, HDR, EXR, PFM and PNM files into linear values; the format is detected from the
+/// content, and docs/formats.md lists what is read of each. Integer samples are decoded with the sRGB curve,
+/// unless the file states another one; alpha is ignored. Appends to `notes`, unless it is null, what was
+/// ignored or approximated and what is odd about the file. Throws InputError if the file is missing, empty,
+/// damaged, in another format or larger than kMaxImagePixels.
+RgbImage readImage(const std::string& path, Diagnostics* notes = nullptr);
 
 /// readImage() for a file in memory; `name` is its name in messages.
-RgbImage decodeImage(std::span<const std::byte> file, const std::string& name);
+RgbImage decodeImage(std::span<const std::byte> file, const std::string& name, Diagnostics* notes = nullptr);
 
-/// Writes the format of the suffix: .png (8 bits, with `encoding`), .exr, .pfm, .hdr (linear). Metadata is
-/// stored in .png and .exr, under names with the prefix "rayscope:"; the other formats cannot store it. NaN
-/// and infinite values are kept in .exr and .pfm; in .png NaN becomes 0 and infinity 255. Replaces an
-/// existing file atomically. Throws InputError if the image is empty, the suffix is unknown or the file
-/// cannot be written, and std::invalid_argument unless hasAllPixels().
+/// Writes the format of the suffix: .png, .ppm and .pgm (8 bits, with `encoding`; .pgm holds the luminance),
+/// .exr, .pfm and .hdr (linear). Metadata is stored in .png and .exr, under names with the prefix
+/// "rayscope:"; the other formats cannot store it. NaN, infinite and negative values are kept in .exr and
+/// .pfm. In the 8-bit formats infinity becomes 255, in .hdr the largest value of the format; NaN and negative
+/// values become 0 in both. Replaces an existing file atomically. Throws InputError if the image is empty,
+/// the suffix is unknown or the file cannot be written, and std::invalid_argument unless hasAllPixels().
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
                 Encoding encoding = Encoding::Srgb);
 

@@ -103,7 +103,11 @@ int runCompare(const CompareCommandOptions& options) {
     const ErrorMetric metric = errorMetricNamed(options.metric);
     if (!options.difference.empty()) checkImageDestination(options.difference);
     if (!options.map.empty()) base::checkFileDestination(options.map);
-    const RgbImage image = readImage(options.image), reference = readImage(options.reference);
+    Diagnostics notes;
+    const RgbImage image = readImage(options.image, &notes);
+    const RgbImage reference =
+        options.reference == options.image ? image : readImage(options.reference, &notes);
+    for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
     const ErrorMeasures errors = measureErrors(image, reference, options.measure);
     const Image<double> map = errorMap(image, reference, metric, options.measure);
 
@@ -133,19 +137,19 @@ int runCompare(const CompareCommandOptions& options) {
 
 std::function<int()> setUpCompare(OptionList& list) {
     auto options = std::make_shared<CompareCommandOptions>();
-    list.add("A", &options->image, "The image: .png .exr .pfm .hdr .jpg").required();
+    list.add("A", &options->image, "The image: .png .exr .pfm .hdr .jpg .ppm …").required();
     list.add("B", &options->reference, "The reference image, of the same size").required();
-    list.add(
-        "-o,--output", &options->difference,
-        "Write the error of each pixel as an image: in false colour (.png) or as values (.exr .pfm .hdr)");
+    list.add("-o,--output", &options->difference,
+             "Write the error of each pixel as an image: in false colour (.png .ppm) or as values (.exr .pfm "
+             ".hdr)");
     list.add("--metric", &options->metric,
              "Metric of -o, --map and --fail-above: rmse, relmse, smape, max, ssim (as 1 - SSIM) or flip")
         .showDefault();
     list.add("--fail-above", &options->failAbove, "Exit with 4 if the metric exceeds this value or is NaN")
         .nonNegative();
     list.add("--map", &options->map,
-             "Write the error of each tile: a table (.csv), an image in false colour (.png) or as values "
-             "(.exr .pfm .hdr)");
+             "Write the error of each tile: a table (.csv), an image in false colour (.png .ppm) or as "
+             "values (.exr .pfm .hdr)");
     list.add("--tile", &options->tile, "Edge length of the tiles of --map, in pixels")
         .range(1, 1 << 16)
         .showDefault();

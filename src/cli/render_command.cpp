@@ -221,7 +221,8 @@ int runRender(const RenderCommandOptions& options) {
 std::function<int()> setUpRender(OptionList& list) {
     auto options = std::make_shared<RenderCommandOptions>();
     options->scene.addTo(list, true);
-    list.add("-o,--output", &options->outputs, "Image to write, .png .exr .pfm or .hdr; repeatable");
+    list.add("-o,--output", &options->outputs,
+             "Image to write, .png .exr .pfm .hdr .ppm or .pgm; repeatable");
     list.add("--time-limit", &options->timeLimit, "Stop after this many seconds with the best image so far")
         .positive();
     options->target.addTo(list);

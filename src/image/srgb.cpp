@@ -1,6 +1,5 @@
 #include "image/srgb.h"
 
-#include <array>
 #include <cmath>
 
 namespace rayscope::image {
@@ -13,13 +12,18 @@ float linearToSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
+std::vector<float> srgbTable(std::uint32_t maximum) {
+    std::vector<float> linear(maximum + 1);
+    for (std::size_t code = 0; code < linear.size(); ++code) {
+        const double encoded = static_cast<double>(code) / maximum;
+        linear[code] = static_cast<float>(encoded <= 0.04045 ? encoded / 12.92
+                                                             : std::pow((encoded + 0.055) / 1.055, 2.4));
+    }
+    return linear;
+}
+
 float decodeByte(std::uint8_t code) {
-    static const auto table = [] {
-        std::array<float, 256> values{};
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] = srgbToLinear(static_cast<float>(i) / 255.0f);
-        return values;
-    }();
+    static const std::vector<float> table = srgbTable(255);
     return table[code];
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayscope/image.h>
 #include <cstdint>
+#include <vector>
 
 namespace rayscope::image {
 
@@ -10,6 +11,9 @@ float linearToSrgb(float linear);
 
 /// The linear value, 0 … 1, of an 8-bit sRGB code.
 float decodeByte(std::uint8_t code);
+
+/// The linear values, 0 … 1, of the codes 0 … maximum, as floats nearest to the exact ones.
+std::vector<float> srgbTable(std::uint32_t maximum);
 
 /// The 8-bit code of a linear value: the nearest code with Srgb, the truncated one with None. Values outside
 /// 0 … 1 are clamped; NaN becomes 0.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/file_suffix.h"
 #include "post/bloom.h"
 
 namespace rayscope::post {
@@ -14,6 +15,8 @@ RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings, b
     return image;
 }
 
-bool isDisplayFormat(std::string_view path) { return path.ends_with(".png") || path.ends_with(".PNG"); }
+bool isDisplayFormat(std::string_view path) {
+    return base::hasSuffix(path, ".png") || base::hasSuffix(path, ".ppm") || base::hasSuffix(path, ".pgm");
+}
 
 }  // namespace rayscope::post

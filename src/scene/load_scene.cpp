@@ -49,7 +49,7 @@ Light lightBeside(const CameraDescription& camera) {
 }
 
 SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const LoadControl& control) {
-    scene::TextureCache textures;
+    scene::TextureCache textures(notes);
     scene::ImportedMesh mesh = scene::readMeshFile(path, {textures, notes, control});
     SceneDescription scene;
     scene.path = path;

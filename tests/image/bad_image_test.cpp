@@ -131,7 +131,7 @@ TEST(BadImage, ErrorsNameTheWrongFieldOfAPfmHeader) {
 TEST(BadOutput, UnknownSuffixesAreNamed) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { checkImageDestination(folder.file("a.pgn")); }),
-                AllOf(HasSubstr(".png, .exr, .pfm or .hdr"), HasSubstr("did you mean '.png'")));
+                AllOf(HasSubstr(".png, .exr, .pfm, .hdr, .ppm or .pgm"), HasSubstr("did you mean '.png'")));
     EXPECT_THAT(inputErrorOf([&] { writeImage(folder.file("png"), gradient(1, 1)); }),
                 HasSubstr("unknown image format"));
     EXPECT_EQ(folder.entries(), 0u);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "image/codecs/codecs.h"
+#include "image/png_builder.h"
 #include "image/test_images.h"
 #include "support/temporary_folder.h"
 
@@ -32,16 +33,6 @@ std::vector<Chunk> chunksOf(const std::string& png) {
     return chunks;
 }
 
-/// CRC-32 bit by bit, as the polynomial division of its definition.
-std::uint32_t bitwiseCrc(const std::string& bytes) {
-    std::uint32_t crc = ~0u;
-    for (const char byte : bytes) {
-        crc ^= static_cast<std::uint8_t>(byte);
-        for (int bit = 0; bit < 8; ++bit) crc = (crc & 1u) ? (crc >> 1) ^ 0xedb88320u : crc >> 1;
-    }
-    return ~crc;
-}
-
 TEST(Metadata, PngHasTextChunksBeforeThePixels) {
     const std::string png = image::encodePng(
         gradient(5, 4), {{"seed", "7"}, {"scene", "K\u00fcche.toml"}, {"command", ""}}, Encoding::Srgb);
@@ -63,7 +54,7 @@ TEST(Metadata, EveryPngChunkHasItsChecksum) {
     std::size_t at = 8;
     for (const Chunk& chunk : chunksOf(png)) {
         EXPECT_NE(chunk.type, "sRGB") << "the values are not sRGB-encoded";
-        EXPECT_EQ(bigEndianAt(png, at + 8 + chunk.data.size()), bitwiseCrc(chunk.type + chunk.data))
+        EXPECT_EQ(bigEndianAt(png, at + 8 + chunk.data.size()), test::bitwiseCrc(chunk.type + chunk.data))
             << chunk.type;
         at += 12 + chunk.data.size();
     }

@@ -1,6 +1,8 @@
 #pragma once
 #include <rayscope/image.h>
+#include <cmath>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 
@@ -18,8 +20,45 @@ inline RgbImage gradient(int width, int height, float brightest = 1.0f) {
     return image;
 }
 
-inline RgbImage decode(const std::string& file, const std::string& name = "memory") {
-    return decodeImage(std::as_bytes(std::span(file)), name);
+inline RgbImage decode(const std::string& file, const std::string& name = "memory",
+                       Diagnostics* notes = nullptr) {
+    return decodeImage(std::as_bytes(std::span(file)), name, notes);
+}
+
+/// What decoding the file reports, one line per note.
+inline std::string notesOf(const std::string& file) {
+    Diagnostics notes;
+    decode(file, "x.img", &notes);
+    std::string lines;
+    for (const Diagnostic& note : notes) lines += toString(note) + "\n";
+    return lines;
+}
+
+/// The linear value of a code of the sRGB curve, 0 … maximum.
+inline float linearOf(double code, double maximum = 255.0) {
+    const double encoded = code / maximum;
+    return static_cast<float>(encoded <= 0.04045 ? encoded / 12.92
+                                                 : std::pow((encoded + 0.055) / 1.055, 2.4));
+}
+
+inline Rgb linearOf(int red, int green, int blue) { return {linearOf(red), linearOf(green), linearOf(blue)}; }
+
+/// The number in `count` bytes, also more than 4.
+inline std::string littleEndian(std::uint32_t value, int count) {
+    std::string bytes;
+    for (int i = 0; i < count; ++i) bytes += static_cast<char>(i < 4 ? value >> (8 * i) & 255 : 0);
+    return bytes;
+}
+inline std::string bigEndian(std::uint32_t value, int count) {
+    std::string bytes = littleEndian(value, count);
+    return {bytes.rbegin(), bytes.rend()};
+}
+
+/// The bytes with these values.
+inline std::string bytesOf(std::initializer_list<int> values) {
+    std::string bytes;
+    for (const int value : values) bytes += static_cast<char>(value);
+    return bytes;
 }
 
 inline std::uint32_t bigEndianAt(const std::string& bytes, std::size_t at) {

@@ -1,36 +1,34 @@
 #pragma once
 // One encoder and one decoder per image format. All work on whole files in memory.
 #include <rayscope/image.h>
-#include <cstddef>
-#include <span>
 #include <string>
+
+#include "image/codecs/image_file.h"
 
 namespace rayscope::image {
 
-using FileBytes = std::span<const std::byte>;
+/// Decoders throw InputError; its messages name the file. They report what they ignore or approximate to the
+/// notes, unless these are null.
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes = nullptr);
+RgbImage decodeBmp(const ImageFile& file);
+RgbImage decodeHdr(const ImageFile& file);
+RgbImage decodeJpeg(const ImageFile& file);
+RgbImage decodePfm(const ImageFile& file);
+RgbImage decodePng(const ImageFile& file);
+RgbImage decodePnm(const ImageFile& file);
+RgbImage decodeTga(const ImageFile& file);
 
-/// Decoders throw InputError; its messages name the file `name`.
-RgbImage decodeExr(FileBytes file, const std::string& name);
-RgbImage decodePfm(FileBytes file, const std::string& name);
-RgbImage decodeStb(FileBytes file, const std::string& name);  ///< .png .jpg .bmp .tga .hdr
-
-/// Whether the file starts with the signature of the format.
-bool looksLikeExr(FileBytes file);
-bool looksLikePfm(FileBytes file);
+/// Why the file cannot be TGA, which has no signature; "" if it can.
+std::string tgaProblem(FileBytes file);
 
 std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata);
-std::string encodePfm(const RgbImage& image);
 std::string encodeHdr(const RgbImage& image);
+std::string encodePfm(const RgbImage& image);
+std::string encodePgm(const RgbImage& image, Encoding encoding);
 std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding encoding);
+std::string encodePpm(const RgbImage& image, Encoding encoding);
 
 /// The name of a metadata key in a file, distinct from the names that the format itself defines.
 inline std::string metadataName(const std::string& key) { return "rayscope:" + key; }
-
-/// Throws InputError if an announced size is not positive, exceeds kMaxImagePixels, or cannot be compressed
-/// into a file of `fileSize` bytes. To be called before pixels are allocated.
-void checkImageSize(long long width, long long height, std::size_t fileSize, const std::string& name);
-
-/// Throws InputError: the file is damaged, because of `reason`.
-[[noreturn]] void throwDamaged(const std::string& name, const std::string& reason);
 
 }  // namespace rayscope::image

@@ -119,12 +119,7 @@ RgbImage readPixels(Imf::InputFile& input, std::size_t fileSize, const std::stri
 
 }  // namespace
 
-bool looksLikeExr(FileBytes file) {
-    constexpr unsigned char kMagic[]{0x76, 0x2f, 0x31, 0x01};
-    return file.size() >= sizeof kMagic && std::memcmp(file.data(), kMagic, sizeof kMagic) == 0;
-}
-
-RgbImage decodeExr(FileBytes file, const std::string& name) try {
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics*) try {
     checkedWindow(readHeader(file, name), file.size(), name);
     MemoryInput stream(file, name);
     Imf::InputFile input(stream);

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string_view>
 
 #include "image/codecs/codecs.h"
+#include "image/codecs/portable_header.h"
 
 namespace rayscope::image {
 
@@ -17,27 +17,8 @@ namespace {
 
 constexpr bool kIsLittleEndian = std::endian::native == std::endian::little;
 
-/// Removes the next token of the header from the front of `text`.
-std::string_view takeToken(std::string_view& text) {
-    constexpr std::string_view kSpaces = " \t\r\n";
-    text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
-    const std::string_view token = text.substr(0, text.find_first_of(kSpaces));
-    text.remove_prefix(token.size());
-    return token;
-}
-
-template <class Number>
-Number takeNumber(std::string_view& text, const std::string& name, const char* what) {
-    const std::string_view token = takeToken(text);
-    Number number{};
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), number);
-    if (error != std::errc{} || end != token.data() + token.size())
-        throwDamaged(name, fmt::format("no valid {} in the header", what));
-    return number;
-}
-
-float toFloat(const char* bytes, bool swapped) {
-    char ordered[sizeof(float)];
+float toFloat(const std::byte* bytes, bool swapped) {
+    std::byte ordered[sizeof(float)];
     std::memcpy(ordered, bytes, sizeof ordered);
     if (swapped) std::reverse(ordered, ordered + sizeof ordered);
     float value;
@@ -45,39 +26,39 @@ float toFloat(const char* bytes, bool swapped) {
     return value;
 }
 
-}  // namespace
-
-bool looksLikePfm(FileBytes file) {
-    const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    return text.size() > 2 && (text.starts_with("PF") || text.starts_with("Pf")) &&
-           std::string_view(" \t\r\n").find(text[2]) != std::string_view::npos;
+/// Of the signatures Pf, PF and PF4.
+std::size_t channelsOf(std::string_view signature) {
+    if (signature == "PF4") return 4;
+    return signature == "PF" ? 3 : 1;
 }
 
-RgbImage decodePfm(FileBytes file, const std::string& name) {
-    std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
-    const std::size_t channels = takeToken(text) == "PF" ? 3 : 1;
-    const int width = takeNumber<int>(text, name, "width");
-    const int height = takeNumber<int>(text, name, "height");
-    checkImageSize(width, height, file.size(), name);
-    const float scale = takeNumber<float>(text, name, "scale");
-    if (!(std::abs(scale) > 0.0f)) throwDamaged(name, "the scale is 0");
-    if (!text.empty()) text.remove_prefix(1);  // exactly one white-space character ends the header
+}  // namespace
 
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (text.size() < pixels * channels * sizeof(float)) throwDamaged(name, "unexpected end of file");
-    RgbImage image(width, height);
+RgbImage decodePfm(const ImageFile& file) {
+    PortableHeader header(file);
+    const std::size_t channels = channelsOf(header.takeWord());
+    const long long width = header.takeNumber("width"), height = header.takeNumber("height");
+    checkImageSize(width, height, file.bytes.size(), file.name);
+    const float scale = header.takeFloat("scale");
+    if (!(std::abs(scale) > 0.0f) || !std::isfinite(scale))
+        file.damaged(fmt::format("the scale is {}", scale));
+
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const std::byte* bytes = header.takePixels(pixels * channels * sizeof(float)).data();
+    RgbImage image(static_cast<int>(width), static_cast<int>(height));
     const bool swapped = (scale < 0.0f) != kIsLittleEndian;
-    const char* bytes = text.data();
-    for (int y = height - 1; y >= 0; --y) {
-        for (int x = 0; x < width; ++x) {
+    for (int y = image.height - 1; y >= 0; --y) {
+        for (int x = 0; x < image.width; ++x, bytes += channels * sizeof(float)) {
             Rgb value(toFloat(bytes, swapped));
-            if (channels == 3)
+            if (channels >= 3)
                 value = Rgb(value.x, toFloat(bytes + sizeof(float), swapped),
                             toFloat(bytes + 2 * sizeof(float), swapped));
             image.at(x, y) = value * std::abs(scale);
-            bytes += channels * sizeof(float);
         }
     }
+    if (std::abs(scale) != 1.0f)
+        file.note(fmt::format("the values are multiplied by its scale, {}", std::abs(scale)));
+    header.reportRest();
     return image;
 }
 

@@ -1,43 +1,50 @@
-#include <fmt/format.h>
-
 #include <rayscope/diagnostics.h>
 
+#include "base/file_suffix.h"
 #include "base/read_file.h"
 #include "image/codecs/codecs.h"
-
-namespace rayscope::image {
-
-void checkImageSize(long long width, long long height, std::size_t fileSize, const std::string& name) {
-    if (width < 1 || height < 1) throwDamaged(name, fmt::format("its size is {} x {} pixels", width, height));
-    if (width > kMaxImagePixels / height)
-        throw InputError(fmt::format("image too large: {} x {} pixels, the limit is {} (2^28); scale it down",
-                                     width, height, kMaxImagePixels),
-                         {name});
-    // Deflate, the densest of the codecs, reaches 1032:1: 8256 pixels of one bit per byte, and a few times
-    // that where a codec stores one value per block of pixels.
-    constexpr long long kMaxPixelsPerByte = 1LL << 16;
-    if (width * height / kMaxPixelsPerByte > static_cast<long long>(fileSize))
-        throwDamaged(name, fmt::format("{} x {} pixels in a file of {} bytes", width, height, fileSize));
-}
-
-void throwDamaged(const std::string& name, const std::string& reason) {
-    throw InputError(fmt::format("damaged or truncated image ({}); export or copy it again", reason), {name});
-}
-
-}  // namespace rayscope::image
+#include "image/codecs/format.h"
 
 namespace rayscope {
 
-RgbImage readImage(const std::string& path) {
-    const std::string file = base::readFile(path);
-    return decodeImage(std::as_bytes(std::span(file)), path);
+namespace {
+
+RgbImage decode(image::Format format, const image::ImageFile& file) {
+    switch (format) {
+        case image::Format::Png:
+            return image::decodePng(file);
+        case image::Format::Jpeg:
+            return image::decodeJpeg(file);
+        case image::Format::Bmp:
+            return image::decodeBmp(file);
+        case image::Format::Tga:
+            return image::decodeTga(file);
+        case image::Format::Hdr:
+            return image::decodeHdr(file);
+        case image::Format::Pfm:
+            return image::decodePfm(file);
+        case image::Format::Pnm:
+            return image::decodePnm(file);
+        case image::Format::Exr:
+            break;
+    }
+    return image::decodeExr(file.bytes, file.name, file.notes);
 }
 
-RgbImage decodeImage(std::span<const std::byte> file, const std::string& name) {
-    if (file.empty()) throw InputError("empty image file (0 bytes); export it again", {name});
-    if (image::looksLikeExr(file)) return image::decodeExr(file, name);
-    if (image::looksLikePfm(file)) return image::decodePfm(file, name);
-    return image::decodeStb(file, name);
+}  // namespace
+
+RgbImage readImage(const std::string& path, Diagnostics* notes) {
+    const std::string file = base::readFile(path);
+    return decodeImage(std::as_bytes(std::span(file)), path, notes);
+}
+
+RgbImage decodeImage(std::span<const std::byte> bytes, const std::string& name, Diagnostics* notes) {
+    const image::ImageFile file{bytes, name, notes};
+    if (bytes.empty()) file.refuse("empty image file (0 bytes); export it again");
+    if (const auto format = image::detectFormat(bytes)) return decode(*format, file);
+    if (const std::string known = image::describeForeignFormat(bytes); !known.empty()) file.refuse(known);
+    if (base::hasSuffix(name, ".tga")) file.damaged(image::tgaProblem(bytes));
+    file.refuse("not an image; expected PNG, JPEG, BMP, TGA, HDR, EXR, PFM or PNM");
 }
 
 }  // namespace rayscope

@@ -16,7 +16,7 @@ namespace rayscope {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kSuffixes{".png", ".exr", ".pfm", ".hdr"};
+constexpr std::array<std::string_view, 6> kSuffixes{".png", ".exr", ".pfm", ".hdr", ".ppm", ".pgm"};
 
 /// The suffix in lower case. Throws InputError if no encoder has it.
 std::string checkedSuffix(const std::string& path) {
@@ -34,6 +34,8 @@ std::string encode(const std::string& suffix, const RgbImage& image, const Image
     if (suffix == ".png") return image::encodePng(image, metadata, encoding);
     if (suffix == ".exr") return image::encodeExr(image, metadata);
     if (suffix == ".pfm") return image::encodePfm(image);
+    if (suffix == ".ppm") return image::encodePpm(image, encoding);
+    if (suffix == ".pgm") return image::encodePgm(image, encoding);
     return image::encodeHdr(image);
 }
 

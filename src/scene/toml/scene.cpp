@@ -237,7 +237,7 @@ class SceneBuilder {
     Diagnostics& notes_;
     const LoadControl& control_;
     SceneDescription scene_;
-    TextureCache textures_;
+    TextureCache textures_{notes_};
     std::map<std::string, std::uint32_t> materialIndices_;
     std::optional<std::uint32_t> default_;
     std::map<std::string, std::shared_ptr<ImportedMesh>> meshes_;

@@ -1,0 +1,15 @@
+#include "image/codecs/palette_lookup.h"
+
+#include <fmt/format.h>
+
+namespace rayscope::image {
+
+void PaletteLookup::report(const ImageFile& file) const {
+    if (invalid_ > 0)
+        file.warn(
+            fmt::format("pixels with indices beyond the {} colours of the palette are black (pixels: {}, "
+                        "first index: {})",
+                        palette_.size(), invalid_, first_));
+}
+
+}  // namespace rayscope::image
