@@ -89,6 +89,13 @@ TEST_F(PlyHeader, HeaderErrorsHaveTheirLine) {
     for (const Case& c : cases) EXPECT_THAT(failure(c.text), HasSubstr(c.message)) << c.text;
 }
 
+TEST_F(PlyHeader, UnknownLinesAreIgnoredWithAWarning) {
+    std::string text = kTriangle;
+    read(text.insert(text.find("element"), "Created by a program, source file:\n3\n"));
+    EXPECT_THAT(notesText(), HasSubstr("mesh.ply:3: warning: header lines that begin with no keyword of PLY; "
+                                       "ignored (2 times, first here)"));
+}
+
 TEST_F(PlyHeader, OtherVersionsAreReadWithAWarning) {
     for (const std::string version : {"ascii 2.0", "ascii"}) {
         std::string text = kTriangle;

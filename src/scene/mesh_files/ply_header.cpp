@@ -116,8 +116,10 @@ class HeaderReader {
         if (keyword == "format") return readFormat(words);
         if (keyword == "element") return readElement(words);
         if (keyword == "property") return readProperty(words);
-        fail(fmt::format("unknown keyword '{}' in the header{}; expected {}", shown(words[0]),
-                         base::didYouMean(keyword, kKeywords), base::joinChoices(kKeywords)));
+        // Programs have written comments without their keyword; a misspelt keyword must not go unnoticed.
+        if (const std::string nearest = base::didYouMean(keyword, kKeywords); !nearest.empty())
+            fail(fmt::format("unknown keyword '{}' in the header{}", shown(words[0]), nearest));
+        oddities_.add(Severity::Warning, "header lines that begin with no keyword of PLY; ignored", line_);
     }
 
     void readComment(const std::vector<std::string_view>& words, std::string_view text) {
