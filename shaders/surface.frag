@@ -3,12 +3,13 @@
 in vec3 worldPosition;
 in vec3 worldNormal;
 in vec2 uv;
+in vec3 vertexColor;
 
 uniform vec3 eye;
 uniform vec3 kd, ks;
 uniform float shininess;
 uniform float opacity;
-uniform bool useNormals, useTexture;
+uniform bool useNormals, useTexture, useColors;
 uniform sampler2D kdTexture;
 uniform int lightCount;
 uniform vec3 lightPositions[8];
@@ -30,7 +31,8 @@ void main() {
     vec3 normal = useNormals ? normalize(worldNormal) : flatNormal;
     if (dot(normal, toEye) < 0.0) normal = -normal;
     // The first row of the texture is the top of the image.
-    vec3 diffuse = useTexture ? texture(kdTexture, vec2(uv.x, 1.0 - uv.y)).rgb : kd;
+    vec3 texel = useTexture ? texture(kdTexture, vec2(uv.x, 1.0 - uv.y)).rgb : vec3(1.0);
+    vec3 diffuse = useColors ? texel * vertexColor : useTexture ? texel : kd;
     // A mirror has kd near 0 and would be black.
     diffuse = max(diffuse, 0.5 * ks + 0.02);
 

@@ -84,6 +84,8 @@ struct MeshInstance {
     Transform transform{};
     std::vector<std::uint32_t> materials{};  ///< per material slot: index into SceneDescription::materials
     glm::vec3 motion{0.0f};                  ///< displacement while the shutter is open, scene units
+    /// The colours of `data`, if it has any, replace kd of the materials and multiply their textures.
+    bool vertexColors = false;
 };
 
 struct SphereInstance {
@@ -202,7 +204,8 @@ struct Requirement {
 /// The features that a scene needs; all others cost neither time nor memory.
 struct SceneRequirements {
     std::size_t triangles = 0, spheres = 0;
-    bool smoothNormals = false, textures = false, reflections = false, transparency = false;
+    bool smoothNormals = false, vertexColors = false, textures = false, reflections = false,
+         transparency = false;
     bool pointLights = false, segmentLights = false, parallelogramLights = false;
     bool environment = false, lens = false, motion = false;
     std::vector<Requirement> list;  ///< the same, as texts for users

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 
 namespace rayscope::base {
@@ -16,21 +15,29 @@ namespace {
 }
 }  // namespace
 
-std::string readFile(const std::string& path) {
+FilePointer openForReading(const std::string& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw InputError("is a folder, not a file", {path});
-
-    const auto close = [](std::FILE* file) { std::fclose(file); };
-    const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path.c_str(), "rb"));
+    FilePointer file(std::fopen(path.c_str(), "rb"));
     if (!file) throwCannotRead(path, errno);
+    return file;
+}
 
+std::size_t readBytes(std::FILE* file, const std::string& path, char* to, std::size_t count) {
+    const std::size_t read = std::fread(to, 1, count, file);
+    if (read < count && std::ferror(file)) throwCannotRead(path, errno);
+    return read;
+}
+
+std::string readFile(const std::string& path) {
+    const FilePointer file = openForReading(path);
+    std::error_code unknownSize;
     std::string bytes;
-    const auto expected = std::filesystem::file_size(path, ignored);
-    if (!ignored) bytes.reserve(expected);
+    const auto expected = std::filesystem::file_size(path, unknownSize);
+    if (!unknownSize) bytes.reserve(expected);
     char block[1 << 16];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+    while (const std::size_t count = readBytes(file.get(), path, block, sizeof block))
         bytes.append(block, count);
-    if (std::ferror(file.get())) throwCannotRead(path, errno);
     return bytes;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/scene_options.h"
 #include "measure/bench/bench.h"
 #include "measure/bench/embree_baseline.h"
+#include "scene/mesh_files/read_mesh_file.h"
 #include "trace/compile.h"
 #include "trace/motion_group.h"
 
@@ -184,7 +185,8 @@ int runBenchCommand(const BenchCommandOptions& options) {
 std::function<int()> setUpBench(OptionList& list) {
     auto options = std::make_shared<BenchCommandOptions>();
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
-    list.add("scenes", &options->scenes, "Scenes: .toml, .obj or builtin:NAME");
+    list.add("scenes", &options->scenes,
+             fmt::format("Scenes: .toml, {} or builtin:NAME", scene::meshFileSuffixes()));
     list.add("--json", &options->jsonFile, "Write all figures to this file");
     list.add("-t,--threads", &options->threads, "Threads for building and tracing; 0: all");
     list.add("-D,--set", &options->assignments, "A setting as KEY=VALUE; repeatable");

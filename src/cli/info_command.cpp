@@ -5,6 +5,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/scene_options.h"
 
 namespace rayscope::cli {
 
@@ -102,7 +103,7 @@ int runInfo(const InfoOptions& options) {
 
 std::function<int()> setUpInfo(OptionList& list) {
     auto options = std::make_shared<InfoOptions>();
-    list.add("SCENE", &options->scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    list.add("SCENE", &options->scene, sceneHelp());
     list.add("--json", &options->json, "Print JSON");
     list.add("--list", &options->list, "List the built-in scenes");
     return [options] { return runInfo(*options); };

@@ -4,6 +4,7 @@
 
 #include "cli/command_line.h"
 #include "cli/number_list.h"
+#include "scene/mesh_files/read_mesh_file.h"
 
 namespace rayscope::cli {
 
@@ -22,8 +23,12 @@ void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     list.add("--seed", &seed, "Seed of the random numbers").showDefault();
 }
 
+std::string sceneHelp() {
+    return fmt::format("A .toml scene, a mesh ({}) or builtin:NAME", scene::meshFileSuffixes());
+}
+
 void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
-    Option& positional = list.add("SCENE", &scene, "A .toml scene, a bare .obj, or builtin:NAME");
+    Option& positional = list.add("SCENE", &scene, sceneHelp());
     if (sceneRequired) positional.required();
     list.add("-t,--threads,--nthreads", &threads, "Tracing threads; 0 takes one per core")
         .range(0, 1024)

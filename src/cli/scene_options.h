@@ -27,6 +27,9 @@ struct SceneOptions {
     void addSceneTo(OptionList& list, bool sceneRequired);
 };
 
+/// The help text of an argument that names a scene.
+std::string sceneHelp();
+
 /// The options in the form of the library. Throws InputError or UsageError.
 RequestOverrides overridesOf(const SceneOptions& options);
 

@@ -26,12 +26,14 @@ std::string describe(const RayNode& node, const trace::World& world) {
     if (!node.hit)
         return line + fmt::format(": {}, adds {}", probe::nameOf(node.end), text(node.contribution));
     const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
+    const std::string color =
+        name.range->colors ? fmt::format(" with vertex colours, kd {}", text(node.kd)) : std::string{};
     return line +
-           fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}', normal {}, adds {}, {}",
+           fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}'{}, normal {}, adds {}, {}",
                        node.primitiveHit.t, probe::objectName(world, node.object),
                        name.range->mesh ? "triangle" : "number", name.inObject, node.primitiveHit.u,
                        node.primitiveHit.v,
-                       world.description->materials[static_cast<std::size_t>(node.material)].name,
+                       world.description->materials[static_cast<std::size_t>(node.material)].name, color,
                        text(node.normal), text(node.contribution), probe::nameOf(node.end));
 }
 

@@ -52,6 +52,7 @@ class Linter {
             note(fmt::format("mesh '{}': {} degenerate triangles (zero area), the first has index {}",
                              mesh.name, degenerate, firstDegenerate));
         lintNormals(mesh);
+        lintColors(mesh);
         lintTexCoords(mesh);
     }
 
@@ -73,6 +74,19 @@ class Linter {
         if (flipped > 0)
             note(fmt::format("mesh '{}': {} of {} triangles are oriented against their vertex normals",
                              mesh.name, flipped, data.triangles.size()));
+    }
+
+    void lintColors(const MeshInstance& mesh) {
+        if (!mesh.vertexColors || mesh.data->colors.empty()) return;
+        Rgb brightest(0.0f), mirror(0.0f);
+        for (const Rgb& color : mesh.data->colors) brightest = glm::max(brightest, color);
+        for (const std::uint32_t index : mesh.materials)
+            mirror = glm::max(mirror, scene_.materials[index].ks);
+        const Rgb sum = brightest + mirror;
+        const float largest = std::max({sum.r, sum.g, sum.b});
+        if (largest > 1.0f + 0x1p-22f)
+            note(fmt::format("mesh '{}' is not energy-conserving: vertex colour + ks = {:.3g}", mesh.name,
+                             largest));
     }
 
     void lintTexCoords(const MeshInstance& mesh) {

@@ -45,10 +45,11 @@ class Collector {
     }
 
     void geometry() {
-        std::size_t smooth = 0;
+        std::size_t smooth = 0, colored = 0;
         for (const MeshInstance& mesh : scene_.meshes) {
             result_.triangles += mesh.data->triangles.size();
             smooth += !mesh.data->normals.empty();
+            colored += mesh.vertexColors && !mesh.data->colors.empty();
         }
         result_.spheres = scene_.spheres.size();
         add("triangles", result_.triangles,
@@ -59,6 +60,9 @@ class Collector {
         result_.smoothNormals = add("normal interpolation", smooth,
                                     counted(smooth, "mesh has vertex normals", "meshes have vertex normals"),
                                     "no mesh has vertex normals");
+        result_.vertexColors = add("vertex colours", colored,
+                                   counted(colored, "mesh shows its colours", "meshes show their colours"),
+                                   "no mesh shows vertex colours");
     }
 
     template <class Test>

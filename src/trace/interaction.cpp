@@ -88,6 +88,17 @@ void lookUpTexture(Interaction& at, const World& world, const PrimitiveLocation&
     at.kd = material.texture->lookup(at.uv, footprint, world.settings.textureFilter);
 }
 
+/// Replaces kd by the interpolated vertex colour, or multiplies the texel by it.
+void showVertexColors(Interaction& at, const World& world, const PrimitiveLocation& location,
+                      const glm::uvec3& index, const glm::dvec3& weights) {
+    const std::vector<Rgb>& colors = *location.range->colors;
+    const glm::dvec3 color = weights.x * glm::dvec3(colors[index.x]) +
+                             weights.y * glm::dvec3(colors[index.y]) +
+                             weights.z * glm::dvec3(colors[index.z]);
+    const bool isTextured = world.materials[at.material].texture && !location.range->mesh->texCoords.empty();
+    at.kd = isTextured ? at.kd * color : color;
+}
+
 void fillTriangle(Interaction& at, const World& world, const Ray& ray, const PrimitiveLocation& location) {
     const AccelInput& input = location.motionGroup->geometry->input;
     const Triangle triangle = triangleOf(location);
@@ -106,6 +117,7 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
     at.normal = at.geometricNormal;
     if (world.settings.normalInterpolation) interpolateNormal(at, location, triangle, weights);
     lookUpTexture(at, world, location, triangle, weights);
+    if (location.range->colors) showVertexColors(at, world, location, triangle.index, weights);
 }
 
 void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {

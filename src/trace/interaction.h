@@ -24,7 +24,7 @@ struct Interaction {
     glm::dvec3 toViewer{0.0};         ///< unit
     glm::vec2 uv{0.0f};
     std::uint32_t object = 0, material = 0;
-    glm::dvec3 kd{0.0};  ///< diffuse colour, from the texture if there is one
+    glm::dvec3 kd{0.0};  ///< diffuse colour of the material, the texture and the vertices
     double coneWidth = 0.0;
     bool interpolated = false;  ///< the shading normal comes from vertex normals
 
@@ -33,8 +33,8 @@ struct Interaction {
     glm::vec3 originBehind() const;
 };
 
-/// Recomputes the hit in double and evaluates normals and texture there. `hit` must be the result of
-/// World::closestHit() for this ray and time.
+/// Recomputes the hit in double and evaluates normals, texture and vertex colours there. `hit` must be the
+/// result of World::closestHit() for this ray and time.
 Interaction interactionAt(const World& world, const Ray& ray, float time, const RayCone& cone,
                           const Hit& hit);
 

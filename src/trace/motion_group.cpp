@@ -18,7 +18,9 @@ class GeometryBuilder {
     }
     void addSphere(const SphereInstance& sphere, std::uint32_t object) {
         geometry_->ownSpheres.push_back(sphere.sphere);
-        sphereRanges_.push_back({0, 1, object, nullptr, nullptr, sphere.material, false, glm::dmat3(1.0)});
+        ObjectRange range{0, 1, object};
+        range.material = sphere.material;
+        sphereRanges_.push_back(range);
     }
 
     std::shared_ptr<const Geometry> seal() {
@@ -44,6 +46,7 @@ class GeometryBuilder {
         const MeshData& data = *mesh.data;
         ObjectRange range{next_, static_cast<std::uint32_t>(data.triangles.size()), meshObjects_[i], &data,
                           &mesh.materials};
+        if (mesh.vertexColors && !data.colors.empty()) range.colors = &data.colors;
         if (shareData) {
             geometry_->input.vertices = data.positions;
             geometry_->input.triangles = data.triangles;
@@ -108,7 +111,7 @@ std::vector<std::shared_ptr<const Geometry>> makeGeometry(const SceneDescription
 bool sameGeometry(const SceneDescription& a, const SceneDescription& b) {
     const auto sameMesh = [](const MeshInstance& x, const MeshInstance& y) {
         return x.data == y.data && x.transform == y.transform && x.materials == y.materials &&
-               x.motion == y.motion;
+               x.motion == y.motion && x.vertexColors == y.vertexColors;
     };
     return std::ranges::equal(a.meshes, b.meshes, sameMesh) && a.spheres == b.spheres;
 }

@@ -16,6 +16,7 @@ struct ObjectRange {
     const MeshData* mesh = nullptr;      ///< null for a sphere
     const std::vector<std::uint32_t>* materials = nullptr;  ///< of a mesh: slot → material
     std::uint32_t material = 0;                             ///< of a sphere
+    const std::vector<Rgb>* colors = nullptr;               ///< vertex colours of a mesh that shows them
     bool transformed = false;                               ///< normals of the mesh need `normalMatrix`
     glm::dmat3 normalMatrix{1.0};
 };

@@ -25,6 +25,8 @@ class SceneFiles : public ::testing::Test {
     std::string write(const std::string& name, std::string_view content) {
         const std::filesystem::path path = folder_ / name;
         std::filesystem::create_directories(path.parent_path());
+        // Some file systems flush a file to the disk when it is overwritten.
+        std::filesystem::remove(path);
         std::ofstream(path, std::ios::binary) << content;
         return path.string();
     }

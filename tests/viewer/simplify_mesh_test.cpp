@@ -33,6 +33,15 @@ TEST(SimplifyMesh, ResemblesTheMesh) {
         EXPECT_LT(std::max({triangle.x, triangle.y, triangle.z}), coarse.positions.size());
 }
 
+TEST(SimplifyMesh, KeepsVertexColors) {
+    MeshData sphere = unitSphereMesh();
+    for (const glm::vec3& position : sphere.positions) sphere.colors.push_back(0.5f * position + 0.5f);
+    const MeshData coarse = simplifyMesh(sphere, 1000);
+    ASSERT_EQ(coarse.colors.size(), coarse.positions.size());
+    for (std::size_t i = 0; i < coarse.colors.size(); ++i)
+        EXPECT_LT(glm::distance(coarse.colors[i], 0.5f * coarse.positions[i] + 0.5f), 0.2f);
+}
+
 TEST(SimplifyMesh, KeepsSmallMeshes) {
     const MeshData sphere = unitSphereMesh();
     EXPECT_EQ(simplifyMesh(sphere, sphere.triangles.size()).triangles, sphere.triangles);
@@ -56,6 +65,7 @@ TEST(SimplifyMesh, KeepsASubsetOfUnconnectedTriangles) {
     const MeshData coarse = simplifyMesh(separateTriangles(100000), 1001);
     ASSERT_EQ(coarse.triangles.size(), 1001u);
     ASSERT_EQ(coarse.materialSlots.size(), 1001u);
+    EXPECT_TRUE(coarse.colors.empty());
     EXPECT_LT(coarse.triangles.front().x, 300u);
     EXPECT_GT(coarse.triangles.back().x, 299000u);
 }

@@ -68,6 +68,8 @@ void add(Hasher& hash, const MeshInstance& mesh) {
     hash.bytes(&matrix, sizeof matrix);
     hash.array(mesh.materials);
     hash.value(mesh.motion);
+    hash.value(mesh.vertexColors);
+    if (mesh.vertexColors) hash.array(mesh.data->colors);
 }
 
 void add(Hasher& hash, const Material& material) {

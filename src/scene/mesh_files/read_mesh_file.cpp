@@ -8,6 +8,8 @@
 
 #include "base/file_suffix.h"
 #include "scene/mesh_files/obj_reader.h"
+#include "scene/mesh_files/ply_reader.h"
+#include "scene/mesh_files/stl_reader.h"
 
 namespace rayscope::scene {
 
@@ -18,7 +20,8 @@ struct MeshFormat {
     ImportedMesh (*read)(const std::string& path, const ImportContext& context);
 };
 
-constexpr std::array kFormats{MeshFormat{".obj", readObj}};
+constexpr std::array kFormats{MeshFormat{".obj", readObj}, MeshFormat{".ply", readPly},
+                              MeshFormat{".stl", readStl}};
 
 const MeshFormat* formatOf(std::string_view path) {
     const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {

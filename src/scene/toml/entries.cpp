@@ -163,6 +163,11 @@ const Record<MeshEntry>& meshRecord() {
          [](const TomlValue& value, MeshEntry& t) { t.instance.transform = readTransform(value); }},
         locatedText("material", &MeshEntry::material),
         {"motion", [](const TomlValue& value, MeshEntry& t) { t.instance.motion = readVector<3>(value); }},
+        {"vertex_colors",
+         [](const TomlValue& value, MeshEntry& t) {
+             t.instance.vertexColors = readBoolean(value);
+             t.vertexColors = value.position();
+         }},
         text("if_missing", &MeshEntry::ifMissing),
     };
     return record;
@@ -249,7 +254,7 @@ MeshEntry readMesh(const TomlValue& value) {
     MeshEntry entry;
     readRecord(value.file, readTable(value), "a mesh", meshRecord(), entry);
     if (entry.file.has_value() == (entry.instance.data != nullptr))
-        value.fail("needs either file = \"NAME.obj\" or generate = { shape = … }");
+        value.fail("needs either file = \"NAME\" or generate = { shape = … }");
     return entry;
 }
 

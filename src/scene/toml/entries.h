@@ -27,7 +27,8 @@ struct MeshEntry {
     MeshInstance instance;
     std::optional<LocatedText> file;
     std::optional<LocatedText> material;
-    std::string ifMissing;  ///< advice for the error if the file does not exist
+    SourcePosition vertexColors;  ///< of the key; its value is in `instance`
+    std::string ifMissing;        ///< advice for the error if the file does not exist
 };
 
 struct SphereEntry {

@@ -42,7 +42,7 @@ class SceneBuilder {
         forEachOf("light", [&](const TomlValue& value) { scene_.lights.push_back(readLight(value)); });
         readSettings();
         readEnvironmentTable();
-        forEachOf("mesh", [&](const TomlValue& value) { addMesh(value); });
+        addMeshes();
         forEachOf("sphere", [&](const TomlValue& value) { addSphere(value); });
         checkCompleteness();
         return std::move(scene_);
@@ -131,14 +131,28 @@ class SceneBuilder {
         scene_.cameras.push_back(std::move(camera));
     }
 
-    void addMesh(const TomlValue& value) {
-        MeshEntry entry = readMesh(value);
+    /// The tables are read before the files, because instances of a file decide together whether its vertex
+    /// colours are stored.
+    void addMeshes() {
+        std::vector<MeshEntry> entries;
+        forEachOf("mesh", [&](const TomlValue& value) { entries.push_back(readMesh(value)); });
+        for (const MeshEntry& entry : entries)
+            if (entry.file && entry.instance.vertexColors)
+                coloredFiles_.insert(resolvePath(path_, entry.file->text));
+        for (MeshEntry& entry : entries) addMesh(entry);
+    }
+
+    void addMesh(MeshEntry& entry) {
         MeshInstance& mesh = entry.instance;
         if (entry.file)
             loadMesh(entry);
         else
             mesh.materials = {materialOf(entry.material)};
         if (mesh.name.empty()) mesh.name = fmt::format("mesh {}", scene_.meshes.size() + 1);
+        if (mesh.vertexColors && mesh.data->colors.empty())
+            note(Severity::Warning,
+                 fmt::format("mesh '{}' has no vertex colours; its materials are shown", mesh.name),
+                 entry.vertexColors);
         scene_.meshes.push_back(std::move(mesh));
     }
 
@@ -151,7 +165,8 @@ class SceneBuilder {
         // Instances of the same file share its data.
         auto& loaded = meshes_[resolved];
         if (!loaded)
-            loaded = std::make_shared<ImportedMesh>(readMeshFile(resolved, {textures_, notes_, control_}));
+            loaded = std::make_shared<ImportedMesh>(
+                readMeshFile(resolved, {textures_, notes_, control_, coloredFiles_.contains(resolved)}));
         MeshInstance& mesh = entry.instance;
         mesh.data = loaded->data;
         if (mesh.name.empty()) mesh.name = entry.file->text;
@@ -241,6 +256,7 @@ class SceneBuilder {
     std::map<std::string, std::uint32_t> materialIndices_;
     std::optional<std::uint32_t> default_;
     std::map<std::string, std::shared_ptr<ImportedMesh>> meshes_;
+    std::set<std::string> coloredFiles_;  ///< mesh files whose vertex colours some instance shows
     std::map<std::string, std::optional<std::uint32_t>> firstMaterialOf_;
 };
 

@@ -21,13 +21,16 @@ void uploadAttribute(GLuint buffer, GLuint index, GLint components, const std::v
 }  // namespace
 
 MeshBuffer::MeshBuffer(const MeshData& mesh)
-    : hasNormals_(!mesh.normals.empty()), hasTexCoords_(!mesh.texCoords.empty()) {
+    : hasNormals_(!mesh.normals.empty()),
+      hasTexCoords_(!mesh.texCoords.empty()),
+      hasColors_(!mesh.colors.empty()) {
     glGenVertexArrays(1, &vertexArray_);
-    glGenBuffers(4, buffers_);
+    glGenBuffers(kBuffers, buffers_);
     glBindVertexArray(vertexArray_);
     uploadAttribute(buffers_[0], 0, 3, mesh.positions);
     uploadAttribute(buffers_[1], 1, 3, mesh.normals);
     uploadAttribute(buffers_[2], 2, 2, mesh.texCoords);
+    uploadAttribute(buffers_[3], 3, 3, mesh.colors);
 
     // Counting sort by slot.
     const std::vector<std::uint16_t>& slots = mesh.materialSlots;
@@ -41,7 +44,7 @@ MeshBuffer::MeshBuffer(const MeshData& mesh)
         if (next[slot + 1] > next[slot])
             ranges_.push_back({static_cast<std::uint32_t>(slot),
                                static_cast<GLsizei>(3 * (next[slot + 1] - next[slot])), 3 * next[slot]});
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[4]);
     const auto bytes = static_cast<GLsizeiptr>(mesh.triangles.size() * sizeof(glm::uvec3));
     if (slots.empty()) {
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, bytes, mesh.triangles.data(), GL_STATIC_DRAW);
@@ -55,7 +58,7 @@ MeshBuffer::MeshBuffer(const MeshData& mesh)
 
 MeshBuffer::~MeshBuffer() {
     glDeleteVertexArrays(1, &vertexArray_);
-    glDeleteBuffers(4, buffers_);
+    glDeleteBuffers(kBuffers, buffers_);
 }
 
 std::size_t MeshBuffer::draw(std::uint32_t slot) const {

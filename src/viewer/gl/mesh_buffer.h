@@ -28,14 +28,16 @@ class MeshBuffer {
 
     bool hasNormals() const { return hasNormals_; }
     bool hasTexCoords() const { return hasTexCoords_; }
+    bool hasColors() const { return hasColors_; }
 
   private:
     const Range* rangeOf(std::uint32_t slot) const;
 
     GLuint vertexArray_ = 0;
-    GLuint buffers_[4] = {};  // positions, normals, texture coordinates, indices
+    static constexpr GLsizei kBuffers = 5;
+    GLuint buffers_[kBuffers] = {};  // positions, normals, texture coordinates, colours, indices
     std::vector<Range> ranges_;
-    bool hasNormals_ = false, hasTexCoords_ = false;
+    bool hasNormals_ = false, hasTexCoords_ = false, hasColors_ = false;
 };
 
 /// A finely tessellated sphere of radius 1 around the origin.

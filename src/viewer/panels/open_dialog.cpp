@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "base/file_suffix.h"
+#include "scene/mesh_files/read_mesh_file.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
@@ -16,10 +18,7 @@ namespace {
 constexpr const char* kOpenTitle = "Open a scene";
 
 bool isScene(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return suffix == ".toml" || suffix == ".obj";
+    return base::hasSuffix(path.string(), ".toml") || scene::isMeshFileName(path.string());
 }
 
 }  // namespace
@@ -64,7 +63,7 @@ bool OpenDialog::drawEntries() {
             chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         }
     }
-    if (entries_.empty()) dimText("no folders, .toml or .obj files here");
+    if (entries_.empty()) dimText("no folders, scenes or meshes here");
     ImGui::EndChild();
     if (!entered.empty()) enter((folder_ / entered).lexically_normal());
     return chosen;
@@ -90,7 +89,8 @@ void OpenDialog::draw(Workspace& workspace) {
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll));
     open |= drawEntries();
     if (errorMessage_.empty())
-        dimText("A scene (.toml), a mesh (.obj) or builtin:NAME. Double-click to open.");
+        dimText(fmt::format("A scene (.toml), a mesh ({}) or builtin:NAME. Double-click to open.",
+                            scene::meshFileSuffixes()));
     else
         coloredText(kErrorText, errorMessage_);
     open |= ui::button("Open", {scaled(90.0f), 0.0f});

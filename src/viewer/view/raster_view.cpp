@@ -83,7 +83,7 @@ void RasterView::collectItems() {
         for (const MeshBuffer::Range& range : mesh.whole().ranges()) {
             const std::size_t slot = std::min<std::size_t>(range.slot, instance.materials.size() - 1);
             const std::size_t material = instance.materials.empty() ? 0 : instance.materials[slot];
-            add({&mesh, range.slot, model, material, center});
+            add({&mesh, range.slot, model, material, center, instance.vertexColors});
         }
     }
     for (const SphereInstance& sphere : scene_->spheres)
@@ -144,6 +144,7 @@ void RasterView::drawItem(const Item& item, const RasterStyle& style, bool movin
     surface_.set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(item.model))));
     surface_.set("useNormals", style.smoothNormals && mesh.hasNormals() ? 1 : 0);
     surface_.set("useTexture", textured ? 1 : 0);
+    surface_.set("useColors", item.showsColors && mesh.hasColors() ? 1 : 0);
     surface_.set("kd", material.kd);
     surface_.set("ks", material.ks);
     surface_.set("shininess", std::max(material.shininess, 1.0f));

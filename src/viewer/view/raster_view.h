@@ -40,6 +40,7 @@ class RasterView {
         glm::mat4 model;
         std::size_t material;
         glm::vec3 center;
+        bool showsColors = false;  ///< the vertex colours of the mesh
     };
     void drawBackground(const RenderTarget& target);
     void setLights();

@@ -68,7 +68,7 @@ std::vector<std::uint64_t> finestCells(const MeshData& mesh, std::size_t maxTria
     }
 }
 
-/// One vertex per cell, at the mean of its vertices; the texture coordinates are those of the first.
+/// One vertex per cell, at the mean of its vertices; texture coordinates and colour are those of the first.
 MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells) {
     MeshData coarse;
     std::unordered_map<std::uint64_t, std::uint32_t> vertexOfCell;
@@ -84,6 +84,7 @@ MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells
             coarse.positions.emplace_back(0.0f);
             if (!mesh.normals.empty()) coarse.normals.emplace_back(0.0f);
             if (!mesh.texCoords.empty()) coarse.texCoords.push_back(mesh.texCoords[i]);
+            if (!mesh.colors.empty()) coarse.colors.push_back(mesh.colors[i]);
         }
         members[vertex] += 1.0f;
         coarse.positions[vertex] += (mesh.positions[i] - coarse.positions[vertex]) / members[vertex];
@@ -100,7 +101,7 @@ MeshData clustered(const MeshData& mesh, const std::vector<std::uint64_t>& cells
 
 /// `count` of the triangles, evenly spaced in the list.
 MeshData someTriangles(const MeshData& mesh, std::size_t count) {
-    MeshData some{mesh.positions, mesh.normals, mesh.texCoords, {}, {}};
+    MeshData some{mesh.positions, mesh.normals, mesh.texCoords, mesh.colors, {}, {}};
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t i = k * mesh.triangles.size() / count;
         some.triangles.push_back(mesh.triangles[i]);
