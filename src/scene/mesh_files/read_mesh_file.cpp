@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/file_suffix.h"
+#include "scene/mesh_files/gltf/gltf_reader.h"
 #include "scene/mesh_files/obj_reader.h"
 
 namespace rayscope::scene {
@@ -18,7 +19,8 @@ struct MeshFormat {
     ImportedMesh (*read)(const std::string& path, const ImportContext& context);
 };
 
-constexpr std::array kFormats{MeshFormat{".obj", readObj}};
+constexpr std::array kFormats{MeshFormat{".obj", readObj}, MeshFormat{".gltf", readGltf},
+                              MeshFormat{".glb", readGltf}};
 
 const MeshFormat* formatOf(std::string_view path) {
     const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {

@@ -1,0 +1,270 @@
+#include "scene/mesh_files/gltf/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "math/vectors.h"
+
+namespace rayscope::scene {
+
+namespace {
+
+constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;  // values of the format
+
+/// The map of normals that belongs to a map of points: the inverse transpose times the determinant, which
+/// exists for singular maps too.
+glm::dmat3 normalMapOf(const glm::dmat3& m) {
+    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return glm::dot(m[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
+}
+
+bool mirrors(const glm::dmat3& m) { return glm::dot(m[0], glm::cross(m[1], m[2])) < 0.0; }
+
+glm::dvec3 unit(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+}
+
+glm::dvec2 transformed(const GltfTextureTransform& t, glm::dvec2 uv) {
+    uv *= t.scale;
+    const double c = std::cos(t.rotation), s = std::sin(t.rotation);
+    return glm::dvec2(c * uv.x + s * uv.y, c * uv.y - s * uv.x) + t.offset;
+}
+
+/// The corners of triangle i of a list, strip or fan, as numbers of its indices.
+glm::uvec3 cornersOf(std::uint64_t mode, std::uint32_t i) {
+    if (mode == kStrip) return {i, i + 1 + i % 2, i + 2 - i % 2};
+    if (mode == kFan) return {i + 1, i + 2, 0};
+    return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+template <class Vector>
+std::vector<Vector> gathered(const std::vector<Vector>& values, std::size_t first,
+                             std::span<const glm::uvec3> triangles) {
+    std::vector<Vector> result;
+    result.reserve(triangles.size() * 3);
+    for (const glm::uvec3& t : triangles)
+        for (const std::uint32_t vertex : {t.x, t.y, t.z}) result.push_back(values[vertex]);
+    result.insert(result.begin(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+    return result;
+}
+
+}  // namespace
+
+GltfGeometry::GltfGeometry(const std::string& path, const GltfDocument& document,
+                           GltfAccessorReader& accessors, const std::vector<GltfPlacement>& placed,
+                           Oddities& oddities)
+    : path_(path), document_(document), accessors_(accessors), oddities_(oddities) {
+    for (const GltfPlacement& placement : placed)
+        for (const GltfPrimitive& primitive : document.meshes[placement.index]) {
+            if (!isDrawn(primitive)) continue;
+            hasNormals_ |= attribute(primitive, "NORMAL").has_value();
+            hasTexCoords_ |= texCoordOf(primitive).has_value();
+            hasColors_ |= attribute(primitive, "COLOR_0").has_value();
+        }
+}
+
+bool GltfGeometry::isDrawn(const GltfPrimitive& primitive) const {
+    return primitive.mode >= kTriangles && primitive.attributes.contains("POSITION");
+}
+
+GltfIndex GltfGeometry::attribute(const GltfPrimitive& primitive, const std::string& name) const {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? GltfIndex{} : GltfIndex{found->second};
+}
+
+GltfIndex GltfGeometry::texCoordOf(const GltfPrimitive& primitive) const {
+    std::uint64_t set = 0;
+    if (primitive.material)
+        if (const auto& texture = document_.materials[*primitive.material].baseColorTexture)
+            set = texture->texCoord;
+    return attribute(primitive, fmt::format("TEXCOORD_{}", set));
+}
+
+std::vector<float> GltfGeometry::readAttribute(GltfIndex accessor, std::uint32_t components,
+                                               std::size_t count) {
+    if (!accessor) return {};
+    std::vector<float> values = accessors_.floats(*accessor, components);
+    if (values.size() == count * components) return values;
+    oddities_.add(Severity::Warning,
+                  "vertex attributes with another number of elements than positions; ignored");
+    return {};
+}
+
+GltfGeometry::Vertices GltfGeometry::readVertices(const GltfPrimitive& primitive) {
+    Vertices vertices;
+    const std::uint32_t position = *attribute(primitive, "POSITION");
+    const GltfAccessor& accessor = accessors_.accessor(position);
+    if (primitive.isDraco && !accessor.view)
+        throw InputError(
+            "the compression KHR_draco_mesh_compression is not supported; export the file without "
+            "compression",
+            {path_});
+    vertices.positions = accessors_.floats(position, 3);
+    vertices.count = vertices.positions.size() / 3;
+    vertices.normals = readAttribute(attribute(primitive, "NORMAL"), 3, vertices.count);
+    vertices.texCoords = readAttribute(texCoordOf(primitive), 2, vertices.count);
+    const GltfIndex color = attribute(primitive, "COLOR_0");
+    if (color) {
+        vertices.colorComponents = accessors_.accessor(*color).components == 4 ? 4 : 3;
+        vertices.colors = readAttribute(color, vertices.colorComponents, vertices.count);
+        oddities_.add(Severity::Note,
+                      "vertex colours; read, but surfaces have the colours of their materials");
+    }
+    return vertices;
+}
+
+std::vector<glm::uvec3> GltfGeometry::readTriangles(const GltfPrimitive& primitive, std::size_t vertices) {
+    std::vector<std::uint32_t> indices;
+    if (primitive.indices) indices = accessors_.indices(*primitive.indices);
+    const std::size_t count = primitive.indices ? indices.size() : vertices;
+    const bool isList = primitive.mode == kTriangles;
+    if (isList && count % 3 != 0)
+        oddities_.add(Severity::Warning, "triangles whose last one has fewer than three corners; left out");
+    std::vector<glm::uvec3> triangles;
+    const std::size_t number = isList ? count / 3 : std::max<std::size_t>(count, 2) - 2;
+    triangles.reserve(number);
+    for (std::size_t i = 0; i < number; ++i) {
+        glm::uvec3 t = cornersOf(primitive.mode, static_cast<std::uint32_t>(i));
+        if (primitive.indices) t = {indices[t.x], indices[t.y], indices[t.z]};
+        if (std::max({t.x, t.y, t.z}) >= vertices) {
+            oddities_.add(Severity::Warning, "triangles with vertices that do not exist; left out");
+            continue;
+        }
+        // Strips are joined by triangles without area.
+        if (!isList && (t.x == t.y || t.y == t.z || t.x == t.z)) continue;
+        triangles.push_back(t);
+    }
+    return triangles;
+}
+
+void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene) {
+    if (primitive.mode < kTriangles) {
+        oddities_.add(Severity::Note, primitive.mode == 0 ? "points; ignored" : "lines; ignored");
+        return;
+    }
+    if (!isDrawn(primitive)) {
+        oddities_.add(Severity::Note, "primitives without positions; ignored");
+        return;
+    }
+    const Vertices vertices = readVertices(primitive);
+    std::vector<glm::uvec3> triangles = readTriangles(primitive, vertices.count);
+    constexpr std::size_t kLimit = std::numeric_limits<std::uint32_t>::max();
+    const std::size_t firstVertex = mesh_.positions.size(), firstTriangle = mesh_.triangles.size();
+    if (std::max(vertices.count, triangles.size() * 3) > kLimit - std::max(firstVertex, firstTriangle))
+        throw InputError("more than 2^32 vertices or triangles", {path_});
+    appendVertices(primitive, vertices, toScene);
+    const bool flips = mirrors(glm::dmat3(toScene));
+    const auto base = static_cast<std::uint32_t>(firstVertex);
+    for (const glm::uvec3& t : triangles)
+        mesh_.triangles.push_back(base + (flips ? glm::uvec3(t.x, t.z, t.y) : t));
+    if (hasNormals_ && vertices.normals.empty())
+        separateFaces(firstVertex, firstTriangle);
+    else if (hasNormals_)
+        repairNormals(firstVertex, firstTriangle);
+    appendSlot(primitive.material, mesh_.triangles.size() - firstTriangle);
+}
+
+void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const Vertices& vertices,
+                                  const glm::dmat4& toScene) {
+    const std::size_t end = mesh_.positions.size() + vertices.count;
+    const glm::dmat3 normalMap = normalMapOf(glm::dmat3(toScene));
+    const auto vectorAt = [](const std::vector<float>& values, std::size_t i) {
+        return glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
+    };
+    mesh_.positions.reserve(end);
+    for (std::size_t i = 0; i < vertices.count; ++i) {
+        const glm::vec3 position(toScene * glm::dvec4(vectorAt(vertices.positions, i), 1.0));
+        if (!math::isFinite(position))
+            oddities_.add(Severity::Note,
+                          "vertices with NaN or infinite coordinates; rays never hit their triangles");
+        mesh_.positions.push_back(position);
+    }
+    if (hasNormals_) {
+        mesh_.normals.resize(end, glm::vec3(0.0f));
+        for (std::size_t i = 0; i < vertices.normals.size() / 3; ++i)
+            mesh_.normals[end - vertices.count + i] =
+                glm::vec3(unit(normalMap * vectorAt(vertices.normals, i)));
+    }
+    if (hasTexCoords_) appendTexCoords(primitive, vertices.texCoords, vertices.count);
+    if (hasColors_) {
+        mesh_.colors.resize(end, Rgb(1.0f));
+        for (std::size_t i = 0; i < vertices.colors.size() / vertices.colorComponents; ++i) {
+            const float* color = &vertices.colors[i * vertices.colorComponents];
+            mesh_.colors[end - vertices.count + i] = Rgb(color[0], color[1], color[2]);
+        }
+    }
+}
+
+void GltfGeometry::appendTexCoords(const GltfPrimitive& primitive, const std::vector<float>& texCoords,
+                                   std::size_t count) {
+    const auto* material = primitive.material ? &document_.materials[*primitive.material] : nullptr;
+    const bool isTextured = material && material->baseColorTexture;
+    if (isTextured && texCoords.empty())
+        oddities_.add(Severity::Warning, "textured primitives without texture coordinates; (0, 0) is used");
+    mesh_.texCoords.reserve(mesh_.texCoords.size() + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        glm::dvec2 uv =
+            texCoords.empty() ? glm::dvec2(0.0) : glm::dvec2(texCoords[2 * i], texCoords[2 * i + 1]);
+        if (isTextured && material->baseColorTexture->transform)
+            uv = transformed(*material->baseColorTexture->transform, uv);
+        // The origin of the format is the upper left corner of the image.
+        mesh_.texCoords.emplace_back(uv.x, 1.0 - uv.y);
+    }
+}
+
+/// Gives each face its own vertices with its normal: the format shades primitives without normals flat.
+void GltfGeometry::separateFaces(std::size_t firstVertex, std::size_t firstTriangle) {
+    const std::span<glm::uvec3> triangles = std::span(mesh_.triangles).subspan(firstTriangle);
+    mesh_.positions = gathered(mesh_.positions, firstVertex, triangles);
+    if (hasTexCoords_) mesh_.texCoords = gathered(mesh_.texCoords, firstVertex, triangles);
+    if (hasColors_) mesh_.colors = gathered(mesh_.colors, firstVertex, triangles);
+    mesh_.normals.resize(firstVertex);
+    auto vertex = static_cast<std::uint32_t>(firstVertex);
+    for (glm::uvec3& t : triangles) {
+        t = {vertex, vertex + 1, vertex + 2};
+        vertex += 3;
+        const glm::dvec3 a(mesh_.positions[t.x]), b(mesh_.positions[t.y]), c(mesh_.positions[t.z]);
+        mesh_.normals.insert(mesh_.normals.end(), 3, glm::vec3(unit(glm::cross(b - a, c - a))));
+    }
+}
+
+/// Replaces normals without a direction by the mean of their faces, weighted by area.
+void GltfGeometry::repairNormals(std::size_t firstVertex, std::size_t firstTriangle) {
+    const std::span normals = std::span(mesh_.normals).subspan(firstVertex);
+    const auto isMissing = [](const glm::vec3& n) { return n == glm::vec3(0.0f); };
+    if (std::none_of(normals.begin(), normals.end(), isMissing)) return;
+    std::vector<glm::dvec3> sums(normals.size(), glm::dvec3(0.0));
+    for (const glm::uvec3& t : std::span(mesh_.triangles).subspan(firstTriangle)) {
+        const glm::dvec3 a(mesh_.positions[t.x]), b(mesh_.positions[t.y]), c(mesh_.positions[t.z]);
+        for (const std::uint32_t vertex : {t.x, t.y, t.z})
+            sums[vertex - firstVertex] += glm::cross(b - a, c - a);
+    }
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        if (!isMissing(normals[i])) continue;
+        normals[i] = glm::vec3(unit(sums[i]));
+        oddities_.add(Severity::Warning, "normals that are zero, NaN or infinite; computed from the faces");
+    }
+}
+
+void GltfGeometry::appendSlot(GltfIndex material, std::size_t count) {
+    constexpr std::size_t kMaxSlots = std::size_t{std::numeric_limits<std::uint16_t>::max()} + 1;
+    const std::int64_t key = material ? std::int64_t{*material} : -1;
+    const auto [entry, isNew] = slotOf_.try_emplace(key, static_cast<std::uint16_t>(slots_.size()));
+    if (isNew) {
+        if (slots_.size() >= kMaxSlots)
+            throw InputError(fmt::format("more than {} materials", kMaxSlots), {path_});
+        slots_.push_back(material);
+    }
+    mesh_.materialSlots.insert(mesh_.materialSlots.end(), count, entry->second);
+}
+
+MeshData GltfGeometry::take() {
+    if (slots_.size() == 1) mesh_.materialSlots.clear();
+    return std::move(mesh_);
+}
+
+}  // namespace rayscope::scene
