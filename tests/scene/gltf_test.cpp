@@ -218,6 +218,18 @@ TEST_F(Gltf, DeepNodesAreRead) {
     EXPECT_EQ(meshOf(read(file.embedded(oneMesh(kPositions, others)))).triangles.size(), 1u);
 }
 
+TEST_F(Gltf, ManyPrimitivesTakeLinearTime) {
+    GltfBuilder file = triangle();
+    file.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    std::string primitives = R"({"attributes":{"POSITION":0,"NORMAL":1}})";
+    constexpr std::size_t kCount = 50'000;
+    for (std::size_t i = 1; i < kCount; ++i) primitives += R"(,{"attributes":{"POSITION":0}})";
+    const auto scene =
+        read(file.embedded(fmt::format(R"("meshes":[{{"primitives":[{}]}}],{})", primitives, kNode)));
+    EXPECT_EQ(meshOf(scene).triangles.size(), kCount);
+    EXPECT_EQ(meshOf(scene).normals.size(), 3 * kCount);
+}
+
 TEST_F(Gltf, WrongIndicesAndCountsAreWarnings) {
     GltfBuilder file = triangle();
     file.accessor(std::vector<std::uint16_t>{0, 1, 2, 0, 1, 65535, 0, 1}, "SCALAR");

@@ -41,14 +41,19 @@ glm::uvec3 cornersOf(std::uint64_t mode, std::uint32_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
-template <class Vector>
-std::vector<Vector> gathered(const std::vector<Vector>& values, std::size_t first,
-                             std::span<const glm::uvec3> triangles) {
-    std::vector<Vector> result;
-    result.reserve(triangles.size() * 3);
+glm::dvec3 vectorAt(const std::vector<float>& values, std::size_t i) {
+    return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
+}
+
+/// The elements of the corners of the triangles, one after another.
+std::vector<float> gathered(const std::vector<float>& values, std::size_t components,
+                            std::span<const glm::uvec3> triangles) {
+    std::vector<float> result;
+    if (values.empty()) return result;
+    result.reserve(triangles.size() * 3 * components);
     for (const glm::uvec3& t : triangles)
-        for (const std::uint32_t vertex : {t.x, t.y, t.z}) result.push_back(values[vertex]);
-    result.insert(result.begin(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+        for (const std::size_t vertex : {t.x, t.y, t.z})
+            for (std::size_t c = 0; c < components; ++c) result.push_back(values[vertex * components + c]);
     return result;
 }
 
@@ -121,6 +126,7 @@ std::vector<glm::uvec3> GltfGeometry::readTriangles(const GltfPrimitive& primiti
     std::vector<std::uint32_t> indices;
     if (primitive.indices) indices = accessors_.indices(*primitive.indices);
     const std::size_t count = primitive.indices ? indices.size() : vertices;
+    checkRange(count);
     const bool isList = primitive.mode == kTriangles;
     if (isList && count % 3 != 0)
         oddities_.add(Severity::Warning, "triangles whose last one has fewer than three corners; left out");
@@ -141,6 +147,11 @@ std::vector<glm::uvec3> GltfGeometry::readTriangles(const GltfPrimitive& primiti
     return triangles;
 }
 
+void GltfGeometry::checkRange(std::size_t count) const {
+    if (count > std::numeric_limits<std::uint32_t>::max())
+        throw InputError("more than 2^32 vertices or triangles", {path_});
+}
+
 void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene) {
     if (primitive.mode < kTriangles) {
         oddities_.add(Severity::Note, primitive.mode == 0 ? "points; ignored" : "lines; ignored");
@@ -150,21 +161,19 @@ void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene
         oddities_.add(Severity::Note, "primitives without positions; ignored");
         return;
     }
-    const Vertices vertices = readVertices(primitive);
+    Vertices vertices = readVertices(primitive);
     std::vector<glm::uvec3> triangles = readTriangles(primitive, vertices.count);
-    constexpr std::size_t kLimit = std::numeric_limits<std::uint32_t>::max();
     const std::size_t firstVertex = mesh_.positions.size(), firstTriangle = mesh_.triangles.size();
-    if (std::max(vertices.count, triangles.size() * 3) > kLimit - std::max(firstVertex, firstTriangle))
-        throw InputError("more than 2^32 vertices or triangles", {path_});
+    const bool isFlat = hasNormals_ && vertices.normals.empty();
+    checkRange(firstVertex + (isFlat ? 3 * triangles.size() : vertices.count));
+    checkRange(firstTriangle + triangles.size());
+    if (isFlat) separateFaces(vertices, triangles);
     appendVertices(primitive, vertices, toScene);
     const bool flips = mirrors(glm::dmat3(toScene));
     const auto base = static_cast<std::uint32_t>(firstVertex);
     for (const glm::uvec3& t : triangles)
         mesh_.triangles.push_back(base + (flips ? glm::uvec3(t.x, t.z, t.y) : t));
-    if (hasNormals_ && vertices.normals.empty())
-        separateFaces(firstVertex, firstTriangle);
-    else if (hasNormals_)
-        repairNormals(firstVertex, firstTriangle);
+    if (hasNormals_ && !isFlat) repairNormals(firstVertex, firstTriangle);
     appendSlot(primitive.material, mesh_.triangles.size() - firstTriangle);
 }
 
@@ -172,10 +181,6 @@ void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const Vertices
                                   const glm::dmat4& toScene) {
     const std::size_t end = mesh_.positions.size() + vertices.count;
     const glm::dmat3 normalMap = normalMapOf(glm::dmat3(toScene));
-    const auto vectorAt = [](const std::vector<float>& values, std::size_t i) {
-        return glm::dvec3(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
-    };
-    mesh_.positions.reserve(end);
     for (std::size_t i = 0; i < vertices.count; ++i) {
         const glm::vec3 position(toScene * glm::dvec4(vectorAt(vertices.positions, i), 1.0));
         if (!math::isFinite(position))
@@ -205,7 +210,6 @@ void GltfGeometry::appendTexCoords(const GltfPrimitive& primitive, const std::ve
     const bool isTextured = material && material->baseColorTexture;
     if (isTextured && texCoords.empty())
         oddities_.add(Severity::Warning, "textured primitives without texture coordinates; (0, 0) is used");
-    mesh_.texCoords.reserve(mesh_.texCoords.size() + count);
     for (std::size_t i = 0; i < count; ++i) {
         glm::dvec2 uv =
             texCoords.empty() ? glm::dvec2(0.0) : glm::dvec2(texCoords[2 * i], texCoords[2 * i + 1]);
@@ -217,18 +221,18 @@ void GltfGeometry::appendTexCoords(const GltfPrimitive& primitive, const std::ve
 }
 
 /// Gives each face its own vertices with its normal: the format shades primitives without normals flat.
-void GltfGeometry::separateFaces(std::size_t firstVertex, std::size_t firstTriangle) {
-    const std::span<glm::uvec3> triangles = std::span(mesh_.triangles).subspan(firstTriangle);
-    mesh_.positions = gathered(mesh_.positions, firstVertex, triangles);
-    if (hasTexCoords_) mesh_.texCoords = gathered(mesh_.texCoords, firstVertex, triangles);
-    if (hasColors_) mesh_.colors = gathered(mesh_.colors, firstVertex, triangles);
-    mesh_.normals.resize(firstVertex);
-    auto vertex = static_cast<std::uint32_t>(firstVertex);
-    for (glm::uvec3& t : triangles) {
-        t = {vertex, vertex + 1, vertex + 2};
-        vertex += 3;
-        const glm::dvec3 a(mesh_.positions[t.x]), b(mesh_.positions[t.y]), c(mesh_.positions[t.z]);
-        mesh_.normals.insert(mesh_.normals.end(), 3, glm::vec3(unit(glm::cross(b - a, c - a))));
+void GltfGeometry::separateFaces(Vertices& vertices, std::vector<glm::uvec3>& triangles) {
+    vertices.positions = gathered(vertices.positions, 3, triangles);
+    vertices.texCoords = gathered(vertices.texCoords, 2, triangles);
+    vertices.colors = gathered(vertices.colors, vertices.colorComponents, triangles);
+    vertices.count = triangles.size() * 3;
+    vertices.normals.clear();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        triangles[i] = {3 * i, 3 * i + 1, 3 * i + 2};
+        const glm::dvec3 a = vectorAt(vertices.positions, 3 * i), b = vectorAt(vertices.positions, 3 * i + 1);
+        const glm::dvec3 normal = unit(glm::cross(b - a, vectorAt(vertices.positions, 3 * i + 2) - a));
+        for (int corner = 0; corner < 3; ++corner)
+            for (int axis = 0; axis < 3; ++axis) vertices.normals.push_back(static_cast<float>(normal[axis]));
     }
 }
 

@@ -31,6 +31,7 @@ class GltfGeometry {
         std::size_t count = 0;
         std::uint32_t colorComponents = 3;
     };
+    void checkRange(std::size_t count) const;
     bool isDrawn(const GltfPrimitive& primitive) const;
     GltfIndex attribute(const GltfPrimitive& primitive, const std::string& name) const;
     GltfIndex texCoordOf(const GltfPrimitive& primitive) const;
@@ -40,7 +41,7 @@ class GltfGeometry {
     void appendVertices(const GltfPrimitive& primitive, const Vertices& vertices, const glm::dmat4& toScene);
     void appendTexCoords(const GltfPrimitive& primitive, const std::vector<float>& texCoords,
                          std::size_t count);
-    void separateFaces(std::size_t firstVertex, std::size_t firstTriangle);
+    static void separateFaces(Vertices& vertices, std::vector<glm::uvec3>& triangles);
     void repairNormals(std::size_t firstVertex, std::size_t firstTriangle);
     void appendSlot(GltfIndex material, std::size_t count);
 
