@@ -10,10 +10,9 @@ installed. Prints a line per file on which they disagree, with the class of the 
 code is 1 if a disagreement has no explanation, 77 if FOLDER or all readers are missing, else 0.
 
 Classes of explanations:
-    noted           Rayscope prints a note or warning that says what is left out or different
     contradiction   the other readers contradict one another, and Rayscope agrees with one of them
-    refused         Rayscope refuses the file, by name of what is missing, or as no other reader can read it either
-    polygons        VTK counts polygons of an OBJ or PLY file that has faces beyond triangles (triangulated as fans)
+    refused         Rayscope refuses the file and names a feature that it does not have
+    noted           Rayscope prints what it leaves out or replaces
 """
 import argparse
 import json
@@ -25,9 +24,9 @@ import tempfile
 
 SUFFIXES = (".obj", ".ply", ".stl", ".gltf", ".glb")
 TEST_MODELS = "/usr/share/assimp/models"
-# Messages of Rayscope that name a feature that it does not have.
+# Messages of Rayscope that name a feature that it does not have, and those that say why its counts are others.
 FEATURES = ("glTF 1", "requires the extension", "is not supported")
-EMPTY = ("no triangles", "no faces", "no face", "is empty", "empty file")
+DIFFERENCES = ("left out", "ignored", "default material", "only scene", "one instance")
 SECONDS = 120
 
 
@@ -142,21 +141,19 @@ def ask_vtk(python, path):
 def explain(ours, others):
     """The class of the reason of a disagreement, "" if there is none, or "unexplained"."""
     readable = [other for other in others.values() if not other.error and other.triangles]
-    if ours.error:
-        if ours.error.startswith("crash") or "no answer" in ours.error:
-            return "unexplained"
-        if not readable:
-            return ""
-        return "refused" if any(feature in ours.error for feature in FEATURES) else "unexplained"
-    counts = {other.triangles for other in readable}
-    materials = {other.materials for other in readable if other.materials is not None}
-    if counts == {ours.triangles} and materials <= {ours.materials}:
+    if ours.error.startswith("crash") or "no answer" in ours.error:
+        return "unexplained"
+    if ours.error and not readable:
         return ""
-    if ours.notes:
-        return "noted"
-    if ours.triangles in counts and len(counts) > 1 and materials <= {ours.materials}:
-        return "contradiction"
-    return "unexplained"
+    if any(feature in ours.error for feature in FEATURES):
+        return "refused"
+    if ours.error:
+        return "contradiction" if len(readable) < len(others) else "unexplained"
+    agreeing = [other for other in readable
+                if other.triangles == ours.triangles and other.materials in (None, ours.materials)]
+    if agreeing:
+        return "" if len(agreeing) == len(readable) else "contradiction"
+    return "noted" if any(word in note for note in ours.notes for word in DIFFERENCES) else "unexplained"
 
 
 def main():

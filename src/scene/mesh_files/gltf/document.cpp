@@ -13,12 +13,16 @@ namespace {
 constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 
-/// Extensions that are read, or whose absence is noted where they occur and leaves the rest right.
-bool isSupported(std::string_view extension) {
-    constexpr std::array<std::string_view, 4> kRead{"KHR_mesh_quantization", "KHR_lights_punctual",
-                                                    "KHR_texture_transform", "KHR_xmp_json_ld"};
-    return std::find(kRead.begin(), kRead.end(), extension) != kRead.end() ||
-           extension.starts_with("KHR_materials_");
+bool isRead(std::string_view extension) {
+    constexpr std::array<std::string_view, 5> kRead{"KHR_mesh_quantization", "KHR_lights_punctual",
+                                                    "KHR_texture_transform", "KHR_xmp_json_ld",
+                                                    "KHR_materials_pbrSpecularGlossiness"};
+    return std::find(kRead.begin(), kRead.end(), extension) != kRead.end();
+}
+
+/// Extensions that change how surfaces look, but neither geometry nor the format of images.
+bool isOfMaterials(std::string_view extension) {
+    return extension.starts_with("KHR_materials_") || extension.starts_with("KHR_technique");
 }
 
 void checkVersion(const JsonObject& root) {
@@ -33,20 +37,19 @@ void checkVersion(const JsonObject& root) {
 void checkExtensions(const JsonObject& root, Oddities& oddities) {
     const std::vector<std::string> required = root.texts("extensionsRequired");
     for (const std::string& extension : required) {
-        if (isSupported(extension)) continue;
+        if (isRead(extension) || isOfMaterials(extension)) continue;
         const std::string_view advice = extension == kDraco || extension == kMeshopt
                                             ? "; export it without compression"
                                             : "; export it without this extension";
         root.fail("", fmt::format("the file requires the extension {}, which is not supported{}", extension,
                                   advice));
     }
-    // What is said where it occurs, once it matters.
+    // Files with these often have a fallback; where they have none, it is said.
     constexpr std::array<std::string_view, 5> kReportedElsewhere{
-        kDraco, kMeshopt, "KHR_texture_basisu", "EXT_texture_webp", "KHR_materials_pbrSpecularGlossiness"};
+        kDraco, kMeshopt, "KHR_texture_basisu", "EXT_mesh_gpu_instancing", "EXT_texture_webp"};
     for (const std::string& extension : root.texts("extensionsUsed"))
-        if ((!isSupported(extension) || extension.starts_with("KHR_materials_")) &&
-            std::find(kReportedElsewhere.begin(), kReportedElsewhere.end(), extension) ==
-                kReportedElsewhere.end())
+        if (!isRead(extension) && std::find(kReportedElsewhere.begin(), kReportedElsewhere.end(),
+                                            extension) == kReportedElsewhere.end())
             oddities.add(Severity::Note,
                          fmt::format("the extension {} is not supported; ignored", extension));
 }
