@@ -149,10 +149,12 @@ def explain(ours, others):
         return "refused"
     if ours.error:
         return "contradiction" if len(readable) < len(others) else "unexplained"
-    agreeing = [other for other in readable
-                if other.triangles == ours.triangles and other.materials in (None, ours.materials)]
-    if agreeing:
-        return "" if len(agreeing) == len(readable) else "contradiction"
+    counts = {other.triangles for other in readable} or {None}
+    materials = {other.materials for other in readable if other.materials is not None} or {ours.materials}
+    if counts == {ours.triangles} and materials == {ours.materials}:
+        return ""
+    if ours.triangles in counts and len(counts) > 1 and materials == {ours.materials}:
+        return "contradiction"
     return "noted" if any(word in note for note in ours.notes for word in DIFFERENCES) else "unexplained"
 
 

@@ -30,69 +30,70 @@ const std::string kEverything =
     R"("meshes":[{"primitives":[{"attributes":{"POSITION":2,"NORMAL":0},"indices":1,"material":0,"mode":4}]}],)"
     R"("nodes":[{"children":[1],"rotation":[0,0,0,1]},{"mesh":0,"camera":0,"extensions":{"KHR_lights_punctual":{"light":0}}}],"scenes":[{"nodes":[0]}])";
 
+/// A replacement in that file, and the message that it must cause.
+struct WrongMember {
+    const char* from;
+    const char* to;
+    const char* message;
+};
+const WrongMember kWrongMembers[] = {
+    {R"("version":"2.0")", R"("version":"1.0")",
+     "asset.version: glTF 1.0 is not supported; convert the file to glTF 2.0"},
+    {R"("version":"2.0")", R"("version":true)", "asset.version: expected a text, got true"},
+    {R"("asset":{"version":"2.0"},)", "", "the document: the member 'asset' is missing"},
+    {R"("scene":0)", R"("scene":1)", "scene: index 1 is out of range: scenes has 1 elements"},
+    {R"("scene":0)", R"("scene":"0")", "scene: expected an index into scenes, got \"0\""},
+    {R"("index":0)", R"("index":-1)",
+     "materials[0].pbrMetallicRoughness.baseColorTexture.index: expected an index into textures, got -1"},
+    {R"("index":0)", R"("index":4294967296)",
+     "materials[0].pbrMetallicRoughness.baseColorTexture.index: index 4294967296 is out of range: "
+     "textures has 1 elements"},
+    {R"("POSITION":2)", R"("POSITION":3)",
+     "meshes[0].primitives[0].attributes.POSITION: index 3 is out of range: accessors has 3 elements"},
+    {R"("POSITION":2)", R"("POSITION":1)", "accessors[1]: 1 components per element where 3 are expected"},
+    {R"("indices":1)", R"("indices":0)", "accessors[0]: indices must be scalars of an unsigned integer type"},
+    {R"("mode":4)", R"("mode":7)", "meshes[0].primitives[0].mode: expected 0 to 6, got 7"},
+    {R"("attributes":{"POSITION":2,"NORMAL":0},)", "",
+     "meshes[0].primitives[0]: the member 'attributes' is missing"},
+    {R"("baseColorFactor":[1,1,1,1])", R"("baseColorFactor":[1,1,1])",
+     "materials[0].pbrMetallicRoughness.baseColorFactor: expected 4 numbers, got [1,1,1]"},
+    {R"("BLEND")", R"("ADD")", "materials[0].alphaMode: expected OPAQUE, MASK or BLEND, got 'ADD'"},
+    {R"("yfov":1)", R"("yfov":0)", "cameras[0].perspective.yfov: expected an angle between 0 and π, got 0"},
+    {R"("children":[1])", R"("children":[0])", "nodes[0] is its own ancestor"},
+    {R"("children":[1])", R"("children":[2])",
+     "nodes[0].children: index 2 is out of range: nodes has 2 elements"},
+    {R"("rotation":[0,0,0,1])", R"("rotation":[0,0,0,0])",
+     "nodes[0].rotation: the quaternion has the length 0"},
+    {R"("rotation":[0,0,0,1])", R"("matrix":[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1])",
+     "nodes[0].matrix: expected an affine map"},
+    {R"("count":3)", R"("count":4)",
+     "accessors[0]: 4 elements of 12 bytes at 0 exceed the 36 bytes of bufferViews[0]"},
+    {R"("count":3)", R"("count":18446744073709551615)",
+     "accessors[0]: 18446744073709551615 elements of 12 bytes at 0 exceed the 36 bytes of "
+     "bufferViews[0]"},
+    {R"("componentType":5126)", R"("componentType":5124)", "accessors[0].componentType: expected 5120"},
+    {R"("componentType":5121)", R"("componentType":5126)",
+     "accessors[2].sparse.indices.componentType: expected an unsigned integer type"},
+    {R"("VEC3")", R"("VEC9")", "accessors[0].type: expected SCALAR, VEC2, VEC3 …, got 'VEC9'"},
+    {R"("byteOffset":0,"byteLength":36)", R"("byteOffset":18446744073709551615,"byteLength":36)",
+     "bufferViews[0]: 36 bytes at 18446744073709551615 exceed the"},
+    {R"("byteLength":36)", R"("byteLength":36,"byteStride":8)",
+     "elements of 12 bytes exceed the byteStride 8"},
+    {"base64,", "base64,?", "buffers[0]: the data URI is not valid base64"},
+    {R"("type":"point")", R"("type":"disk")",
+     "extensions.KHR_lights_punctual.lights[0].type: expected point, directional or spot, got 'disk'"},
+    {R"("scene":0)", R"("scene":0,"extensionsRequired":["KHR_draco_mesh_compression"])",
+     "the document: the file requires the extension KHR_draco_mesh_compression, which is not supported; "
+     "export it without compression"},
+    {R"("scene":0)", R"("scene":0,"extensionsRequired":["EXT_texture_webp"])",
+     "the file requires the extension EXT_texture_webp, which is not supported"},
+    {R"("scenes":[{"nodes":[0]}])", R"("scenes":[{}])", "the scene of the file has no triangles"},
+    {R"("scenes":[{"nodes":[0]}])", R"("scenes":{})", "scenes: expected an array, got {}"}};
+
 TEST_F(GltfDamage, WrongMembersAreNamed) {
     const std::string whole = everything().embedded(kEverything);
     ASSERT_EQ(failure(whole), "");
-    const struct {
-        const char* from;
-        const char* to;
-        const char* message;
-    } cases[] = {
-        {R"("version":"2.0")", R"("version":"1.0")",
-         "asset.version: glTF 1.0 is not supported; convert the file to glTF 2.0"},
-        {R"("version":"2.0")", R"("version":true)", "asset.version: expected a text, got true"},
-        {R"("asset":{"version":"2.0"},)", "", "the document: the member 'asset' is missing"},
-        {R"("scene":0)", R"("scene":1)", "scene: index 1 is out of range: scenes has 1 elements"},
-        {R"("scene":0)", R"("scene":"0")", "scene: expected an index into scenes, got \"0\""},
-        {R"("index":0)", R"("index":-1)",
-         "materials[0].pbrMetallicRoughness.baseColorTexture.index: expected an index into textures, got -1"},
-        {R"("index":0)", R"("index":4294967296)",
-         "materials[0].pbrMetallicRoughness.baseColorTexture.index: index 4294967296 is out of range: "
-         "textures has 1 elements"},
-        {R"("POSITION":2)", R"("POSITION":3)",
-         "meshes[0].primitives[0].attributes.POSITION: index 3 is out of range: accessors has 3 elements"},
-        {R"("POSITION":2)", R"("POSITION":1)", "accessors[1]: 1 components per element where 3 are expected"},
-        {R"("indices":1)", R"("indices":0)",
-         "accessors[0]: indices must be scalars of an unsigned integer type"},
-        {R"("mode":4)", R"("mode":7)", "meshes[0].primitives[0].mode: expected 0 to 6, got 7"},
-        {R"("attributes":{"POSITION":2,"NORMAL":0},)", "",
-         "meshes[0].primitives[0]: the member 'attributes' is missing"},
-        {R"("baseColorFactor":[1,1,1,1])", R"("baseColorFactor":[1,1,1])",
-         "materials[0].pbrMetallicRoughness.baseColorFactor: expected 4 numbers, got [1,1,1]"},
-        {R"("BLEND")", R"("ADD")", "materials[0].alphaMode: expected OPAQUE, MASK or BLEND, got 'ADD'"},
-        {R"("yfov":1)", R"("yfov":0)",
-         "cameras[0].perspective.yfov: expected an angle between 0 and π, got 0"},
-        {R"("children":[1])", R"("children":[0])", "nodes[0] is its own ancestor"},
-        {R"("children":[1])", R"("children":[2])",
-         "nodes[0].children: index 2 is out of range: nodes has 2 elements"},
-        {R"("rotation":[0,0,0,1])", R"("rotation":[0,0,0,0])",
-         "nodes[0].rotation: the quaternion has the length 0"},
-        {R"("rotation":[0,0,0,1])", R"("matrix":[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1])",
-         "nodes[0].matrix: expected an affine map"},
-        {R"("count":3)", R"("count":4)",
-         "accessors[0]: 4 elements of 12 bytes at 0 exceed the 36 bytes of bufferViews[0]"},
-        {R"("count":3)", R"("count":18446744073709551615)",
-         "accessors[0]: 18446744073709551615 elements of 12 bytes at 0 exceed the 36 bytes of "
-         "bufferViews[0]"},
-        {R"("componentType":5126)", R"("componentType":5124)", "accessors[0].componentType: expected 5120"},
-        {R"("componentType":5121)", R"("componentType":5126)",
-         "accessors[2].sparse.indices.componentType: expected an unsigned integer type"},
-        {R"("VEC3")", R"("VEC9")", "accessors[0].type: expected SCALAR, VEC2, VEC3 …, got 'VEC9'"},
-        {R"("byteOffset":0,"byteLength":36)", R"("byteOffset":18446744073709551615,"byteLength":36)",
-         "bufferViews[0]: 36 bytes at 18446744073709551615 exceed the"},
-        {R"("byteLength":36)", R"("byteLength":36,"byteStride":8)",
-         "elements of 12 bytes exceed the byteStride 8"},
-        {"base64,", "base64,?", "buffers[0]: the data URI is not valid base64"},
-        {R"("type":"point")", R"("type":"disk")",
-         "extensions.KHR_lights_punctual.lights[0].type: expected point, directional or spot, got 'disk'"},
-        {R"("scene":0)", R"("scene":0,"extensionsRequired":["KHR_draco_mesh_compression"])",
-         "the document: the file requires the extension KHR_draco_mesh_compression, which is not supported; "
-         "export it without compression"},
-        {R"("scene":0)", R"("scene":0,"extensionsRequired":["EXT_texture_webp"])",
-         "the file requires the extension EXT_texture_webp, which is not supported"},
-        {R"("scenes":[{"nodes":[0]}])", R"("scenes":[{}])", "the scene of the file has no triangles"},
-        {R"("scenes":[{"nodes":[0]}])", R"("scenes":{})", "scenes: expected an array, got {}"}};
-    for (const auto& [from, to, message] : cases) {
+    for (const auto& [from, to, message] : kWrongMembers) {
         std::string text = whole;
         const auto at = text.find(from);
         ASSERT_NE(at, text.npos) << from;
