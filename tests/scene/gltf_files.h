@@ -34,7 +34,8 @@ class GltfBuilder {
     template <class T>
     int accessor(const std::vector<T>& values, const std::string& type, const std::string& members = "") {
         const std::string bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-        const std::size_t components = type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
+        const auto size = static_cast<std::size_t>(type[3] - '0');
+        const std::size_t components = type == "SCALAR" ? 1 : type.starts_with("MAT") ? size * size : size;
         return declare(fmt::format(R"("bufferView":{},"componentType":{},"count":{},"type":"{}"{})",
                                    view(bytes), kComponent<T>, values.size() / components, type, members));
     }

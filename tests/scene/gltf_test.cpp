@@ -193,43 +193,6 @@ TEST_F(Gltf, NodesTransformTheirMeshes) {
     EXPECT_THAT(notesText(), HasSubstr("scaled to zero; left out"));
 }
 
-TEST_F(Gltf, SelectsTheScene) {
-    const GltfBuilder file = triangle();
-    const auto meshAt = [&](const std::string& scenes) {
-        notes_.clear();
-        return meshOf(read(file.embedded(
-            oneMesh(kPositions, R"("nodes":[{"mesh":0},{"mesh":0,"translation":[9,0,0]}])" + scenes))));
-    };
-    EXPECT_EQ(meshAt(R"(,"scene":1,"scenes":[{"nodes":[0]},{"nodes":[1]}])").positions[0].x, 9.0f);
-    EXPECT_THAT(notesText(), HasSubstr("note: 2 scenes; only scene 1 is read"));
-    EXPECT_EQ(meshAt(R"(,"scenes":[{"nodes":[0]},{"nodes":[1]}])").positions[0].x, 0.0f);
-    EXPECT_EQ(meshAt("").triangles.size(), 2u);
-    EXPECT_THAT(notesText(), HasSubstr("note: no scene; all nodes are read"));
-    EXPECT_EQ(meshAt(R"(,"scenes":[{"nodes":[0,1,0]}])").triangles.size(), 2u);
-    EXPECT_THAT(notesText(), HasSubstr("warning: nodes with several parents"));
-}
-
-TEST_F(Gltf, DeepNodesAreRead) {
-    const GltfBuilder file = triangle();
-    std::string nodes;
-    constexpr int kDepth = 100'000;
-    for (int i = 1; i < kDepth; ++i) nodes += fmt::format(R"({{"children":[{}]}},)", i);
-    const std::string others = fmt::format(R"("nodes":[{}{{"mesh":0}}],"scenes":[{{"nodes":[0]}}])", nodes);
-    EXPECT_EQ(meshOf(read(file.embedded(oneMesh(kPositions, others)))).triangles.size(), 1u);
-}
-
-TEST_F(Gltf, ManyPrimitivesTakeLinearTime) {
-    GltfBuilder file = triangle();
-    file.accessor(std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
-    std::string primitives = R"({"attributes":{"POSITION":0,"NORMAL":1}})";
-    constexpr std::size_t kCount = 50'000;
-    for (std::size_t i = 1; i < kCount; ++i) primitives += R"(,{"attributes":{"POSITION":0}})";
-    const auto scene =
-        read(file.embedded(fmt::format(R"("meshes":[{{"primitives":[{}]}}],{})", primitives, kNode)));
-    EXPECT_EQ(meshOf(scene).triangles.size(), kCount);
-    EXPECT_EQ(meshOf(scene).normals.size(), 3 * kCount);
-}
-
 TEST_F(Gltf, WrongIndicesAndCountsAreWarnings) {
     GltfBuilder file = triangle();
     file.accessor(std::vector<std::uint16_t>{0, 1, 2, 0, 1, 65535, 0, 1}, "SCALAR");

@@ -21,6 +21,9 @@ class GltfAccessorReader {
     /// Scalars of an unsigned integer type.
     std::vector<std::uint32_t> indices(std::uint32_t index);
 
+    /// Throws InputError with the number of the accessor.
+    [[noreturn]] void fail(std::uint32_t index, const std::string& message) const;
+
   private:
     struct Elements {
         const std::byte* data = nullptr;
@@ -32,7 +35,6 @@ class GltfAccessorReader {
                       std::size_t elementSize, bool strided);
     template <class Value>
     void readSparse(std::uint32_t index, std::vector<Value>& values);
-    [[noreturn]] void fail(std::uint32_t index, const std::string& message) const;
 
     const std::string& path_;
     const GltfDocument& document_;

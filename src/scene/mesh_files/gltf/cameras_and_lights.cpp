@@ -43,6 +43,7 @@ std::vector<CameraDescription> gltfCameras(const GltfDocument& document,
             oddities.add(Severity::Note, "orthographic cameras; left out");
             continue;
         }
+        const std::string& node = document.nodes[placement.node].name;
         // The camera of the format looks along −z, with y up.
         const glm::dvec3 position(placement.toScene[3]);
         const glm::dvec3 back(placement.toScene[2]), up(placement.toScene[1]);
@@ -50,13 +51,12 @@ std::vector<CameraDescription> gltfCameras(const GltfDocument& document,
         const double depth = glm::dot(centerOf(bounds) - position, forward);
         const double distance =
             depth > 0.0 ? depth : std::max(diagonalOf(bounds), glm::length(position) * 1e-3);
-        CameraDescription description{
-            .name = uniqueName(placement.name.empty() ? camera.name : placement.name, cameras),
-            .lookFrom = glm::vec3(position),
-            .lookAt = glm::vec3(position + forward * distance),
-            .up = glm::vec3(glm::normalize(up)),
-            .fov = static_cast<float>(camera.yfov * 180.0 / std::numbers::pi),
-            .lens = std::nullopt};
+        CameraDescription description{.name = uniqueName(node.empty() ? camera.name : node, cameras),
+                                      .lookFrom = glm::vec3(position),
+                                      .lookAt = glm::vec3(position + forward * distance),
+                                      .up = glm::vec3(glm::normalize(up)),
+                                      .fov = static_cast<float>(camera.yfov * 180.0 / std::numbers::pi),
+                                      .lens = std::nullopt};
         const glm::dvec3 view = glm::dvec3(description.lookAt) - glm::dvec3(description.lookFrom);
         const glm::dvec3 side = glm::cross(glm::normalize(view), glm::dvec3(description.up));
         if (!math::isFinite(description.lookFrom) || !math::isFinite(description.lookAt) ||

@@ -14,9 +14,9 @@ constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 
 bool isRead(std::string_view extension) {
-    constexpr std::array<std::string_view, 5> kRead{"KHR_mesh_quantization", "KHR_lights_punctual",
-                                                    "KHR_texture_transform", "KHR_xmp_json_ld",
-                                                    "KHR_materials_pbrSpecularGlossiness"};
+    constexpr std::array<std::string_view, 6> kRead{
+        "KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_lights_punctual",
+        "KHR_texture_transform", "KHR_xmp_json_ld",         "KHR_materials_pbrSpecularGlossiness"};
     return std::find(kRead.begin(), kRead.end(), extension) != kRead.end();
 }
 
@@ -45,8 +45,8 @@ void checkExtensions(const JsonObject& root, Oddities& oddities) {
                                   advice));
     }
     // Files with these often have a fallback; where they have none, it is said.
-    constexpr std::array<std::string_view, 5> kReportedElsewhere{
-        kDraco, kMeshopt, "KHR_texture_basisu", "EXT_mesh_gpu_instancing", "EXT_texture_webp"};
+    constexpr std::array<std::string_view, 4> kReportedElsewhere{kDraco, kMeshopt, "KHR_texture_basisu",
+                                                                 "EXT_texture_webp"};
     for (const std::string& extension : root.texts("extensionsUsed"))
         if (!isRead(extension) && std::find(kReportedElsewhere.begin(), kReportedElsewhere.end(),
                                             extension) == kReportedElsewhere.end())
@@ -121,26 +121,31 @@ GltfPrimitive readPrimitive(const JsonObject& object, const GltfDocument& docume
                             .indices = object.index("indices", accessors, "accessors"),
                             .material = object.index("material", document.materials.size(), "materials")};
     if (primitive.mode > 6) object.fail("mode", fmt::format("expected 0 to 6, got {}", primitive.mode));
-    const JsonObject attributes = object.requiredObject("attributes");
-    for (const std::string& name : attributes.keys())
-        primitive.attributes[name] = attributes.requiredIndex(name, accessors, "accessors");
+    primitive.attributes = readGltfAttributes(object.requiredObject("attributes"), document);
+    for (const JsonObject& target : object.objects("targets"))
+        primitive.targets.push_back(readGltfAttributes(target, document));
     primitive.isDraco = object.extension(kDraco).has_value();
     return primitive;
 }
 
-void readMeshes(const JsonObject& root, GltfDocument& document, Oddities& oddities) {
+void readMeshes(const JsonObject& root, GltfDocument& document) {
     for (const JsonObject& object : root.objects("meshes")) {
-        std::vector<GltfPrimitive>& mesh = document.meshes.emplace_back();
+        GltfMesh& mesh = document.meshes.emplace_back();
+        mesh.weights = object.numbers("weights");
         if (!object.has("primitives")) object.fail("", "the member 'primitives' is missing");
-        for (const JsonObject& primitive : object.objects("primitives")) {
-            mesh.push_back(readPrimitive(primitive, document));
-            if (primitive.sizeOf("targets") > 0)
-                oddities.add(Severity::Note, "morph targets; ignored, the mesh keeps its base shape");
-        }
+        for (const JsonObject& primitive : object.objects("primitives"))
+            mesh.primitives.push_back(readPrimitive(primitive, document));
     }
 }
 
 }  // namespace
+
+GltfAttributes readGltfAttributes(const JsonObject& object, const GltfDocument& document) {
+    GltfAttributes attributes;
+    for (const std::string& name : object.keys())
+        attributes[name] = object.requiredIndex(name, document.accessors.size(), "accessors");
+    return attributes;
+}
 
 GltfDocument readGltfDocument(const JsonObject& root, Oddities& oddities) {
     GltfDocument document;
@@ -149,10 +154,10 @@ GltfDocument readGltfDocument(const JsonObject& root, Oddities& oddities) {
     readBuffers(root, document);
     readAccessors(root, document);
     readGltfMaterials(root, document, oddities);
-    readMeshes(root, document, oddities);
+    readMeshes(root, document);
     readGltfNodes(root, document, oddities);
     if (root.sizeOf("animations") > 0)
-        oddities.add(Severity::Note, "animations; ignored, nodes keep the transforms of the scene");
+        oddities.add(Severity::Note, "animations; ignored, nodes keep their transforms");
     return document;
 }
 

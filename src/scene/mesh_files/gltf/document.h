@@ -91,18 +91,33 @@ struct GltfImage {
     GltfIndex view{};
 };
 
+using GltfAttributes = std::map<std::string, std::uint32_t>;  ///< accessors by semantic
+
 struct GltfPrimitive {
     std::uint64_t mode = 4;
     GltfIndex indices{}, material{};
-    std::map<std::string, std::uint32_t> attributes{};
+    GltfAttributes attributes{};
+    std::vector<GltfAttributes> targets{};  ///< displacements of morph targets
     bool isDraco = false;
+};
+
+struct GltfMesh {
+    std::vector<GltfPrimitive> primitives{};
+    std::vector<double> weights{};  ///< of the morph targets; missing ones are 0
+};
+
+struct GltfSkin {
+    GltfIndex inverseBindMatrices{};
+    std::vector<std::uint32_t> joints{};  ///< nodes
 };
 
 struct GltfNode {
     std::string name{};
     std::vector<std::uint32_t> children{};
     glm::dmat4 matrix{1.0};
-    GltfIndex mesh{}, camera{}, light{};
+    GltfIndex mesh{}, camera{}, light{}, skin{};
+    std::vector<double> weights{};  ///< replace those of the mesh unless empty
+    GltfAttributes instances{};     ///< EXT_mesh_gpu_instancing
 };
 
 struct GltfCamera {
@@ -124,7 +139,8 @@ struct GltfDocument {
     std::vector<GltfImage> images{};
     std::vector<GltfTexture> textures{};
     std::vector<GltfMaterial> materials{};
-    std::vector<std::vector<GltfPrimitive>> meshes{};
+    std::vector<GltfMesh> meshes{};
+    std::vector<GltfSkin> skins{};
     std::vector<GltfCamera> cameras{};
     std::vector<GltfLight> lights{};
     std::vector<GltfNode> nodes{};
@@ -137,6 +153,7 @@ GltfDocument readGltfDocument(const JsonObject& root, Oddities& oddities);
 
 /// Parts of readGltfDocument().
 void readGltfMaterials(const JsonObject& root, GltfDocument& document, Oddities& oddities);
+GltfAttributes readGltfAttributes(const JsonObject& object, const GltfDocument& document);
 void readGltfNodes(const JsonObject& root, GltfDocument& document, Oddities& oddities);
 
 }  // namespace rayscope::scene

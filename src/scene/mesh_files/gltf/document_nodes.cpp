@@ -85,15 +85,13 @@ GltfNode readNode(const JsonObject& object, std::size_t nodes, const GltfDocumen
                   .children = object.indices("children", nodes, "nodes"),
                   .matrix = transformOf(object, oddities),
                   .mesh = object.index("mesh", document.meshes.size(), "meshes"),
-                  .camera = object.index("camera", document.cameras.size(), "cameras")};
-    if (object.has("skin") && node.mesh)
-        oddities.add(Severity::Note,
-                     "skinned meshes; their skins are ignored, they are in the pose of the mesh");
+                  .camera = object.index("camera", document.cameras.size(), "cameras"),
+                  .skin = object.index("skin", document.skins.size(), "skins"),
+                  .weights = object.numbers("weights")};
     if (const auto light = object.extension("KHR_lights_punctual"))
         node.light = light->requiredIndex("light", document.lights.size(), "lights");
-    if (object.extension("EXT_mesh_gpu_instancing"))
-        oddities.add(Severity::Warning,
-                     "nodes with instances (EXT_mesh_gpu_instancing); one instance is read");
+    if (const auto instancing = object.extension("EXT_mesh_gpu_instancing"))
+        node.instances = readGltfAttributes(instancing->requiredObject("attributes"), document);
     return node;
 }
 
@@ -114,6 +112,10 @@ void readGltfNodes(const JsonObject& root, GltfDocument& document, Oddities& odd
     readCameras(root, document);
     readLights(root, document, oddities);
     const std::size_t nodes = root.sizeOf("nodes");
+    for (const JsonObject& object : root.objects("skins"))
+        document.skins.push_back({.inverseBindMatrices = object.index("inverseBindMatrices",
+                                                                      document.accessors.size(), "accessors"),
+                                  .joints = object.indices("joints", nodes, "nodes")});
     for (const JsonObject& object : root.objects("nodes"))
         document.nodes.push_back(readNode(object, nodes, document, oddities));
     const std::vector<JsonObject> scenes = root.objects("scenes");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "math/vectors.h"
 
@@ -14,18 +15,8 @@ namespace {
 
 constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;  // values of the format
 
-/// The map of normals that belongs to a map of points: the inverse transpose times the determinant, which
-/// exists for singular maps too.
-glm::dmat3 normalMapOf(const glm::dmat3& m) {
-    const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    return glm::dot(m[0], cofactors[0]) < 0.0 ? -cofactors : cofactors;
-}
-
-bool mirrors(const glm::dmat3& m) { return glm::dot(m[0], glm::cross(m[1], m[2])) < 0.0; }
-
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+bool isDrawn(const GltfPrimitive& primitive) {
+    return primitive.mode >= kTriangles && primitive.attributes.contains("POSITION");
 }
 
 glm::dvec2 transformed(const GltfTextureTransform& t, glm::dvec2 uv) {
@@ -39,10 +30,6 @@ glm::uvec3 cornersOf(std::uint64_t mode, std::uint32_t i) {
     if (mode == kStrip) return {i, i + 1 + i % 2, i + 2 - i % 2};
     if (mode == kFan) return {i + 1, i + 2, 0};
     return {3 * i, 3 * i + 1, 3 * i + 2};
-}
-
-glm::dvec3 vectorAt(const std::vector<float>& values, std::size_t i) {
-    return {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
 }
 
 /// The elements of the corners of the triangles, one after another.
@@ -62,64 +49,18 @@ std::vector<float> gathered(const std::vector<float>& values, std::size_t compon
 GltfGeometry::GltfGeometry(const std::string& path, const GltfDocument& document,
                            GltfAccessorReader& accessors, const std::vector<GltfPlacement>& placed,
                            Oddities& oddities)
-    : path_(path), document_(document), accessors_(accessors), oddities_(oddities) {
+    : path_(path),
+      document_(document),
+      accessors_(accessors),
+      reader_(path, document, accessors, oddities),
+      oddities_(oddities) {
     for (const GltfPlacement& placement : placed)
-        for (const GltfPrimitive& primitive : document.meshes[placement.index]) {
+        for (const GltfPrimitive& primitive : document.meshes[placement.index].primitives) {
             if (!isDrawn(primitive)) continue;
-            hasNormals_ |= attribute(primitive, "NORMAL").has_value();
-            hasTexCoords_ |= texCoordOf(primitive).has_value();
-            hasColors_ |= attribute(primitive, "COLOR_0").has_value();
+            hasNormals_ |= primitive.attributes.contains("NORMAL");
+            hasTexCoords_ |= reader_.texCoordsOf(primitive).has_value();
+            hasColors_ |= primitive.attributes.contains("COLOR_0");
         }
-}
-
-bool GltfGeometry::isDrawn(const GltfPrimitive& primitive) const {
-    return primitive.mode >= kTriangles && primitive.attributes.contains("POSITION");
-}
-
-GltfIndex GltfGeometry::attribute(const GltfPrimitive& primitive, const std::string& name) const {
-    const auto found = primitive.attributes.find(name);
-    return found == primitive.attributes.end() ? GltfIndex{} : GltfIndex{found->second};
-}
-
-GltfIndex GltfGeometry::texCoordOf(const GltfPrimitive& primitive) const {
-    std::uint64_t set = 0;
-    if (primitive.material)
-        if (const auto& texture = document_.materials[*primitive.material].baseColorTexture)
-            set = texture->texCoord;
-    return attribute(primitive, fmt::format("TEXCOORD_{}", set));
-}
-
-std::vector<float> GltfGeometry::readAttribute(GltfIndex accessor, std::uint32_t components,
-                                               std::size_t count) {
-    if (!accessor) return {};
-    std::vector<float> values = accessors_.floats(*accessor, components);
-    if (values.size() == count * components) return values;
-    oddities_.add(Severity::Warning,
-                  "vertex attributes with another number of elements than positions; ignored");
-    return {};
-}
-
-GltfGeometry::Vertices GltfGeometry::readVertices(const GltfPrimitive& primitive) {
-    Vertices vertices;
-    const std::uint32_t position = *attribute(primitive, "POSITION");
-    const GltfAccessor& accessor = accessors_.accessor(position);
-    if (primitive.isDraco && !accessor.view)
-        throw InputError(
-            "the compression KHR_draco_mesh_compression is not supported; export the file without "
-            "compression",
-            {path_});
-    vertices.positions = accessors_.floats(position, 3);
-    vertices.count = vertices.positions.size() / 3;
-    vertices.normals = readAttribute(attribute(primitive, "NORMAL"), 3, vertices.count);
-    vertices.texCoords = readAttribute(texCoordOf(primitive), 2, vertices.count);
-    const GltfIndex color = attribute(primitive, "COLOR_0");
-    if (color) {
-        vertices.colorComponents = accessors_.accessor(*color).components == 4 ? 4 : 3;
-        vertices.colors = readAttribute(color, vertices.colorComponents, vertices.count);
-        oddities_.add(Severity::Note,
-                      "vertex colours; read, but surfaces have the colours of their materials");
-    }
-    return vertices;
 }
 
 std::vector<glm::uvec3> GltfGeometry::readTriangles(const GltfPrimitive& primitive, std::size_t vertices) {
@@ -152,7 +93,8 @@ void GltfGeometry::checkRange(std::size_t count) const {
         throw InputError("more than 2^32 vertices or triangles", {path_});
 }
 
-void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene) {
+void GltfGeometry::add(const GltfPrimitive& primitive, const std::vector<double>& weights,
+                       const std::vector<glm::dmat4>& joints, const std::vector<glm::dmat4>& toScene) {
     if (primitive.mode < kTriangles) {
         oddities_.add(Severity::Note, primitive.mode == 0 ? "points; ignored" : "lines; ignored");
         return;
@@ -161,13 +103,23 @@ void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene
         oddities_.add(Severity::Note, "primitives without positions; ignored");
         return;
     }
-    Vertices vertices = readVertices(primitive);
+    GltfVertices vertices = reader_.read(primitive, weights);
     std::vector<glm::uvec3> triangles = readTriangles(primitive, vertices.count);
-    const std::size_t firstVertex = mesh_.positions.size(), firstTriangle = mesh_.triangles.size();
+    const bool isSkinned = !joints.empty() && reader_.applySkin(vertices, primitive, joints);
+    if (isSkinned && mirrors(glm::dmat3(joints.front())))
+        for (glm::uvec3& t : triangles) std::swap(t.y, t.z);
     const bool isFlat = hasNormals_ && vertices.normals.empty();
-    checkRange(firstVertex + (isFlat ? 3 * triangles.size() : vertices.count));
-    checkRange(firstTriangle + triangles.size());
+    checkRange(isFlat ? 3 * triangles.size() : vertices.count);
     if (isFlat) separateFaces(vertices, triangles);
+    for (const glm::dmat4& matrix : toScene)
+        append(primitive, vertices, triangles, isSkinned ? glm::dmat4(1.0) : matrix, isFlat);
+}
+
+void GltfGeometry::append(const GltfPrimitive& primitive, const GltfVertices& vertices,
+                          std::span<const glm::uvec3> triangles, const glm::dmat4& toScene, bool isFlat) {
+    const std::size_t firstVertex = mesh_.positions.size(), firstTriangle = mesh_.triangles.size();
+    checkRange(firstVertex + vertices.count);
+    checkRange(firstTriangle + triangles.size());
     appendVertices(primitive, vertices, toScene);
     const bool flips = mirrors(glm::dmat3(toScene));
     const auto base = static_cast<std::uint32_t>(firstVertex);
@@ -177,7 +129,7 @@ void GltfGeometry::add(const GltfPrimitive& primitive, const glm::dmat4& toScene
     appendSlot(primitive.material, mesh_.triangles.size() - firstTriangle);
 }
 
-void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const Vertices& vertices,
+void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const GltfVertices& vertices,
                                   const glm::dmat4& toScene) {
     const std::size_t end = mesh_.positions.size() + vertices.count;
     const glm::dmat3 normalMap = normalMapOf(glm::dmat3(toScene));
@@ -192,7 +144,7 @@ void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const Vertices
         mesh_.normals.resize(end, glm::vec3(0.0f));
         for (std::size_t i = 0; i < vertices.normals.size() / 3; ++i)
             mesh_.normals[end - vertices.count + i] =
-                glm::vec3(unit(normalMap * vectorAt(vertices.normals, i)));
+                glm::vec3(unitOrZero(normalMap * vectorAt(vertices.normals, i)));
     }
     if (hasTexCoords_) appendTexCoords(primitive, vertices.texCoords, vertices.count);
     if (hasColors_) {
@@ -221,7 +173,7 @@ void GltfGeometry::appendTexCoords(const GltfPrimitive& primitive, const std::ve
 }
 
 /// Gives each face its own vertices with its normal: the format shades primitives without normals flat.
-void GltfGeometry::separateFaces(Vertices& vertices, std::vector<glm::uvec3>& triangles) {
+void GltfGeometry::separateFaces(GltfVertices& vertices, std::vector<glm::uvec3>& triangles) {
     vertices.positions = gathered(vertices.positions, 3, triangles);
     vertices.texCoords = gathered(vertices.texCoords, 2, triangles);
     vertices.colors = gathered(vertices.colors, vertices.colorComponents, triangles);
@@ -230,7 +182,7 @@ void GltfGeometry::separateFaces(Vertices& vertices, std::vector<glm::uvec3>& tr
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         triangles[i] = {3 * i, 3 * i + 1, 3 * i + 2};
         const glm::dvec3 a = vectorAt(vertices.positions, 3 * i), b = vectorAt(vertices.positions, 3 * i + 1);
-        const glm::dvec3 normal = unit(glm::cross(b - a, vectorAt(vertices.positions, 3 * i + 2) - a));
+        const glm::dvec3 normal = unitOrZero(glm::cross(b - a, vectorAt(vertices.positions, 3 * i + 2) - a));
         for (int corner = 0; corner < 3; ++corner)
             for (int axis = 0; axis < 3; ++axis) vertices.normals.push_back(static_cast<float>(normal[axis]));
     }
@@ -249,7 +201,7 @@ void GltfGeometry::repairNormals(std::size_t firstVertex, std::size_t firstTrian
     }
     for (std::size_t i = 0; i < normals.size(); ++i) {
         if (!isMissing(normals[i])) continue;
-        normals[i] = glm::vec3(unit(sums[i]));
+        normals[i] = glm::vec3(unitOrZero(sums[i]));
         oddities_.add(Severity::Warning, "normals that are zero, NaN or infinite; computed from the faces");
     }
 }

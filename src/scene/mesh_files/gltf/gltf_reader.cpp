@@ -6,6 +6,7 @@
 #include "scene/mesh_files/gltf/cameras_and_lights.h"
 #include "scene/mesh_files/gltf/geometry.h"
 #include "scene/mesh_files/gltf/materials.h"
+#include "scene/mesh_files/gltf/node_accessors.h"
 #include "scene/source_files.h"
 
 namespace rayscope::scene {
@@ -15,12 +16,18 @@ namespace {
 std::string stepName(const std::string& path) { return "reading " + path.substr(path.find_last_of('/') + 1); }
 
 std::shared_ptr<const MeshData> readMesh(const GltfDocument& document, const GltfPlacements& placements,
-                                         LoadStep& step, GltfGeometry& geometry) {
+                                         GltfAccessorReader& accessors, LoadStep& step,
+                                         GltfGeometry& geometry) {
     std::size_t done = 0;
     for (const GltfPlacement& placement : placements.meshes) {
         step.advanceTo(done++);
-        for (const GltfPrimitive& primitive : document.meshes[placement.index])
-            geometry.add(primitive, placement.toScene);
+        const GltfMesh& mesh = document.meshes[placement.index];
+        const GltfNode& node = document.nodes[placement.node];
+        std::vector<glm::dmat4> joints;
+        if (node.skin) joints = jointMatrices(document.skins[*node.skin], placements.toScene, accessors);
+        const std::vector<glm::dmat4> instances = instanceMatrices(document, placement, accessors);
+        for (const GltfPrimitive& primitive : mesh.primitives)
+            geometry.add(primitive, node.weights.empty() ? mesh.weights : node.weights, joints, instances);
     }
     return std::make_shared<MeshData>(geometry.take());
 }
@@ -40,7 +47,7 @@ ImportedMesh readGltf(const std::string& path, const ImportContext& context) {
     GltfGeometry geometry(path, document, accessors, placements.meshes, oddities);
     LoadStep step(context.control, stepName(path), placements.meshes.size());
     ImportedMesh result;
-    result.data = readMesh(document, placements, step, geometry);
+    result.data = readMesh(document, placements, accessors, step, geometry);
     if (result.data->triangles.empty()) throw InputError("the scene of the file has no triangles", {path});
 
     GltfMaterialConverter converter(path, document, resources, context.textures, oddities);

@@ -32,6 +32,8 @@ class JsonObject {
     double number(std::string_view key, double fallback) const;
     /// `size` numbers, or nothing if the member is absent.
     std::vector<double> numbers(std::string_view key, std::size_t size) const;
+    /// Any number of numbers.
+    std::vector<double> numbers(std::string_view key) const { return numbers(key, sizeOf(key)); }
     /// An integer of at least 0; without a fallback the member is required.
     std::uint64_t integer(std::string_view key, std::optional<std::uint64_t> fallback = {}) const;
     /// An index into an array of `size` elements, which messages call `what`; nothing if absent.

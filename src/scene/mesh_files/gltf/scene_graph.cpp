@@ -14,20 +14,24 @@ struct Step {
     bool leaves = false;      ///< all children have been visited
 };
 
-void place(const GltfNode& node, const glm::dmat4& toScene, GltfPlacements& placements, Oddities& oddities) {
-    const bool vanishes = glm::dmat3(toScene) == glm::dmat3(0.0);
-    if (node.mesh && vanishes)
+void place(const GltfDocument& document, std::uint32_t index, const glm::dmat4& toScene,
+           GltfPlacements& placements, Oddities& oddities) {
+    const GltfNode& node = document.nodes[index];
+    placements.toScene[index] = toScene;
+    // Skins replace the transform of their node.
+    if (node.mesh && !node.skin && glm::dmat3(toScene) == glm::dmat3(0.0))
         oddities.add(Severity::Note, "meshes that are scaled to zero; left out");
     else if (node.mesh)
-        placements.meshes.push_back({*node.mesh, node.name, toScene});
-    if (node.camera) placements.cameras.push_back({*node.camera, node.name, toScene});
-    if (node.light) placements.lights.push_back({*node.light, node.name, toScene});
+        placements.meshes.push_back({*node.mesh, index, toScene});
+    if (node.camera) placements.cameras.push_back({*node.camera, index, toScene});
+    if (node.light) placements.lights.push_back({*node.light, index, toScene});
 }
 
 }  // namespace
 
 GltfPlacements placementsOf(const GltfDocument& document, const std::string& path, Oddities& oddities) {
     GltfPlacements placements;
+    placements.toScene.resize(document.nodes.size(), glm::dmat4(1.0));
     std::vector<Visit> visits(document.nodes.size(), Visit::Not);
     // A stack of its own, because the nesting of a file has no limit.
     std::vector<Step> stack;
@@ -49,7 +53,7 @@ GltfPlacements placementsOf(const GltfDocument& document, const std::string& pat
         visit = Visit::Open;
         const GltfNode& node = document.nodes[step.node];
         const glm::dmat4 toScene = step.toScene * node.matrix;
-        place(node, toScene, placements, oddities);
+        place(document, step.node, toScene, placements, oddities);
         stack.push_back({step.node, glm::dmat4(1.0), true});
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
             stack.push_back({*child, toScene});

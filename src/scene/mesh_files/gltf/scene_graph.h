@@ -8,13 +8,13 @@ namespace rayscope::scene {
 
 /// Something that a node places in the scene: `index` into the meshes, cameras or lights of the document.
 struct GltfPlacement {
-    std::uint32_t index = 0;
-    std::string name{};       ///< of the node
+    std::uint32_t index = 0, node = 0;
     glm::dmat4 toScene{1.0};  ///< from the coordinates of the node
 };
 
 struct GltfPlacements {
     std::vector<GltfPlacement> meshes{}, cameras{}, lights{};
+    std::vector<glm::dmat4> toScene{};  ///< per node of the document; the identity for those beyond the scene
 };
 
 /// What the nodes of the scene place, in the order of the nodes. Throws InputError if a node is its own
