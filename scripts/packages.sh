@@ -15,9 +15,12 @@ test_packages=(
     xvfb xdotool x11-utils imagemagick libgl1-mesa-dri python3     # the window on a virtual display
 )
 
-# Used if installed; some distributions do not have all of them. Embree and GMP are test oracles, mold links faster, and
-# universal-ctags measures the length of functions.
-optional_packages=(libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags)
+# Used if installed; some distributions do not have all of them. Embree and GMP are test oracles, mold links faster,
+# universal-ctags measures the length of functions, and assimp reads its test models for comparison.
+optional_packages=(
+    libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags
+    assimp-testmodels assimp-utils
+)
 
 # What scripts/fuzz.sh needs besides build_packages.
 fuzz_packages=(clang imagemagick)

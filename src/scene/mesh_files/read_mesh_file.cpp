@@ -7,6 +7,7 @@
 #include <array>
 
 #include "base/file_suffix.h"
+#include "scene/mesh_files/gltf/gltf_reader.h"
 #include "scene/mesh_files/obj_reader.h"
 #include "scene/mesh_files/ply_reader.h"
 #include "scene/mesh_files/stl_reader.h"
@@ -21,7 +22,8 @@ struct MeshFormat {
 };
 
 constexpr std::array kFormats{MeshFormat{".obj", readObj}, MeshFormat{".ply", readPly},
-                              MeshFormat{".stl", readStl}};
+                              MeshFormat{".stl", readStl}, MeshFormat{".gltf", readGltf},
+                              MeshFormat{".glb", readGltf}};
 
 const MeshFormat* formatOf(std::string_view path) {
     const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&](const MeshFormat& format) {
