@@ -36,8 +36,9 @@ void checkOverrides(const RequestOverrides& overrides);
 RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene,
                          const RequestOverrides& overrides = {});
 
-/// Opens a scene (a .toml file, an .obj file or "builtin:NAME") and returns requestFor() of it. Notes and
-/// warnings of loadScene() are appended to `notes`. Throws InputError.
-RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes);
+/// Opens a scene (a .toml file, a mesh file or "builtin:NAME") and returns requestFor() of it. Notes and
+/// warnings of loadScene() are appended to `notes`. Throws InputError, and Stopped.
+RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes,
+                          const LoadControl& control = {});
 
 }  // namespace rayscope

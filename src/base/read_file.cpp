@@ -16,7 +16,7 @@ namespace {
 }
 }  // namespace
 
-std::string readFile(const std::string& path) {
+std::string readFile(const std::string& path, const ReadProgress& progress) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw InputError("is a folder, not a file", {path});
 
@@ -25,11 +25,14 @@ std::string readFile(const std::string& path) {
     if (!file) throwReason(path, errno);
 
     std::string bytes;
-    const auto expected = std::filesystem::file_size(path, ignored);
-    if (!ignored) bytes.reserve(expected);
+    std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    if (ignored) size = 0;
+    bytes.reserve(size);
     char block[1 << 16];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, file.get()))
+    while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
         bytes.append(block, count);
+        if (progress) progress(bytes.size(), size);
+    }
     if (std::ferror(file.get())) throwReason(path, errno);
     return bytes;
 }
