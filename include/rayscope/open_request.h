@@ -37,7 +37,8 @@ RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene,
                          const RequestOverrides& overrides = {});
 
 /// Opens a scene (a .toml file, a mesh file or "builtin:NAME") and returns requestFor() of it. Notes and
-/// warnings of loadScene() are appended to `notes`. Throws InputError.
-RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes);
+/// warnings of loadScene() are appended to `notes`. Throws InputError, and Stopped.
+RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes,
+                          const LoadControl& control = {});
 
 }  // namespace rayscope

@@ -164,13 +164,17 @@ void checkMesh(const MeshData& mesh);
 /// throw the same for an invalid one.
 void checkDescription(const SceneDescription& scene);
 
-/// Progress and cancellation of loadScene().
+/// Progress and cancellation of long operations on scenes, such as loadScene().
 struct LoadControl {
-    /// Called by the loading thread with the name of the step, e.g. "reading dragon.obj", and its progress 0
-    /// … 1.
+    /// Called by the calling thread with the name of the step, e.g. "reading dragon.obj", and its progress 0
+    /// … 1. It may throw, which ends the operation.
     std::function<void(const std::string& step, double fraction)> progress{};
-    std::stop_token stop{};  ///< loadScene() throws Stopped soon after a request
+    std::stop_token stop{};  ///< the operation throws Stopped soon after a request
 };
+
+/// The suffixes of files that loadScene() opens, in lower case and with the dot: ".toml" and those of mesh
+/// files. The case of the suffix of a file does not matter.
+std::vector<std::string> sceneFileSuffixes();
 
 /// Loads a .toml scene, a bare mesh file (with a framing camera and a point light) or "builtin:NAME".
 /// Throws InputError with file, line and column at the first error, and Stopped; appends notes and warnings
@@ -186,10 +190,11 @@ std::vector<BuiltinScene> builtinScenes();
 
 struct SceneBounds {
     glm::vec3 lower{-0.5f}, upper{0.5f};
+    bool operator==(const SceneBounds&) const = default;
 };
 /// Bounds of all finite geometry at the start of the shutter; of an empty scene the unit box around the
-/// origin.
-SceneBounds boundsOf(const SceneDescription& scene);
+/// origin. Throws Stopped.
+SceneBounds boundsOf(const SceneDescription& scene, const LoadControl& control = {});
 
 /// A camera that shows the whole box from the front (+z), slightly from above.
 CameraDescription framingCamera(const SceneBounds& bounds);
@@ -221,7 +226,7 @@ inline bool blursPixels(const SceneRequirements& scene, const CameraDescription&
 std::string_view inactiveReason(const SceneRequirements& scene, std::string_view setting);
 
 /// Probable mistakes in the scene: materials that do not conserve energy, degenerate triangles, unused
-/// materials, sizes beyond the range of accurate hits …
-Diagnostics lint(const SceneDescription& scene);
+/// materials, sizes beyond the range of accurate hits … Throws Stopped.
+Diagnostics lint(const SceneDescription& scene, const LoadControl& control = {});
 
 }  // namespace rayscope

@@ -29,15 +29,18 @@ std::size_t readBytes(std::FILE* file, const std::string& path, char* to, std::s
     return read;
 }
 
-std::string readFile(const std::string& path) {
+std::string readFile(const std::string& path, const ReadProgress& progress) {
     const FilePointer file = openForReading(path);
     std::error_code unknownSize;
     std::string bytes;
     const auto expected = std::filesystem::file_size(path, unknownSize);
-    if (!unknownSize) bytes.reserve(expected);
+    const std::uintmax_t size = unknownSize ? 0 : expected;
+    bytes.reserve(size);
     char block[1 << 16];
-    while (const std::size_t count = readBytes(file.get(), path, block, sizeof block))
+    while (const std::size_t count = readBytes(file.get(), path, block, sizeof block)) {
         bytes.append(block, count);
+        if (progress) progress(bytes.size(), size);
+    }
     return bytes;
 }
 

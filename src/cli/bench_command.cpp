@@ -155,7 +155,7 @@ measure::BenchRow benchScene(const std::string& name, const BenchCommandOptions&
     SceneOptions sceneOptions;
     sceneOptions.scene = name;
     sceneOptions.assignments = options.assignments;
-    const RenderRequest request = openScene(sceneOptions, true);
+    const RenderRequest request = openScene(sceneOptions, true, progressStyle("", false));
     const auto geometries = trace::makeGeometry(*request.scene, false);
     const AccelInput input = geometries.empty() ? AccelInput{} : geometries[0]->input;
     measure::BenchOptions bench;
@@ -186,7 +186,7 @@ std::function<int()> setUpBench(OptionList& list) {
     auto options = std::make_shared<BenchCommandOptions>();
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
     list.add("scenes", &options->scenes,
-             fmt::format("Scenes: .toml, {} or builtin:NAME", scene::meshFileSuffixes()));
+             fmt::format("Scenes: {} or builtin:NAME", fmt::join(sceneFileSuffixes(), ", ")));
     list.add("--json", &options->jsonFile, "Write all figures to this file");
     list.add("-t,--threads", &options->threads, "Threads for building and tracing; 0: all");
     list.add("-D,--set", &options->assignments, "A setting as KEY=VALUE; repeatable");

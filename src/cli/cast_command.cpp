@@ -102,7 +102,7 @@ int runCast(const CastOptions& options) {
     const InterruptGuard interrupt;
     RayFile file(options.rays);
     base::AtomicFile output(options.output);
-    RenderRequest request = openScene(options.scene, options.quiet);
+    RenderRequest request = openScene(options.scene, options.quiet, progressStyle("", options.quiet));
     // All primitives at shutter open: one motion group, whose primitives are numbered triangles first.
     request.settings.motionBlur = false;
     render::ThreadArena arena(options.scene.threads);

@@ -5,6 +5,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/load_progress.h"
 #include "cli/scene_options.h"
 
 namespace rayscope::cli {
@@ -35,8 +36,15 @@ int listScenes(bool json) {
     return kSuccess;
 }
 
-void printText(const SceneDescription& scene, const SceneRequirements& needs, const Diagnostics& findings) {
-    const SceneBounds bounds = boundsOf(scene);
+struct Opened {
+    SceneDescription scene;
+    SceneRequirements needs;
+    SceneBounds bounds;
+    Diagnostics findings;
+};
+
+void printText(const Opened& opened) {
+    const auto& [scene, needs, bounds, findings] = opened;
     fmt::print("{}\n", scene.path);
     if (!scene.title.empty()) fmt::print("  {}\n", scene.title);
     fmt::print("\nContents\n  {} triangles in {} meshes, {} spheres, {} materials, {} lights, {} cameras\n",
@@ -59,9 +67,8 @@ void printText(const SceneDescription& scene, const SceneRequirements& needs, co
     if (findings.empty()) fmt::print("  nothing found\n");
 }
 
-nlohmann::json infoJson(const SceneDescription& scene, const SceneRequirements& needs,
-                        const Diagnostics& findings) {
-    const SceneBounds bounds = boundsOf(scene);
+nlohmann::json infoJson(const Opened& opened) {
+    const auto& [scene, needs, bounds, findings] = opened;
     nlohmann::json j = {{"scene", scene.path},
                         {"title", scene.title},
                         {"triangles", needs.triangles},
@@ -88,14 +95,19 @@ nlohmann::json infoJson(const SceneDescription& scene, const SceneRequirements& 
 int runInfo(const InfoOptions& options) {
     if (options.list) return listScenes(options.json);
     if (options.scene.empty()) throw UsageError("SCENE is required");
-    Diagnostics findings;
-    const SceneDescription scene = loadScene(options.scene, findings);
-    const SceneRequirements needs = requirementsOf(scene);
-    for (Diagnostic& finding : lint(scene)) findings.push_back(std::move(finding));
+    Opened opened;
+    {
+        const LoadProgress progress(progressStyle("", false));
+        opened.scene = loadScene(options.scene, opened.findings, progress.control());
+        opened.bounds = boundsOf(opened.scene, progress.control());
+        for (Diagnostic& finding : lint(opened.scene, progress.control()))
+            opened.findings.push_back(std::move(finding));
+    }
+    opened.needs = requirementsOf(opened.scene);
     if (options.json)
-        fmt::print("{}\n", infoJson(scene, needs, findings).dump(2));
+        fmt::print("{}\n", infoJson(opened).dump(2));
     else
-        printText(scene, needs, findings);
+        printText(opened);
     return kSuccess;
 }
 
@@ -103,7 +115,7 @@ int runInfo(const InfoOptions& options) {
 
 std::function<int()> setUpInfo(OptionList& list) {
     auto options = std::make_shared<InfoOptions>();
-    list.add("SCENE", &options->scene, sceneHelp());
+    list.add("SCENE", &options->scene, sceneOptionHelp());
     list.add("--json", &options->json, "Print JSON");
     list.add("--list", &options->list, "List the built-in scenes");
     return [options] { return runInfo(*options); };

@@ -10,6 +10,7 @@ namespace rayscope::cli {
 
 namespace {
 volatile std::sig_atomic_t interruptCount = 0;
+int guards = 0;
 
 void onInterrupt(int) {
     interruptCount = interruptCount + 1;
@@ -18,12 +19,14 @@ void onInterrupt(int) {
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
+    if (guards++ > 0) return;
     interruptCount = 0;
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
 }
 
 InterruptGuard::~InterruptGuard() {
+    if (--guards > 0) return;
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
 }

@@ -27,7 +27,7 @@ LabRequest requestOf(const LabOptions& options) {
     const RenderRequest opened =
         options.scene.scene.empty()
             ? requestFor(std::make_shared<SceneDescription>(labShapes()), overridesOf(options.scene))
-            : openScene(options.scene, options.quiet);
+            : openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
     request.scene = opened.scene;
     request.settings = opened.settings;
     request.raysPerTestPoint = options.rays;

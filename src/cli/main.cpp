@@ -41,6 +41,8 @@ int main(int argc, char** argv) {
         return cli::runCommandLine(cli::commandTable(), cli::withDefaultCommand({argv + 1, argv + argc}));
     } catch (const InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
+    } catch (const Stopped&) {
+        return cli::kInterrupted;
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "error: out of memory; try a smaller --size or a smaller scene\n");
     } catch (const std::exception& error) {

@@ -69,7 +69,7 @@ std::string asJson(const RayTree& tree, const trace::World& world,
 }
 
 int runProbe(const ProbeOptions& options) {
-    const RenderRequest request = openScene(options.scene, false);
+    const RenderRequest request = openScene(options.scene, false, progressStyle("", false));
     const glm::ivec2 pixel = parsePair("--pixel", options.pixel, ',', 0);
     if (pixel.x >= request.width || pixel.y >= request.height)
         throw UsageError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",

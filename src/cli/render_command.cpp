@@ -192,7 +192,8 @@ int runRender(const RenderCommandOptions& options) {
     const InterruptStopSource interrupt;
     const auto start = std::chrono::steady_clock::now();
     for (const std::string& output : options.outputs) checkImageDestination(output);
-    RenderRequest request = openScene(options.scene, options.quiet);
+    RenderRequest request =
+        openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
     if (options.dumpSettings) {
         fmt::print("{}", dumpSettings(request.settings));
         return kSuccess;

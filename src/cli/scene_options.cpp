@@ -2,11 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 #include "cli/command_line.h"
+#include "cli/load_progress.h"
 #include "cli/number_list.h"
 #include "scene/mesh_files/read_mesh_file.h"
 
 namespace rayscope::cli {
+
+std::string sceneOptionHelp() {
+    const std::vector<std::string> suffixes = sceneFileSuffixes();
+    return fmt::format("A scene ({}), a mesh ({}), or builtin:NAME", suffixes.front(),
+                       fmt::join(std::span(suffixes).subspan(1), ", "));
+}
 
 void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     addSceneTo(list, sceneRequired);
@@ -23,12 +32,8 @@ void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     list.add("--seed", &seed, "Seed of the random numbers").showDefault();
 }
 
-std::string sceneHelp() {
-    return fmt::format("A .toml scene, a mesh ({}) or builtin:NAME", scene::meshFileSuffixes());
-}
-
 void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
-    Option& positional = list.add("SCENE", &scene, sceneHelp());
+    Option& positional = list.add("SCENE", &scene, sceneOptionHelp());
     if (sceneRequired) positional.required();
     list.add("-t,--threads,--nthreads", &threads, "Tracing threads; 0 takes one per core")
         .range(0, 1024)
@@ -70,9 +75,10 @@ RequestOverrides overridesOf(const SceneOptions& options) {
     return overrides;
 }
 
-RenderRequest openScene(const SceneOptions& options, bool quiet) {
+RenderRequest openScene(const SceneOptions& options, bool quiet, ProgressStyle style) {
     Diagnostics notes;
-    RenderRequest request = openRequest(options.scene, overridesOf(options), notes);
+    const RequestOverrides overrides = overridesOf(options);
+    RenderRequest request = openRequest(options.scene, overrides, notes, LoadProgress(style).control());
     if (!quiet)
         for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
     return request;

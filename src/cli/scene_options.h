@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/progress.h"
+
 namespace rayscope::cli {
 
 class OptionList;
@@ -27,15 +29,15 @@ struct SceneOptions {
     void addSceneTo(OptionList& list, bool sceneRequired);
 };
 
-/// The help text of an argument that names a scene.
-std::string sceneHelp();
+/// What SCENE may be, for --help.
+std::string sceneOptionHelp();
 
 /// The options in the form of the library. Throws InputError or UsageError.
 RequestOverrides overridesOf(const SceneOptions& options);
 
-/// Opens the scene with these options and prints its notes to stderr, unless quiet. Throws InputError or
-/// UsageError.
-RenderRequest openScene(const SceneOptions& options, bool quiet);
+/// Opens the scene with these options and prints its notes to stderr, unless quiet. Shows the progress of a
+/// load that takes long. Throws InputError or UsageError, and Stopped at Ctrl+C.
+RenderRequest openScene(const SceneOptions& options, bool quiet, ProgressStyle style);
 
 /// The settings that differ from the defaults, as a [settings] table for a scene file.
 std::string dumpSettings(const Settings& settings);

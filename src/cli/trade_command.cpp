@@ -69,7 +69,7 @@ int runTrade(const TradeOptions& options) {
     }
     const InterruptStopSource interrupt;
     TradeRequest request;
-    request.render = openScene(options.scene, options.quiet);
+    request.render = openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
     request.budgetSeconds = options.budget;
     request.threads = options.scene.threads;
     request.stop = interrupt.token();

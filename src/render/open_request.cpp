@@ -59,9 +59,10 @@ RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene, const Re
     return request;
 }
 
-RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes) {
+RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes,
+                          const LoadControl& control) {
     checkOverrides(overrides);  // before the scene is read, which may take long
-    return requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes)), overrides);
+    return requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes, control)), overrides);
 }
 
 }  // namespace rayscope

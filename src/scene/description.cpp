@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/check_argument.h"
+#include "scene/load_step.h"
 
 namespace rayscope {
 
@@ -21,7 +22,7 @@ glm::dmat4 matrixOf(const Transform& transform) {
     return glm::scale(matrix, glm::dvec3(static_cast<double>(transform.scale)));
 }
 
-SceneBounds boundsOf(const SceneDescription& scene) {
+SceneBounds boundsOf(const SceneDescription& scene, const LoadControl& control) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     glm::dvec3 lower(kInfinity), upper(-kInfinity);
     const auto include = [&](const glm::dvec3& point) {
@@ -29,11 +30,16 @@ SceneBounds boundsOf(const SceneDescription& scene) {
         lower = glm::min(lower, point);
         upper = glm::max(upper, point);
     };
+    std::size_t vertices = 0;
+    for (const MeshInstance& mesh : scene.meshes) vertices += mesh.data->positions.size();
+    scene::LoadStep step(control, "computing the bounds", vertices);
     for (const MeshInstance& mesh : scene.meshes) {
         base::checkArgument(mesh.data != nullptr, "mesh '{}': data is null", mesh.name);
         const glm::dmat4 matrix = matrixOf(mesh.transform);
-        for (const glm::vec3& position : mesh.data->positions)
+        for (const glm::vec3& position : mesh.data->positions) {
             include(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)));
+            step.advance();
+        }
     }
     for (const SphereInstance& instance : scene.spheres) {
         const glm::dvec3 center(instance.sphere.center);

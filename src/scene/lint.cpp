@@ -6,6 +6,7 @@
 
 #include "math/vectors.h"
 #include "scene/lint_range.h"
+#include "scene/load_step.h"
 
 namespace rayscope {
 
@@ -13,7 +14,7 @@ namespace {
 
 class Linter {
   public:
-    explicit Linter(const SceneDescription& scene) : scene_(scene) {}
+    Linter(const SceneDescription& scene, const LoadControl& control) : scene_(scene), control_(control) {}
 
     Diagnostics run() {
         for (const MeshInstance& mesh : scene_.meshes) lintMesh(mesh);
@@ -22,7 +23,7 @@ class Linter {
         for (const CameraDescription& camera : scene_.cameras) lintCamera(camera);
         if (scene_.lights.empty()) warn("no light: surfaces are black unless shading is off");
         if (scene_.meshes.empty() && scene_.spheres.empty()) warn("no geometry: neither meshes nor spheres");
-        for (Diagnostic& found : scene::lintRange(scene_)) found_.push_back(std::move(found));
+        for (Diagnostic& found : scene::lintRange(scene_, control_)) found_.push_back(std::move(found));
         return std::move(found_);
     }
 
@@ -34,8 +35,11 @@ class Linter {
 
     void lintMesh(const MeshInstance& mesh) {
         const MeshData& data = *mesh.data;
+        scene::LoadStep step(control_, fmt::format("checking mesh '{}'", mesh.name),
+                             2 * data.triangles.size());
         std::size_t nonFinite = 0, degenerate = 0, firstDegenerate = 0;
         for (std::size_t i = 0; i < data.triangles.size(); ++i) {
+            step.advance();
             const glm::uvec3 t = data.triangles[i];
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
             if (!math::isFinite(a) || !math::isFinite(b) || !math::isFinite(c)) {
@@ -51,12 +55,12 @@ class Linter {
         if (degenerate > 0)
             note(fmt::format("mesh '{}': {} degenerate triangles (zero area), the first has index {}",
                              mesh.name, degenerate, firstDegenerate));
-        lintNormals(mesh);
+        lintNormals(mesh, step);
         lintColors(mesh);
         lintTexCoords(mesh);
     }
 
-    void lintNormals(const MeshInstance& mesh) {
+    void lintNormals(const MeshInstance& mesh, scene::LoadStep& step) {
         const MeshData& data = *mesh.data;
         const auto isInvalid = [](const glm::vec3& n) { return !math::isFinite(n) || n == glm::vec3(0.0f); };
         const auto invalid = std::count_if(data.normals.begin(), data.normals.end(), isInvalid);
@@ -65,6 +69,7 @@ class Linter {
         if (data.normals.empty()) return;
         std::size_t flipped = 0;
         for (const glm::uvec3& t : data.triangles) {
+            step.advance();
             const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
             const glm::vec3 area = glm::cross(b - a, c - a);
             const glm::vec3* n = data.normals.data();
@@ -111,7 +116,7 @@ class Linter {
 
     void lintMaterial(const Material& material, bool used) {
         if (!used) note(fmt::format("material '{}' is not used", material.name));
-        const Rgb kd = material.kdTexture ? maximumOf(material.kdTexture->image) : material.kd;
+        const Rgb kd = material.kdTexture ? maximumOf(*material.kdTexture) : material.kd;
         const Rgb sum = kd + material.ks;
         const float largest = std::max({sum.r, sum.g, sum.b});
         // Fractions with an exact sum of 1 may exceed it by the rounding of two floats.
@@ -123,9 +128,14 @@ class Linter {
                              material.name));
     }
 
-    static Rgb maximumOf(const RgbImage& image) {
+    Rgb maximumOf(const Texture& texture) const {
+        scene::LoadStep step(control_, fmt::format("checking texture '{}'", texture.file),
+                             texture.image.pixels.size());
         Rgb maximum(0.0f);
-        for (const Rgb& pixel : image.pixels) maximum = glm::max(maximum, pixel);
+        for (const Rgb& pixel : texture.image.pixels) {
+            step.advance();
+            maximum = glm::max(maximum, pixel);
+        }
         return maximum;
     }
 
@@ -158,14 +168,15 @@ class Linter {
     }
 
     const SceneDescription& scene_;
+    const LoadControl& control_;
     Diagnostics found_;
 };
 
 }  // namespace
 
-Diagnostics lint(const SceneDescription& scene) {
+Diagnostics lint(const SceneDescription& scene, const LoadControl& control) {
     checkDescription(scene);
-    return Linter(scene).run();
+    return Linter(scene, control).run();
 }
 
 }  // namespace rayscope

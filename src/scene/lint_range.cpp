@@ -1,6 +1,7 @@
 #include "scene/lint_range.h"
 
 #include "math/vectors.h"
+#include "scene/load_step.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,8 @@ constexpr double kMinSteps = 4.0;
 
 class RangeLinter {
   public:
-    explicit RangeLinter(const SceneDescription& scene) : scene_(scene) {}
+    RangeLinter(const SceneDescription& scene, const LoadControl& control)
+        : scene_(scene), control_(control) {}
 
     Diagnostics run() {
         for (const MeshInstance& mesh : scene_.meshes) lintMesh(mesh);
@@ -43,9 +45,12 @@ class RangeLinter {
         const glm::dmat4 matrix = matrixOf(mesh.transform);
         std::vector<glm::vec3> transformed;
         transformed.reserve(mesh.data->positions.size());
+        LoadStep step(control_, fmt::format("checking the size of mesh '{}'", mesh.name),
+                      mesh.data->positions.size() + mesh.data->triangles.size());
         std::size_t overflowing = 0;
         float largest = 0.0f;
         for (const glm::vec3& p : mesh.data->positions) {
+            step.advance();
             transformed.emplace_back(matrix * glm::dvec4(glm::dvec3(p), 1.0));
             overflowing += math::isFinite(p) && !math::isFinite(transformed.back());
             if (math::isFinite(transformed.back()))
@@ -57,8 +62,10 @@ class RangeLinter {
                             "triangles",
                             mesh.name, overflowing));
         std::size_t coarse = 0;
-        for (const glm::uvec3& t : mesh.data->triangles)
+        for (const glm::uvec3& t : mesh.data->triangles) {
+            step.advance();
             coarse += isCoarse(mesh.data->positions, transformed, t);
+        }
         if (coarse > 0)
             warn(fmt::format(
                 "mesh '{}': {} of {} triangles have edges shorter than {:g} float steps, which are up to "
@@ -95,7 +102,7 @@ class RangeLinter {
     }
 
     void lintExtent() {
-        const SceneBounds bounds = boundsOf(scene_);
+        const SceneBounds bounds = boundsOf(scene_, control_);
         const glm::dvec3 lower(bounds.lower), upper(bounds.upper);
         const double size = glm::length(upper - lower), distance = glm::length(0.5 * (lower + upper));
         if (!(size >= kMinSceneSize) || !(size <= kMaxSceneSize))
@@ -111,11 +118,14 @@ class RangeLinter {
     }
 
     const SceneDescription& scene_;
+    const LoadControl& control_;
     Diagnostics found_;
 };
 
 }  // namespace
 
-Diagnostics lintRange(const SceneDescription& scene) { return RangeLinter(scene).run(); }
+Diagnostics lintRange(const SceneDescription& scene, const LoadControl& control) {
+    return RangeLinter(scene, control).run();
+}
 
 }  // namespace rayscope::scene

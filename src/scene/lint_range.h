@@ -8,7 +8,7 @@ namespace rayscope::scene {
 inline constexpr double kMinSceneSize = 0x1p-60, kMaxSceneSize = 0x1p60, kMaxRelativeDistance = 1e6;
 
 /// Warnings about sizes and positions beyond that range, coordinates that overflow, and shapes too small for
-/// the float resolution at their position.
-Diagnostics lintRange(const SceneDescription& scene);
+/// the float resolution at their position. Throws Stopped.
+Diagnostics lintRange(const SceneDescription& scene, const LoadControl& control = {});
 
 }  // namespace rayscope::scene

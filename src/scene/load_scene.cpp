@@ -49,7 +49,7 @@ Light lightBeside(const CameraDescription& camera) {
 }
 
 SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const LoadControl& control) {
-    scene::TextureCache textures(notes);
+    scene::TextureCache textures(notes, control);
     scene::ImportedMesh mesh = scene::readMeshFile(path, {textures, notes, control});
     SceneDescription scene;
     scene.path = path;
@@ -58,7 +58,7 @@ SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const
     for (std::uint32_t slot = 0; slot < scene.materials.size(); ++slot) instance.materials.push_back(slot);
     scene.meshes.push_back(std::move(instance));
     scene.cameras = std::move(mesh.cameras);
-    if (scene.cameras.empty()) scene.cameras.push_back(framingCamera(boundsOf(scene)));
+    if (scene.cameras.empty()) scene.cameras.push_back(framingCamera(boundsOf(scene, control)));
     scene.lights = std::move(mesh.lights);
     if (scene.lights.empty()) scene.lights.push_back(lightBeside(scene.cameras.front()));
     return scene;
@@ -71,7 +71,7 @@ SceneDescription loadBuiltin(const std::string& path, Diagnostics& notes, const 
                                      base::didYouMean(name, kBuiltinNames),
                                      base::joinChoices(kBuiltinNames)));
     const std::string file = path + ".toml";
-    SceneDescription scene = scene::readTomlScene(file, scene::readSource(file), notes, control);
+    SceneDescription scene = scene::readTomlScene(file, scene::readSource(file, control), notes, control);
     scene.path = path;
     return scene;
 }
@@ -82,11 +82,17 @@ SceneDescription loadScene(const std::string& path, Diagnostics& notes, const Lo
     if (path.starts_with(kBuiltin)) return loadBuiltin(path, notes, control);
     if (scene::isMeshFileName(path)) return loadBareMesh(path, notes, control);
     if (base::hasSuffix(path, ".toml"))
-        return scene::readTomlScene(path, scene::readSource(path), notes, control);
+        return scene::readTomlScene(path, scene::readSource(path, control), notes, control);
     throw InputError(
         fmt::format("unknown scene format; expected a .toml file, a mesh file ({}) or builtin:NAME",
-                    scene::meshFileSuffixes()),
+                    fmt::join(scene::meshFileSuffixes(), ", ")),
         {path});
+}
+
+std::vector<std::string> sceneFileSuffixes() {
+    std::vector<std::string> suffixes{".toml"};
+    for (const std::string_view suffix : scene::meshFileSuffixes()) suffixes.emplace_back(suffix);
+    return suffixes;
 }
 
 std::vector<BuiltinScene> builtinScenes() {

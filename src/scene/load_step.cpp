@@ -5,18 +5,24 @@
 namespace rayscope::scene {
 
 LoadStep::LoadStep(const LoadControl& control, std::string name, std::size_t total)
-    : control_(control),
-      name_(std::move(name)),
-      total_(std::max<std::size_t>(total, 1)),
-      interval_(total / 250 + 1) {
+    : control_(control), name_(std::move(name)), total_(total), interval_(total / 250 + 1) {
     report(0);
 }
 
 void LoadStep::report(std::size_t done) {
     if (control_.stop.stop_requested()) throw Stopped();
-    if (control_.progress)
-        control_.progress(name_, std::min(1.0, static_cast<double>(done) / static_cast<double>(total_)));
+    const double fraction = total_ == 0 ? 0.0 : static_cast<double>(done) / static_cast<double>(total_);
+    if (control_.progress) control_.progress(name_, std::min(1.0, fraction));
     next_ = done + interval_;
+}
+
+LoadControl withPrefix(const LoadControl& control, std::string prefix) {
+    LoadControl prefixed{.progress = {}, .stop = control.stop};
+    if (control.progress)
+        prefixed.progress = [&control, prefix = std::move(prefix)](const std::string& step, double fraction) {
+            control.progress(prefix + ": " + step, fraction);
+        };
+    return prefixed;
 }
 
 }  // namespace rayscope::scene

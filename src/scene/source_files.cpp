@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "base/read_file.h"
 #include "embedded_scenes.h"
+#include "scene/load_step.h"
 
 namespace rayscope::scene {
 
@@ -42,9 +44,13 @@ bool fileExists(const std::string& path) {
     return findEmbedded(path) || fs::is_regular_file(path, ignored);
 }
 
-std::string readSource(const std::string& path) {
+std::string readSource(const std::string& path, const LoadControl& control) {
     if (const auto* embedded = findEmbedded(path)) return std::string(embedded->content);
-    return base::readFile(path);
+    std::optional<LoadStep> step;
+    return base::readFile(path, [&](std::uintmax_t done, std::uintmax_t total) {
+        if (!step) step.emplace(control, "reading " + fs::path(path).filename().string(), total);
+        step->advanceTo(done);
+    });
 }
 
 std::string resolvePath(const std::string& base, std::string name) {

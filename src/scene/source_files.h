@@ -1,14 +1,15 @@
 #pragma once
 // Access to the files of a scene, on disk or embedded in the program. A path "builtin:NAME" names an embedded
 // file; all readers of this module use these functions, so that embedded scenes need no special case.
-#include <rayscope/diagnostics.h>
+#include <rayscope/scene.h>
 
 #include <string>
 
 namespace rayscope::scene {
 
-/// All bytes of the file. Throws InputError with the path and the reason.
-std::string readSource(const std::string& path);
+/// All bytes of the file. Throws InputError with the path and the reason, and Stopped. The step is called
+/// "reading NAME".
+std::string readSource(const std::string& path, const LoadControl& control = {});
 
 bool fileExists(const std::string& path);
 

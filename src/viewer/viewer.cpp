@@ -8,13 +8,11 @@ namespace rayscope::viewer {
 
 int runViewer(const ViewerOptions& options) {
     constexpr int kInputError = 2;
-    viewer::LoadedScene first = viewer::loadWithNotes(options.scene, false);
-    if (!first.scene) {
-        fmt::print(stderr, "{}\n", first.error);
-        return kInputError;
-    }
     try {
-        viewer::Application(options, std::move(first)).run();
+        viewer::Application(options).run();
+    } catch (const viewer::FirstSceneFailed& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return kInputError;
     } catch (const viewer::NoDisplay& error) {
         fmt::print(stderr, "error: {}\n", error.what());
         return kInputError;

@@ -14,9 +14,9 @@ struct ViewerOptions {
     int threads = 0;                    ///< tracing threads; 0 leaves one core to the window
 };
 
-/// Opens the window and returns when it is closed: 0. If there is no display or no OpenGL 3.3, prints one
-/// message to stderr and returns 2. Throws InputError if the scene cannot be loaded; scenes opened later
-/// report their errors in the window.
+/// Opens the window and returns when it is closed: 0. A scene that takes long to load appears when it is
+/// loaded. If it cannot be loaded, or if there is no display or no OpenGL 3.3, prints one message to stderr
+/// and returns 2; scenes opened later report their errors in the window.
 int runViewer(const ViewerOptions& options);
 
 }  // namespace rayscope::viewer

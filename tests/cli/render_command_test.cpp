@@ -117,6 +117,23 @@ TEST(Render, WritesTheImageWhenInterrupted) {
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
 }
 
+TEST(Render, ShowsTheStepsOfALongLoadAndEndsItWhenInterrupted) {
+    const TemporaryFolder folder;
+    const std::string interrupt = std::string("timeout --foreground --preserve-status -s INT ");
+    const std::string program = std::string(" '") + RAYSCOPE_PROGRAM + "' ";
+    const ProgramResult rendered =
+        run(folder, interrupt + "1.5" + program + "render builtin:ten-million --progress json -o a.png");
+    EXPECT_EQ(rendered.exitCode, 130) << rendered.err;
+    EXPECT_THAT(rendered.err, HasSubstr("\"step\":"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+    for (const char* command : {"info ", "probe --pixel 1,1 ", "trade ", "lab ", "bench "}) {
+        const ProgramResult result =
+            run(folder, interrupt + "0.5" + program + command + "builtin:ten-million");
+        EXPECT_EQ(result.exitCode, 130) << command << result.err;
+        EXPECT_EQ(result.out, "") << command;
+    }
+}
+
 TEST(Render, RejectsAnUnwritableOutputBeforeRendering) {
     const TemporaryFolder folder;
     for (const char* output : {"nowhere/a.png", "a.xyz", "/proc/a.png"}) {

@@ -292,9 +292,9 @@ TEST_F(TomlScene, UnreadableFilesAreErrorsWithTheReason) {
               "gone.toml: error: cannot be read: No such file or directory");
     std::filesystem::create_directories(folder_ / "folder.toml");
     EXPECT_EQ(errorOf((folder_ / "folder.toml").string()), "folder.toml: error: is a folder, not a file");
-    EXPECT_THAT(errorOf(write("picture.png", "")),
-                testing::StartsWith(
-                    "picture.png: error: unknown scene format; expected a .toml file, a mesh file (.obj"));
+    EXPECT_THAT(
+        errorOf(write("picture.png", "")),
+        HasSubstr("picture.png: error: unknown scene format; expected a .toml file, a mesh file (.obj"));
 }
 
 TEST_F(TomlScene, EmptyImageIsAnErrorWithItsName) {

@@ -1,7 +1,9 @@
 // The menu bar and the dialogs, driven by the labels of their controls.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "panel_driver.h"
 
@@ -49,6 +51,43 @@ TEST(Dialogs, ShowAnErrorUntilItIsClosed) {
     driver.click("Error/Close");
     EXPECT_TRUE(driver.workspace.errorMessage.empty());
     EXPECT_FALSE(driver.has("Error/Close"));
+}
+
+TEST(Dialogs, CancelALoad) {
+    PanelDriver driver("cornell");
+    const EditState before = driver.workspace.edit;
+    driver.workspace.open("builtin:ten-million");
+    driver.waitFor("progress", [&] { return driver.has("Loading/Cancel"); });
+    EXPECT_TRUE(driver.shows("Loading/builtin:ten-million"));
+    driver.waitFor("step", [&] { return driver.shows("Loading/mesh 1 of 1: generating a terrain"); });
+    EXPECT_TRUE(driver.shows("Status bar/loading builtin:ten-million: mesh 1 of 1: generating a terrain, "));
+    driver.click("Loading/Cancel");
+    driver.waitFor("end", [&] { return !driver.workspace.loader.busy(); });
+    EXPECT_FALSE(driver.has("Loading/Cancel"));
+    EXPECT_TRUE(driver.shows("Cancelled: builtin:ten-million was not loaded"));
+    EXPECT_EQ(driver.workspace.edit, before);
+    EXPECT_TRUE(driver.workspace.errorMessage.empty());
+}
+
+TEST(Dialogs, ShortLoadsOpenNoWindow) {
+    PanelDriver driver("cornell");
+    driver.workspace.open("builtin:cube");
+    while (driver.workspace.loader.busy()) {
+        driver.frame();
+        EXPECT_FALSE(driver.has("Loading/Cancel"));
+    }
+    EXPECT_EQ(driver.workspace.edit.scene->path, "builtin:cube");
+}
+
+TEST(Dialogs, SavesAreReported) {
+    PanelDriver driver("cornell");
+    driver.workspace.saves.add({"a.png"}, [] { std::this_thread::sleep_for(std::chrono::milliseconds(50)); });
+    driver.frame();
+    EXPECT_TRUE(driver.shows("saving a.png"));
+    driver.waitFor("end", [&] { return !driver.workspace.saves.busy(); });
+    EXPECT_TRUE(driver.shows("Saved a.png"));
+    driver.workspace.saves.add({"b.png"}, [] { throw InputError("disk full", {"b.png"}); });
+    driver.waitFor("error", [&] { return driver.shows("b.png: error: disk full"); });
 }
 
 TEST(Dialogs, OpenAFileByItsPath) {

@@ -66,6 +66,8 @@ void PanelDriver::frame() {
     if (world) workspace.bvh.update(world);
     if (workspace.view.traced)
         workspace.heat.update(workspace.render.currentWorld(), workspace.render.session().film(), 1);
+    if (auto loaded = workspace.loader.poll()) workspace.show(std::move(*loaded));
+    workspace.reportSaves();
     workspace.lab.update();
     workspace.trade.update();
     workspace.rays.update();
@@ -85,6 +87,7 @@ void PanelDriver::frame() {
     openDialog.draw(workspace);
     renderDialog.draw(workspace);
     drawErrorDialog(workspace);
+    drawLoadingWindow(workspace);
     drawComparisonMarks(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
     workspace.closeDialogs = false;
     ImGui::Render();

@@ -1087,6 +1087,21 @@ def test_full_screen(viewer):
     wait_for("the window of before", lambda: viewer.size() == small)
 
 
+def test_cancel_loading(viewer):
+    viewer.settled_picture()
+    viewer.open_by_name("builtin:ten-million")
+    viewer.rect("Loading/Cancel")
+    wait_for("the step", lambda: viewer.says("generating a terrain"))
+    viewer.key("Escape")
+    wait_for("the end of the load", lambda: viewer.says("Cancelled: builtin:ten-million was not loaded"))
+    expect("builtin:cornell" in viewer.title(), "the scene before stays")
+    viewer.open_by_name("builtin:ten-million")
+    viewer.rect("Loading/Cancel")
+    viewer.open_scene("builtin:cube")  # replaces what is being loaded
+    viewer.open_by_name("builtin:ten-million")
+    viewer.rect("Loading/Cancel")  # and the program ends while it is being loaded
+
+
 def test_missing_file(viewer):
     viewer.open_scene("builtin:spheres")
     viewer.settled_picture()
@@ -1129,7 +1144,7 @@ def test_without_display(program):
 TESTS = [
     (["--set", "spp=4"],
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_traversal, test_surfaces, test_normals_and_panes, test_bvh_boxes,
-      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_missing_file, test_keys_window, test_render_to_file,
+      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_cancel_loading, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_traversal]),
     (["--set", "spp=4"], [test_compare, test_stop_criteria, test_trade, test_isolate_and_copy, test_fly, test_drop]),
     (["builtin:spheres-dof", "--set", "spp=16", "--set", "sharp_zone=0.5"], [test_lens]),

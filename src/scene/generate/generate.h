@@ -1,6 +1,7 @@
 #pragma once
 // Procedural meshes around the origin, Y up: triangles counter-clockwise seen from outside, unit normals, and
-// texture coordinates for quads, boxes, UV spheres and tori.
+// texture coordinates for quads, boxes, UV spheres and tori. Shapes whose number of triangles is a parameter
+// report their progress and throw Stopped.
 #include <rayscope/scene.h>
 
 namespace rayscope::scene {
@@ -24,14 +25,14 @@ struct UvSphereShape {
     int segments = 64;
     int rings = 32;
 };
-MeshData generate(const UvSphereShape& shape);
+MeshData generate(const UvSphereShape& shape, const LoadControl& control = {});
 
 /// An icosahedron with each triangle split in four, `subdivisions` times: 20 · 4^subdivisions triangles.
 struct IcosphereShape {
     float radius = 1.0f;
     int subdivisions = 3;
 };
-MeshData generate(const IcosphereShape& shape);
+MeshData generate(const IcosphereShape& shape, const LoadControl& control = {});
 
 /// A ring around the y axis; 2 segments · tubeSegments triangles.
 struct TorusShape {
@@ -40,7 +41,7 @@ struct TorusShape {
     int segments = 96;
     int tubeSegments = 48;
 };
-MeshData generate(const TorusShape& shape);
+MeshData generate(const TorusShape& shape, const LoadControl& control = {});
 
 /// Hills over the plane y = 0 by layered value noise; 2 cells[0] · cells[1] triangles.
 struct TerrainShape {
@@ -50,14 +51,14 @@ struct TerrainShape {
     int cellsZ = 256;
     int seed = 1;
 };
-MeshData generate(const TerrainShape& shape);
+MeshData generate(const TerrainShape& shape, const LoadControl& control = {});
 
 /// The Utah teapot (Newell 1975) in its own units with the bottom on y = 0, the spout along +x.
 /// 16 gives 15,704 triangles.
 struct TeapotShape {
     int resolution = 16;
 };
-MeshData generate(const TeapotShape& shape);
+MeshData generate(const TeapotShape& shape, const LoadControl& control = {});
 
 /// A stylised monkey's head facing −z, with a radius of about 1: blended ellipsoids, polygonised on a grid.
 /// Closed; 16 gives 960 triangles. At other resolutions an edge may have four triangles where a fold is
@@ -65,7 +66,7 @@ MeshData generate(const TeapotShape& shape);
 struct MonkeyShape {
     int resolution = 16;
 };
-MeshData generate(const MonkeyShape& shape);
+MeshData generate(const MonkeyShape& shape, const LoadControl& control = {});
 
 /// A linear latitude-longitude image of a clear sky with a sun above a plain; the top row is up, the centre
 /// is −z.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/generate/generate.h"
+#include "scene/load_step.h"
 
 namespace rayscope::scene {
 
@@ -56,24 +57,31 @@ Vec3 normalAt(const Vec3& p) {
 
 class SurfaceNet {
   public:
-    explicit SurfaceNet(int cellsAcross)
+    SurfaceNet(int cellsAcross, const LoadControl& control)
         : n_(cellsAcross + 4),
           cell_(kWidth / cellsAcross),
           values_(cube(n_ + 1)),
-          vertices_(cube(n_), kNone) {
-        for (int z = 0; z <= n_; ++z)
+          vertices_(cube(n_), kNone),
+          step_(control, "generating a monkey", static_cast<std::size_t>(3 * n_)) {
+        for (int z = 0; z <= n_; ++z) {
+            step_.advance();
             for (int y = 0; y <= n_; ++y)
                 for (int x = 0; x <= n_; ++x) value(x, y, z) = monkey(pointAt({x, y, z}));
+        }
     }
 
     MeshData build() {
-        for (int z = 0; z < n_; ++z)
+        for (int z = 0; z < n_; ++z) {
+            step_.advance();
             for (int y = 0; y < n_; ++y)
                 for (int x = 0; x < n_; ++x) addVertex(x, y, z);
-        for (int z = 1; z < n_; ++z)
+        }
+        for (int z = 1; z < n_; ++z) {
+            step_.advance();
             for (int y = 1; y < n_; ++y)
                 for (int x = 1; x < n_; ++x)
                     for (int axis = 0; axis < 3; ++axis) addQuad({x, y, z}, axis);
+        }
         return std::move(mesh_);
     }
 
@@ -137,11 +145,14 @@ class SurfaceNet {
     double cell_;
     std::vector<double> values_;
     std::vector<std::uint32_t> vertices_;
+    LoadStep step_;
     MeshData mesh_;
 };
 
 }  // namespace
 
-MeshData generate(const MonkeyShape& shape) { return SurfaceNet(shape.resolution).build(); }
+MeshData generate(const MonkeyShape& shape, const LoadControl& control) {
+    return SurfaceNet(shape.resolution, control).build();
+}
 
 }  // namespace rayscope::scene

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "scene/generate/generate.h"
+#include "scene/load_step.h"
 
 namespace rayscope::scene {
 
@@ -26,11 +27,13 @@ void addVertex(MeshData& mesh, const glm::dvec3& position, const glm::dvec3& nor
 
 }  // namespace
 
-MeshData generate(const UvSphereShape& shape) {
+MeshData generate(const UvSphereShape& shape, const LoadControl& control) {
     MeshData mesh;
     const int columns = shape.segments, rows = shape.rings;
+    LoadStep step(control, "generating a sphere", static_cast<std::size_t>(2 * rows + 1));
     const auto radius = static_cast<double>(shape.radius);
     for (int j = 0; j <= rows; ++j) {
+        step.advance();
         const bool pole = j == 0 || j == rows;
         const double latitude = kPi * (static_cast<double>(j) / rows - 0.5);
         const double ring = pole ? 0.0 : std::cos(latitude);
@@ -43,17 +46,21 @@ MeshData generate(const UvSphereShape& shape) {
         }
     }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
-    for (int j = 0; j < rows; ++j)
+    for (int j = 0; j < rows; ++j) {
+        step.advance();
         for (int i = 0; i < columns; ++i) {
             if (j > 0) mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i, j + 1));
             if (j + 1 < rows) mesh.triangles.emplace_back(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
         }
+    }
     return mesh;
 }
 
-MeshData generate(const TorusShape& shape) {
+MeshData generate(const TorusShape& shape, const LoadControl& control) {
     MeshData mesh;
-    for (int j = 0; j <= shape.tubeSegments; ++j)
+    LoadStep step(control, "generating a torus", static_cast<std::size_t>(2 * shape.tubeSegments + 1));
+    for (int j = 0; j <= shape.tubeSegments; ++j) {
+        step.advance();
         for (int i = 0; i <= shape.segments; ++i) {
             const glm::dvec2 around = onCircle(i, shape.segments), tube = onCircle(j, shape.tubeSegments);
             const glm::dvec3 normal(tube.x * around.x, tube.y, -tube.x * around.y);
@@ -62,12 +69,15 @@ MeshData generate(const TorusShape& shape) {
             addVertex(mesh, center + static_cast<double>(shape.tubeRadius) * normal, normal,
                       static_cast<double>(i) / shape.segments, static_cast<double>(j) / shape.tubeSegments);
         }
+    }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (shape.segments + 1) + i); };
-    for (int j = 0; j < shape.tubeSegments; ++j)
+    for (int j = 0; j < shape.tubeSegments; ++j) {
+        step.advance();
         for (int i = 0; i < shape.segments; ++i) {
             mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
             mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
         }
+    }
     return mesh;
 }
 
@@ -100,7 +110,7 @@ MeshData icosahedron() {
     return mesh;
 }
 
-void subdivide(MeshData& mesh) {
+void subdivide(MeshData& mesh, LoadStep& step) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middleOf = [&](std::uint32_t a, std::uint32_t b) {
         const auto [found, isNew] =
@@ -114,6 +124,7 @@ void subdivide(MeshData& mesh) {
     finer.reserve(4 * mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles) {
         const std::uint32_t xy = middleOf(t.x, t.y), yz = middleOf(t.y, t.z), zx = middleOf(t.z, t.x);
+        step.advance();
         finer.insert(finer.end(), {{t.x, xy, zx}, {t.y, yz, xy}, {t.z, zx, yz}, {xy, yz, zx}});
     }
     mesh.triangles = std::move(finer);
@@ -121,9 +132,11 @@ void subdivide(MeshData& mesh) {
 
 }  // namespace
 
-MeshData generate(const IcosphereShape& shape) {
+MeshData generate(const IcosphereShape& shape, const LoadControl& control) {
     MeshData mesh = icosahedron();
-    for (int i = 0; i < shape.subdivisions; ++i) subdivide(mesh);
+    // 20 (1 + 4 + 16 + …) triangles are split.
+    LoadStep step(control, "generating a sphere", 20 * ((std::size_t{1} << 2 * shape.subdivisions) - 1) / 3);
+    for (int i = 0; i < shape.subdivisions; ++i) subdivide(mesh, step);
     for (const glm::vec3& normal : mesh.normals) mesh.positions.push_back(shape.radius * normal);
     return mesh;
 }

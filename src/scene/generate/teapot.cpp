@@ -8,6 +8,7 @@
 #include <map>
 
 #include "scene/generate/generate.h"
+#include "scene/load_step.h"
 
 namespace rayscope::scene {
 
@@ -111,17 +112,24 @@ Vec3 blend(const Patch& patch, const Weights& u, const Weights& v) {
     return sum;
 }
 
+/// Of the progress, per patch.
+constexpr std::size_t kStepUnits = 100;
+
 /// Joins patches into one mesh. Neighbours evaluate their common edge from the same control points with the
 /// same weights, so that its vertices are bit-identical and shared by look-up.
 class PatchMesh {
   public:
+    explicit PatchMesh(LoadStep& step) : step_(step) {}
     /// `outward` is 1 or −1: the sign of du × dv along the outward normal.
     void add(const Patch& patch, int stepsU, int stepsV, double outward) {
         std::vector<std::uint32_t> grid;
-        for (int j = 0; j <= stepsV; ++j)
+        for (int j = 0; j <= stepsV; ++j) {
+            const double v = static_cast<double>(j) / stepsV;
+            step_.advanceTo(patches_ * kStepUnits + static_cast<std::size_t>(v * kStepUnits));
             for (int i = 0; i <= stepsU; ++i)
-                grid.push_back(vertexAt(patch, static_cast<double>(i) / stepsU,
-                                        static_cast<double>(j) / stepsV, outward));
+                grid.push_back(vertexAt(patch, static_cast<double>(i) / stepsU, v, outward));
+        }
+        ++patches_;
         const auto at = [&](int i, int j) { return grid[static_cast<std::size_t>(j * (stepsU + 1) + i)]; };
         for (int j = 0; j < stepsV; ++j)
             for (int i = 0; i < stepsU; ++i) {
@@ -164,16 +172,20 @@ class PatchMesh {
         mesh_.triangles.push_back(outward > 0.0 ? glm::uvec3(a, b, c) : glm::uvec3(a, c, b));
     }
 
+    LoadStep& step_;
+    std::size_t patches_ = 0;
     MeshData mesh_;
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> vertices_;
 };
 
 }  // namespace
 
-MeshData generate(const TeapotShape& shape) {
+MeshData generate(const TeapotShape& shape, const LoadControl& control) {
     // At least two steps, so that half a tube is not flat.
     const auto scaled = [&](int steps) { return std::max(2, (steps * shape.resolution + 8) / 16); };
-    PatchMesh mesh;
+    const std::size_t patches = 4 * std::size(kRevolved) + 2 * std::size(kTubes);
+    LoadStep step(control, "generating a teapot", patches * kStepUnits);
+    PatchMesh mesh(step);
     for (const Revolved& part : kRevolved)
         for (int quarter = 0; quarter < 4; ++quarter)
             mesh.add(revolve(part.profile, quarter), scaled(kAround), scaled(part.steps), -1.0);

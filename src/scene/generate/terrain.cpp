@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/generate/generate.h"
+#include "scene/load_step.h"
 
 namespace rayscope::scene {
 
@@ -53,9 +54,19 @@ Slope heightAt(double x, double z, std::int64_t seed) {
     return {sum.x * sum.x, 2.0 * sum.x * sum.y, 2.0 * sum.x * sum.z};
 }
 
+/// Calls visit(row) for all rows, in parallel within groups of rows; progress counts from `done`.
+template <class Visit>
+void forEachRow(std::size_t rows, LoadStep& step, std::size_t done, const Visit& visit) {
+    constexpr std::size_t kGroup = 64;
+    for (std::size_t first = 0; first < rows; first += kGroup) {
+        step.advanceTo(done + first);
+        tbb::parallel_for(first, std::min(first + kGroup, rows), visit);
+    }
+}
+
 }  // namespace
 
-MeshData generate(const TerrainShape& shape) {
+MeshData generate(const TerrainShape& shape, const LoadControl& control) {
     const auto columns = static_cast<std::size_t>(shape.cellsX),
                rows = static_cast<std::size_t>(shape.cellsZ);
     const glm::dvec2 size(shape.size);
@@ -64,28 +75,27 @@ MeshData generate(const TerrainShape& shape) {
     mesh.positions.resize((columns + 1) * (rows + 1));
     mesh.normals.resize(mesh.positions.size());
     mesh.triangles.resize(2 * columns * rows);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows + 1), [&](const auto& range) {
-        for (std::size_t k = range.begin(); k != range.end(); ++k)
-            for (std::size_t i = 0; i <= columns; ++i) {
-                // Noise coordinates in units of the longer side, for isotropic noise.
-                const double x = size.x * (static_cast<double>(i) / static_cast<double>(columns) - 0.5);
-                const double z = size.y * (static_cast<double>(k) / static_cast<double>(rows) - 0.5);
-                const double unit = std::max(size.x, size.y);
-                const Slope slope = heightAt(x / unit, z / unit, shape.seed);
-                const std::size_t at = k * (columns + 1) + i;
-                mesh.positions[at] = glm::dvec3(x, height * slope.x, z);
-                mesh.normals[at] =
-                    glm::normalize(glm::dvec3(-height * slope.y / unit, 1.0, -height * slope.z / unit));
-            }
+    LoadStep step(control, "generating a terrain", 2 * rows);
+    forEachRow(rows + 1, step, 0, [&](std::size_t k) {
+        for (std::size_t i = 0; i <= columns; ++i) {
+            // Noise coordinates in units of the longer side, for isotropic noise.
+            const double x = size.x * (static_cast<double>(i) / static_cast<double>(columns) - 0.5);
+            const double z = size.y * (static_cast<double>(k) / static_cast<double>(rows) - 0.5);
+            const double unit = std::max(size.x, size.y);
+            const Slope slope = heightAt(x / unit, z / unit, shape.seed);
+            const std::size_t at = k * (columns + 1) + i;
+            mesh.positions[at] = glm::dvec3(x, height * slope.x, z);
+            mesh.normals[at] =
+                glm::normalize(glm::dvec3(-height * slope.y / unit, 1.0, -height * slope.z / unit));
+        }
     });
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows), [&](const auto& range) {
-        for (std::size_t k = range.begin(); k != range.end(); ++k)
-            for (std::size_t i = 0; i < columns; ++i) {
-                const auto a = static_cast<std::uint32_t>(k * (columns + 1) + i), b = a + 1;
-                const auto c = static_cast<std::uint32_t>(a + columns + 1), d = c + 1;
-                mesh.triangles[2 * (k * columns + i)] = {a, c, b};
-                mesh.triangles[2 * (k * columns + i) + 1] = {b, c, d};
-            }
+    forEachRow(rows, step, rows, [&](std::size_t k) {
+        for (std::size_t i = 0; i < columns; ++i) {
+            const auto a = static_cast<std::uint32_t>(k * (columns + 1) + i), b = a + 1;
+            const auto c = static_cast<std::uint32_t>(a + columns + 1), d = c + 1;
+            mesh.triangles[2 * (k * columns + i)] = {a, c, b};
+            mesh.triangles[2 * (k * columns + i) + 1] = {b, c, d};
+        }
     });
     return mesh;
 }

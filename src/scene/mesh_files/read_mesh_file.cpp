@@ -36,16 +36,18 @@ const MeshFormat* formatOf(std::string_view path) {
 
 bool isMeshFileName(std::string_view path) { return formatOf(path) != nullptr; }
 
-std::string meshFileSuffixes() {
+std::vector<std::string_view> meshFileSuffixes() {
     std::vector<std::string_view> suffixes;
     for (const MeshFormat& format : kFormats) suffixes.push_back(format.suffix);
-    return fmt::format("{}", fmt::join(suffixes, ", "));
+    return suffixes;
 }
 
 ImportedMesh readMeshFile(const std::string& path, const ImportContext& context) {
     const MeshFormat* format = formatOf(path);
     if (!format)
-        throw InputError(fmt::format("unknown mesh format; expected a file {}", meshFileSuffixes()), {path});
+        throw InputError(
+            fmt::format("unknown mesh format; expected a file {}", fmt::join(meshFileSuffixes(), ", ")),
+            {path});
     return format->read(path, context);
 }
 

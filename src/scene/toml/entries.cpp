@@ -157,8 +157,7 @@ const Record<MeshEntry>& meshRecord() {
     static const Record<MeshEntry> record{
         {"name", [](const TomlValue& value, MeshEntry& t) { t.instance.name = readText(value); }},
         locatedText("file", &MeshEntry::file),
-        {"generate", [](const TomlValue& value,
-                        MeshEntry& t) { t.instance.data = std::make_shared<MeshData>(readShape(value)); }},
+        {"generate", [](const TomlValue& value, MeshEntry& t) { t.generate = readShape(value); }},
         {"transform",
          [](const TomlValue& value, MeshEntry& t) { t.instance.transform = readTransform(value); }},
         locatedText("material", &MeshEntry::material),
@@ -253,7 +252,7 @@ MaterialEntry readMaterial(const TomlValue& value) {
 MeshEntry readMesh(const TomlValue& value) {
     MeshEntry entry;
     readRecord(value.file, readTable(value), "a mesh", meshRecord(), entry);
-    if (entry.file.has_value() == (entry.instance.data != nullptr))
+    if (entry.file.has_value() == (entry.generate != nullptr))
         value.fail("needs either file = \"NAME\" or generate = { shape = … }");
     return entry;
 }

@@ -3,6 +3,7 @@
 #include <rayscope/scene.h>
 
 #include "scene/toml/record.h"
+#include "scene/toml/shapes.h"
 
 namespace rayscope::scene {
 
@@ -26,6 +27,7 @@ struct MaterialEntry {
 struct MeshEntry {
     MeshInstance instance;
     std::optional<LocatedText> file;
+    MeshGenerator generate;  ///< instead of `file`
     std::optional<LocatedText> material;
     SourcePosition vertexColors;  ///< of the key; its value is in `instance`
     std::string ifMissing;        ///< advice for the error if the file does not exist

@@ -2,11 +2,15 @@
 
 #include <rayscope/settings.h>
 
+#include <filesystem>
+#include <istream>
 #include <map>
 #include <set>
 
 #include "scene/generate/generate.h"
+#include "scene/load_step.h"
 #include "scene/mesh_files/read_mesh_file.h"
+#include "scene/progress_stream.h"
 #include "scene/source_files.h"
 #include "scene/textures.h"
 #include "scene/toml/entries.h"
@@ -18,10 +22,26 @@ namespace {
 constexpr std::array<std::string_view, 9> kSceneKeys{"version",  "title", "camera",      "mesh",    "sphere",
                                                      "material", "light", "environment", "settings"};
 
-toml::table parse(const std::string& path, std::string_view text) {
+/// Whether the last character of a UTF-8 text is incomplete.
+bool endsWithinCharacter(std::string_view text) {
+    for (std::size_t length = 1; length <= std::min<std::size_t>(3, text.size()); ++length) {
+        const auto byte = static_cast<unsigned char>(text[text.size() - length]);
+        if (byte < 0x80) return false;
+        if (byte >= 0xc0) return length < (byte >= 0xf0 ? 4u : byte >= 0xe0 ? 3u : 2u);
+    }
+    return false;
+}
+
+toml::table parse(const std::string& path, std::string_view text, const LoadControl& control = {}) {
+    ProgressBuffer buffer(text, control, "parsing " + std::filesystem::path(path).filename().string());
+    std::istream stream(&buffer);
+    stream.exceptions(std::ios::badbit);
     try {
-        return toml::parse(text, path);
+        // toml++ does not notice that a stream ends within a character.
+        if (endsWithinCharacter(text)) return toml::parse(text, path);
+        return toml::parse(stream, path);
     } catch (const toml::parse_error& error) {
+        buffer.rethrowFailure();
         throw InputError(std::string(error.description()), positionIn(path, error.source()));
     }
 }
@@ -61,7 +81,11 @@ class SceneBuilder {
         const toml::array* tables = node->as_array();
         if (!tables)
             TomlValue{path_, *node, key}.fail(fmt::format("expected an array of tables; write [[{}]]", key));
-        for (const toml::node& element : *tables) visit(TomlValue{path_, element, key});
+        LoadStep step(control_, fmt::format("reading [[{}]]", key), tables->size());
+        for (const toml::node& element : *tables) {
+            visit(TomlValue{path_, element, key});
+            step.advance();
+        }
     }
 
     void readHead() {
@@ -139,15 +163,18 @@ class SceneBuilder {
         for (const MeshEntry& entry : entries)
             if (entry.file && entry.instance.vertexColors)
                 coloredFiles_.insert(resolvePath(path_, entry.file->text));
-        for (MeshEntry& entry : entries) addMesh(entry);
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            addMesh(entries[i], withPrefix(control_, fmt::format("mesh {} of {}", i + 1, entries.size())));
     }
 
-    void addMesh(MeshEntry& entry) {
+    void addMesh(MeshEntry& entry, const LoadControl& control) {
         MeshInstance& mesh = entry.instance;
-        if (entry.file)
-            loadMesh(entry);
-        else
+        if (entry.file) {
+            loadMesh(entry, control);
+        } else {
             mesh.materials = {materialOf(entry.material)};
+            mesh.data = std::make_shared<MeshData>(entry.generate(control));
+        }
         if (mesh.name.empty()) mesh.name = fmt::format("mesh {}", scene_.meshes.size() + 1);
         if (mesh.vertexColors && mesh.data->colors.empty())
             note(Severity::Warning,
@@ -156,7 +183,7 @@ class SceneBuilder {
         scene_.meshes.push_back(std::move(mesh));
     }
 
-    void loadMesh(MeshEntry& entry) {
+    void loadMesh(MeshEntry& entry, const LoadControl& control) {
         const std::string resolved = resolvePath(path_, entry.file->text);
         if (!fileExists(resolved)) {
             const std::string hint = entry.ifMissing.empty() ? "" : fmt::format("; {}", entry.ifMissing);
@@ -166,7 +193,7 @@ class SceneBuilder {
         auto& loaded = meshes_[resolved];
         if (!loaded) {
             loaded = std::make_shared<ImportedMesh>(
-                readMeshFile(resolved, {textures_, notes_, control_, coloredFiles_.contains(resolved)}));
+                readMeshFile(resolved, {textures_, notes_, control, coloredFiles_.contains(resolved)}));
             noteIgnored(*loaded, resolved);
         }
         MeshInstance& mesh = entry.instance;
@@ -249,7 +276,7 @@ class SceneBuilder {
         if (scene_.cameras.empty()) {
             note(Severity::Warning, "no camera: a default one shows the whole scene; add [[camera]]",
                  {path_});
-            scene_.cameras.push_back(framingCamera(boundsOf(scene_)));
+            scene_.cameras.push_back(framingCamera(boundsOf(scene_, control_)));
         }
         if (scene_.lights.empty())
             note(Severity::Warning,
@@ -263,7 +290,7 @@ class SceneBuilder {
     Diagnostics& notes_;
     const LoadControl& control_;
     SceneDescription scene_;
-    TextureCache textures_{notes_};
+    TextureCache textures_{notes_, control_};
     std::map<std::string, std::uint32_t> materialIndices_;
     std::optional<std::uint32_t> default_;
     std::map<std::string, std::shared_ptr<ImportedMesh>> meshes_;
@@ -275,7 +302,7 @@ class SceneBuilder {
 
 SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes,
                                const LoadControl& control) {
-    const toml::table root = parse(path, text);
+    const toml::table root = parse(path, text, control);
     return SceneBuilder(path, root, notes, control).build();
 }
 

@@ -36,15 +36,20 @@ const Record<MonkeyShape> kMonkey{integer("resolution", &MonkeyShape::resolution
 
 struct ShapeReader {
     std::string_view name;
-    MeshData (*read)(const TomlValue&, std::string_view owner);
+    MeshGenerator (*read)(const TomlValue&, std::string_view owner);
 };
 
 template <class Shape, const Record<Shape>& record>
-MeshData readAs(const TomlValue& value, std::string_view owner) {
+MeshGenerator readAs(const TomlValue& value, std::string_view owner) {
     static constexpr std::array<std::string_view, 1> kShapeKey{"shape"};
     Shape shape;
     readRecord(value.file, readTable(value), owner, record, shape, kShapeKey);
-    return generate(shape);
+    return [shape](const LoadControl& control) {
+        if constexpr (requires { generate(shape, control); })
+            return generate(shape, control);
+        else
+            return generate(shape);
+    };
 }
 
 constexpr std::array<ShapeReader, 8> kShapes{{
@@ -60,7 +65,7 @@ constexpr std::array<ShapeReader, 8> kShapes{{
 
 }  // namespace
 
-MeshData readShape(const TomlValue& value) {
+MeshGenerator readShape(const TomlValue& value) {
     std::vector<std::string_view> names;
     for (const ShapeReader& shape : kShapes) names.push_back(shape.name);
     const toml::node* name = readTable(value).get("shape");

@@ -1,11 +1,16 @@
 #pragma once
 #include <rayscope/scene.h>
 
+#include <functional>
+
 #include "scene/toml/values.h"
 
 namespace rayscope::scene {
 
-/// Generates the mesh of { shape = "box", … }. Throws InputError.
-MeshData readShape(const TomlValue& value);
+/// Generates a mesh; throws Stopped.
+using MeshGenerator = std::function<MeshData(const LoadControl& control)>;
+
+/// The generator of { shape = "box", … }. Throws InputError.
+MeshGenerator readShape(const TomlValue& value);
 
 }  // namespace rayscope::scene

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
@@ -19,14 +20,16 @@ namespace {
 constexpr double kMotionSeconds = 1.0 / 120.0, kRefineSeconds = 1.0 / 40.0, kQuietSeconds = 0.5;
 /// Dear ImGui needs several frames after an event to show all of its effects.
 constexpr int kFramesAfterEvent = 4;
+/// Seconds that the window waits for its first scene before it opens without it.
+constexpr double kMaxFirstWait = 0.5;
 
 }  // namespace
 
-Application::Application(const ViewerOptions& options, LoadedScene first)
-    : window_(options.overrides.width, options.overrides.height),
-      workspace_(initialState(std::move(*first.scene), options.overrides), std::move(first.notes),
-                 options.threads) {
-    workspace_.recent.add(first.path);
+Application::Application(const ViewerOptions& options)
+    : firstScene_(options.scene),
+      firstOverrides_(options.overrides),
+      workspace_(initialState(SceneDescription{}), {}, options.threads),
+      window_((openFirstScene(), options.overrides.width), options.overrides.height) {
     setScale(window_.contentScale());
 }
 
@@ -49,12 +52,14 @@ void Application::run() {
 
 double Application::frameInterval() const {
     if (framesToDraw_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
-    const bool working = workspace_.busy() || picture_.computing() || !workspace_.commands.empty();
+    const bool working =
+        workspace_.busy() || openDialog_.busy() || picture_.computing() || !workspace_.commands.empty();
     return working ? kRefineSeconds : kQuietSeconds;
 }
 
 void Application::frame(double seconds) {
-    openDroppedFiles();
+    openScenes();
+    workspace_.reportSaves();
     if (appliedScale_ != workspace_.view.scale) {
         appliedScale_ = workspace_.view.scale;
         window_.applyScale(appliedScale_);
@@ -73,6 +78,7 @@ void Application::frame(double seconds) {
     openDialog_.draw(workspace_);
     renderDialog_.draw(workspace_);
     drawErrorDialog(workspace_);
+    drawLoadingWindow(workspace_);
     workspace_.closeDialogs = false;
     ui::writeItemMap();
     drawPicture(parts, seconds);
@@ -86,7 +92,9 @@ void Application::frame(double seconds) {
     };
     window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfRequested);
 
-    const std::string title = fmt::format("{} - Rayscope", workspace_.edit.scene->path);
+    const std::string title = workspace_.edit.scene->path.empty()
+                                  ? "Rayscope"
+                                  : fmt::format("{} - Rayscope", workspace_.edit.scene->path);
     if (title != title_) window_.setTitle(title);
     title_ = title;
 }
@@ -193,9 +201,31 @@ void Application::updateCursorRadiance() {
     if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
 }
 
-void Application::openDroppedFiles() {
+/// Waits for the first scene, unless it takes long: most windows then open with their scene.
+void Application::openFirstScene() {
+    checkOverrides(*firstOverrides_);
+    SceneLoader& loader = workspace_.loader;
+    for (loader.start(firstScene_, false); loader.busy() && loader.seconds() < kMaxFirstWait;) {
+        if (auto loaded = loader.poll()) showLoaded(std::move(*loaded));
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+void Application::openScenes() {
     for (const std::string& path : window_.takeDroppedFiles()) workspace_.open(path);
-    if (auto loaded = workspace_.loader.poll()) workspace_.show(std::move(*loaded));
+    if (auto loaded = workspace_.loader.poll()) showLoaded(std::move(*loaded));
+    if (!workspace_.loader.busy()) firstOverrides_.reset();  // the first load was cancelled
+}
+
+void Application::showLoaded(LoadedScene loaded) {
+    if (loaded.path != firstScene_ || !firstOverrides_) {
+        firstOverrides_.reset();
+        workspace_.show(std::move(loaded));
+        return;
+    }
+    if (!loaded.scene) throw FirstSceneFailed(loaded.error);
+    const std::optional<RequestOverrides> overrides = std::exchange(firstOverrides_, std::nullopt);
+    workspace_.show(std::move(loaded), &*overrides);
 }
 
 void Application::takeKeys() {

@@ -1,5 +1,7 @@
 #pragma once
 #include <chrono>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "viewer/input/view_input.h"
@@ -11,10 +13,17 @@
 
 namespace rayscope::viewer {
 
+/// The scene that the window was opened with cannot be loaded. what() is the complete message.
+struct FirstSceneFailed : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// Connects window, picture and panels and runs the main loop.
 class Application {
   public:
-    Application(const ViewerOptions& options, LoadedScene first);
+    /// Opens the window with the scene, or with an empty one that is replaced as soon as the scene is loaded.
+    /// Throws FirstSceneFailed.
+    explicit Application(const ViewerOptions& options);
     void run();
 
   private:
@@ -32,7 +41,9 @@ class Application {
     Layout layout() const;
     void drawSidePanel(const Layout& layout);
     void drawPicture(const Layout& layout, double seconds);
-    void openDroppedFiles();
+    void openFirstScene();
+    void openScenes();
+    void showLoaded(LoadedScene loaded);
     void takeKeys();
     void commitUndoStep();
     void updateJobs();
@@ -52,9 +63,12 @@ class Application {
     void frameScene();
     void setScale(float scale);
     void saveScreenshotNow();
+    void savePixels(const std::string& path, FramebufferPixels pixels, const ImageMetadata& metadata);
 
-    Window window_;
+    std::string firstScene_;
+    std::optional<RequestOverrides> firstOverrides_;  ///< until the first scene is shown
     Workspace workspace_;
+    Window window_;
     Picture picture_;
     ViewInput input_;
     OpenDialog openDialog_;

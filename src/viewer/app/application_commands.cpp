@@ -57,37 +57,36 @@ void Application::copyCamera() {
 
 void Application::frameScene() {
     const glm::dvec2 size(workspace_.viewSize);
-    frameAll(workspace_.edit.camera, picture_.sceneBounds(), size.x / size.y);
+    frameAll(workspace_.edit.camera, workspace_.edit.bounds, size.x / size.y);
 }
 
 void Application::saveImage() {
-    const std::string path = nextFreeName();
-    try {
-        const ImageMetadata metadata =
-            metadataOf(workspace_.edit, workspace_.view.traced ? workspace_.render.status().samples : 0);
-        const auto film = workspace_.render.session().film();
-        if (workspace_.view.traced && film)
-            writeRenderedImage(path, meanOf(*film), workspace_.edit.settings, metadata);
-        else
-            writeImage(path, picture_.rasterImage(workspace_), metadata, Encoding::Srgb);
-        workspace_.notify("Saved " + path);
-    } catch (const InputError& error) {
-        workspace_.errorMessage = error.what();
-    }
+    const std::string path = workspace_.saves.nextFreeName();
+    const ImageMetadata metadata =
+        metadataOf(workspace_.edit, workspace_.view.traced ? workspace_.render.status().samples : 0);
+    const auto film = workspace_.render.session().film();
+    if (workspace_.view.traced && film)
+        workspace_.saves.add({path}, [path, film, settings = workspace_.edit.settings, metadata] {
+            writeRenderedImage(path, meanOf(*film), settings, metadata);
+        });
+    else
+        savePixels(path, picture_.rasterPixels(workspace_), metadata);
+}
+
+void Application::savePixels(const std::string& path, FramebufferPixels pixels,
+                             const ImageMetadata& metadata) {
+    workspace_.saves.add({path}, [path, pixels = std::move(pixels), metadata] {
+        writeImage(path, linearImage(pixels), metadata, Encoding::Srgb);
+    });
 }
 
 void Application::saveScreenshotNow() {
-    const std::string path = nextFreeName();
+    const std::string path = workspace_.saves.nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
     ImageMetadata metadata = metadataOf(workspace_.edit, 0);
     if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
         metadata["drawn"] = lacking;
-    try {
-        writeImage(path, readFramebuffer(0, 0, size.x, size.y), metadata, Encoding::Srgb);
-        workspace_.notify("Saved " + path);
-    } catch (const InputError& error) {
-        workspace_.errorMessage = error.what();
-    }
+    savePixels(path, readFramebuffer(0, 0, size.x, size.y), metadata);
 }
 
 void Application::copyPixel() {
@@ -128,15 +127,14 @@ void Application::copyRays() {
 void Application::exportRays() {
     const DebugRays::PixelRecording* recording = workspace_.rays.recording();
     if (recording == nullptr) return;
-    const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
-    const SceneBounds& bounds = picture_.sceneBounds();
-    try {
-        base::writeFileAtomically(lines, toObj(recording->tree(), glm::distance(bounds.lower, bounds.upper)));
-        base::writeFileAtomically(tree, toJson(recording->tree(), *recording->world));
-        workspace_.notify("Saved " + lines + " and " + tree);
-    } catch (const InputError& error) {
-        workspace_.errorMessage = error.what();
-    }
+    const std::string lines = workspace_.saves.nextFreeName(".obj"),
+                      json = workspace_.saves.nextFreeName(".json");
+    const float size = glm::distance(workspace_.edit.bounds.lower, workspace_.edit.bounds.upper);
+    workspace_.saves.add({lines, json},
+                         [lines, json, size, tree = recording->tree(), world = recording->world] {
+                             base::writeFileAtomically(lines, toObj(tree, size));
+                             base::writeFileAtomically(json, toJson(tree, *world));
+                         });
 }
 
 void Application::setScale(float scale) { workspace_.view.scale = std::clamp(scale, 1.0f, 4.0f); }

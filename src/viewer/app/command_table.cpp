@@ -28,7 +28,7 @@ void flipPictures(Workspace& workspace) {
     toggle(workspace.comparison.view.flipped);
 }
 
-void resetCamera(Workspace& workspace) { workspace.edit.camera = initialState(*workspace.edit.scene).camera; }
+void resetCamera(Workspace& workspace) { workspace.edit.camera = requestFor(workspace.edit.scene).camera; }
 
 void selectLeafUnderCursor(Workspace& workspace) {
     const auto world = workspace.render.session().world();
@@ -36,8 +36,13 @@ void selectLeafUnderCursor(Workspace& workspace) {
     workspace.bvh.selectLeafOf(world->locatePrimitive(workspace.cursor->primitive).inGroup);
 }
 
-/// The first that applies: close the list of keys, leave fly mode, end the live ray, clear the rays.
+/// The first that applies: cancel loading, close the list of keys, leave fly mode, end the live ray, clear
+/// the rays.
 void cancel(Workspace& workspace) {
+    if (workspace.loader.loading()) {
+        workspace.cancelLoading();
+        return;
+    }
     ViewState& view = workspace.view;
     for (bool* mode : {&view.showKeys, &view.flying, &view.liveRay})
         if (std::exchange(*mode, false)) return;
@@ -59,13 +64,14 @@ struct CommandTable {
     // clang-format off
     static constexpr CommandInfo kRows[] = {
         {.command = Command::OpenScene, .menu = "File", .label = "Open...",
-         .help = "Open a scene file or a single OBJ mesh.",
+         .help = "Open a scene file or a single mesh.",
          .shortcut = {GLFW_KEY_O, kCtrl}, .execute = [](Application& app) { app.openDialog_.request(); }},
         {.command = Command::ReloadScene, .menu = "File", .label = "Reload",
          .help = "Read the scene file again; keep camera and settings.",
          .shortcut = {GLFW_KEY_F5},
          .execute = [](Application& app) {
-             app.workspace_.loader.start(app.workspace_.edit.scene->path, true); }},
+             app.workspace_.loader.start(app.workspace_.edit.scene->path, true); },
+         .enabled = [](const Workspace& w) { return !w.edit.scene->path.empty(); }},
         {.command = Command::SaveImage, .menu = "File", .label = "Save image",
          .help = "Write the picture to the current folder.",
          .shortcut = {GLFW_KEY_S, kCtrl}, .separatorBefore = true, .execute = perform<&Application::saveImage>},
@@ -236,7 +242,7 @@ struct CommandTable {
          .shortcut = {GLFW_KEY_LEFT, kShift},
          .execute = [](Application& app) { app.workspace_.rays.step(-10); }},
         {.command = Command::Cancel, .menu = "Rays", .label = "Cancel",
-         .help = "Close the open window, else leave fly mode or the live ray, else clear the rays.",
+         .help = "Cancel loading or close the open window, else leave fly mode or the live ray, else clear the rays.",
          .shortcut = {GLFW_KEY_ESCAPE}, .execute = perform<cancel>},
 
         {.command = Command::ToggleBvhLevels, .menu = "BVH", .label = "Boxes of a level",

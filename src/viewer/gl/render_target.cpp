@@ -106,14 +106,19 @@ void RenderTarget::copyToWindow(int x, int y, int width, int height) const {
     unbind();
 }
 
-RgbImage readFramebuffer(int x, int y, int width, int height) {
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+FramebufferPixels readFramebuffer(int x, int y, int width, int height) {
+    FramebufferPixels pixels{width, height, {}};
+    pixels.bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
-    RgbImage image(width, height);
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column) {
-            const std::uint8_t* pixel = &bytes[3 * image.index(column, height - 1 - row)];
+    glReadPixels(x, y, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.bytes.data());
+    return pixels;
+}
+
+RgbImage linearImage(const FramebufferPixels& pixels) {
+    RgbImage image(pixels.width, pixels.height);
+    for (int row = 0; row < image.height; ++row)
+        for (int column = 0; column < image.width; ++column) {
+            const std::uint8_t* pixel = &pixels.bytes[3 * image.index(column, image.height - 1 - row)];
             image.at(column, row) = {image::decodeByte(pixel[0]), image::decodeByte(pixel[1]),
                                      image::decodeByte(pixel[2])};
         }

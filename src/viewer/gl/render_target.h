@@ -43,7 +43,14 @@ class RenderTarget {
     int width_ = 0, height_ = 0;
 };
 
-/// A rectangle of the bound framebuffer, whose rows start at the bottom, as a linear image.
-RgbImage readFramebuffer(int x, int y, int width, int height);
+/// Encoded colours, 3 bytes per pixel, row by row from the bottom.
+struct FramebufferPixels {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> bytes;
+};
+/// A rectangle of the bound framebuffer.
+FramebufferPixels readFramebuffer(int x, int y, int width, int height);
+/// The same as a linear image.
+RgbImage linearImage(const FramebufferPixels& pixels);
 
 }  // namespace rayscope::viewer

@@ -125,7 +125,7 @@ void ViewInput::pickDebugRay(Workspace& workspace, const ViewFrame& frame) {
     constexpr double kReach = 6.0;
     const DebugRays::PixelRecording* recording = workspace.rays.recording();
     if (recording == nullptr) return;
-    const SceneBounds bounds = boundsOf(*workspace.edit.scene);
+    const SceneBounds& bounds = workspace.edit.bounds;
     const double reach = kReach * static_cast<double>(workspace.view.scale);
     workspace.rays.select(pickRay(recording->tree(), workspace.rays.filter, frame, cursor_, reach,
                                   glm::distance(bounds.lower, bounds.upper)));

@@ -12,7 +12,7 @@ constexpr double kMetricsInterval = 2.0;
 }  // namespace
 
 void Comparison::keep(EditState state, RgbImage image, int samples) {
-    kept_ = Kept{std::move(state), std::move(image), samples};
+    kept_ = Kept{std::move(state), std::make_shared<const RgbImage>(std::move(image)), samples};
     metrics_.reset();
     ++view.version;
 }
@@ -35,7 +35,7 @@ void Comparison::update(const RgbImage& b, int revision, bool complete, float ex
     const Pair wanted{view.version, revision, exposure};
     final_ = complete && measured_ == wanted;
     if (!visible() || job_.busy() || (metrics_ && measured_ == wanted)) return;
-    if (b.width != kept_->image.width || b.height != kept_->image.height) {
+    if (b.width != kept_->image->width || b.height != kept_->image->height) {
         metrics_.reset();
         return;
     }
@@ -44,7 +44,7 @@ void Comparison::update(const RgbImage& b, int revision, bool complete, float ex
     job_.start([wanted, a = kept_->image, b](const std::stop_token&, JobProgress&) {
         CompareOptions options;
         options.exposure = wanted.exposure;
-        return Measured{wanted, measureErrors(b, a, options)};
+        return Measured{wanted, measureErrors(b, *a, options)};
     });
 }
 

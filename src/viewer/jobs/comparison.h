@@ -1,6 +1,7 @@
 #pragma once
 #include <rayscope/compare.h>
 #include <chrono>
+#include <memory>
 #include <optional>
 
 #include "viewer/jobs/background_job.h"
@@ -28,7 +29,7 @@ class Comparison {
 
     struct Kept {
         EditState state;
-        RgbImage image;  ///< linear, with bloom
+        std::shared_ptr<const RgbImage> image;  ///< linear, with bloom
         int samples = 0;
     };
     void keep(EditState state, RgbImage image, int samples);

@@ -1,24 +1,13 @@
 #include "viewer/jobs/export.h"
 
-#include <fmt/format.h>
-
 #include <rayscope/display.h>
 #include <rayscope/render_image.h>
-#include <filesystem>
 
 #include "render/image_metadata.h"
 #include "viewer/model/camera_text.h"
 #include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
-
-std::string nextFreeName(std::string_view suffix) {
-    for (int number = 1;; ++number) {
-        std::string name = fmt::format("rayscope-{:04}{}", number, suffix);
-        std::error_code ignored;
-        if (!std::filesystem::exists(name, ignored)) return name;
-    }
-}
 
 ImageMetadata metadataOf(const EditState& state, int samples) {
     ImageMetadata metadata = render::imageMetadata(*state.scene, state.settings, kViewerSeed, samples);

@@ -8,9 +8,6 @@
 
 namespace rayscope::viewer {
 
-/// The first of rayscope-0001, rayscope-0002 … with this suffix that does not exist in the current folder.
-std::string nextFreeName(std::string_view suffix = ".png");
-
 /// The metadata of a saved image of this state.
 ImageMetadata metadataOf(const EditState& state, int samples);
 

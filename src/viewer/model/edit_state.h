@@ -3,6 +3,7 @@
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace rayscope::viewer {
@@ -13,11 +14,14 @@ struct EditState {
     std::shared_ptr<const SceneDescription> scene;
     Settings settings;
     CameraDescription camera;
+    SceneBounds bounds{};  ///< of the scene
     bool operator==(const EditState&) const = default;
 };
 
-/// The state in which a scene opens, as requestFor() gives it. Throws InputError.
-EditState initialState(SceneDescription scene, const RequestOverrides& overrides = {});
+/// The state in which a scene opens, as requestFor() gives it. Throws InputError. Without `bounds` those of
+/// the scene are computed.
+EditState initialState(SceneDescription scene, const RequestOverrides& overrides = {},
+                       const std::optional<SceneBounds>& bounds = std::nullopt);
 
 /// The same scene with other lights.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);

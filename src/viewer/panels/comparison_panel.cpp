@@ -56,7 +56,7 @@ void drawMetrics(const Comparison& comparison) {
 }
 
 void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
-    dimText(fmt::format("A: {} samples per pixel, {} x {}", a.samples, a.image.width, a.image.height));
+    dimText(fmt::format("A: {} samples per pixel, {} x {}", a.samples, a.image->width, a.image->height));
     const std::vector<std::string> differences = differencesOf(a.state, workspace.edit);
     if (differences.empty()) dimText("B has the same settings as A: change some.");
     for (const std::string& difference : differences) text(difference);

@@ -18,7 +18,7 @@ constexpr const char* kGestures[][2] = {
     {"click on a light",
      "Select it; its arrows move it along the axes, the square in the plane of the screen."},
     {"Ctrl+click", "Record the rays of the pixel, like R."},
-    {"drop a file", "Open a scene (.toml) or a mesh (.obj, .ply, .stl)."},
+    {"drop a file", "Open a scene or a mesh."},
     {"Ctrl+click on a slider", "Type a number."},
     {"double-click on a label", "Reset the setting."},
 };

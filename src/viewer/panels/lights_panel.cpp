@@ -61,7 +61,7 @@ void drawAddButtons(Workspace& workspace) {
         if (kind > 0) ImGui::SameLine();
         if (!ui::button(kLabels[kind], {kWidthFractions[kind] * width, 0.0f})) continue;
         std::vector<Light> lights = workspace.edit.scene->lights;
-        lights.push_back(newLight(kind, boundsOf(*workspace.edit.scene)));
+        lights.push_back(newLight(kind, workspace.edit.bounds));
         workspace.view.selectedLight = static_cast<int>(lights.size()) - 1;
         workspace.view.selectedHandle = 0;
         workspace.setLights(std::move(lights));
@@ -84,7 +84,7 @@ void drawSelected(Workspace& workspace) {
     const auto index = static_cast<std::size_t>(workspace.view.selectedLight);
     std::vector<Light> lights = workspace.edit.scene->lights;
     Light& light = lights[index];
-    const SceneBounds bounds = boundsOf(*workspace.edit.scene);
+    const SceneBounds& bounds = workspace.edit.bounds;
     const float speed = 0.002f * glm::distance(bounds.lower, bounds.upper);
 
     labelledRow("Handle");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <algorithm>
+#include <span>
 
 #include "base/file_suffix.h"
 #include "scene/mesh_files/read_mesh_file.h"
@@ -18,34 +19,58 @@ namespace {
 constexpr const char* kOpenTitle = "Open a scene";
 
 bool isScene(const std::filesystem::path& path) {
-    return base::hasSuffix(path.string(), ".toml") || scene::isMeshFileName(path.string());
+    std::string suffix = path.extension().string();
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::vector<std::string> known = sceneFileSuffixes();
+    return std::find(known.begin(), known.end(), suffix) != known.end();
+}
+
+/// "a, b or c".
+std::string suffixChoices() {
+    const std::vector<std::string> suffixes = sceneFileSuffixes();
+    const std::span first(suffixes.data(), suffixes.size() - 1);
+    return fmt::format("{} or {}", fmt::join(first, ", "), suffixes.back());
 }
 
 }  // namespace
 
-void OpenDialog::enter(const std::filesystem::path& folder) {
+OpenDialog::Listing OpenDialog::list(const std::filesystem::path& folder, const std::stop_token& stop) {
+    Listing listing{folder, {}, {}};
     std::error_code failed;
-    std::filesystem::directory_iterator list(folder, failed);
-    if (failed) {
-        errorMessage_ = fmt::format("cannot read {}: {}", folder.string(), failed.message());
-        return;
-    }
-    errorMessage_.clear();
-    folder_ = folder;
-    typed_ = folder.string();
-    entries_.clear();
-    for (const auto& item : list) {
-        const std::string name = item.path().filename().string();
+    std::filesystem::directory_iterator item(folder, failed);
+    for (; !failed && item != std::filesystem::directory_iterator(); item.increment(failed)) {
+        if (stop.stop_requested()) throw Stopped();
+        const std::string name = item->path().filename().string();
         std::error_code ignored;
-        const bool isFolder = item.is_directory(ignored);
-        if (!name.starts_with(".") && (isFolder || isScene(item.path())))
-            entries_.push_back({name, isFolder});
+        const bool isFolder = item->is_directory(ignored);
+        if (!name.starts_with(".") && (isFolder || isScene(item->path())))
+            listing.entries.push_back({name, isFolder});
     }
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+    if (failed) listing.error = fmt::format("cannot read {}: {}", folder.string(), failed.message());
+    std::sort(listing.entries.begin(), listing.entries.end(), [](const Entry& a, const Entry& b) {
         return a.folder != b.folder ? a.folder : a.name < b.name;
     });
-    if (folder_.has_parent_path() && folder_ != folder_.root_path())
-        entries_.insert(entries_.begin(), {"..", true});
+    if (folder.has_parent_path() && folder != folder.root_path())
+        listing.entries.insert(listing.entries.begin(), {"..", true});
+    return listing;
+}
+
+void OpenDialog::enter(std::filesystem::path folder) {
+    typed_ = folder.string();
+    listing_.start([folder = std::move(folder)](const std::stop_token& stop, JobProgress&) {
+        return list(folder, stop);
+    });
+}
+
+void OpenDialog::takeListing() {
+    auto listing = listing_.poll();
+    if (!listing) return;
+    if (!listing->error.empty()) {
+        listed_.error = std::move(listing->error);
+        return;
+    }
+    listed_ = std::move(*listing);
 }
 
 /// Returns whether a double click has put the file to open into `typed_`.
@@ -53,27 +78,29 @@ bool OpenDialog::drawEntries() {
     std::string entered;
     bool chosen = false;
     ImGui::BeginChild("entries", {0.0f, -2.2f * ImGui::GetFrameHeightWithSpacing()}, true);
-    for (const Entry& entry : entries_) {
+    for (const Entry& entry : listed_.entries) {
         const std::string label = entry.folder ? entry.name + "/" : entry.name;
         if (!ui::selectable(label.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) continue;
         if (entry.folder) {
             entered = entry.name;
         } else {
-            typed_ = (folder_ / entry.name).string();
+            typed_ = (listed_.folder / entry.name).string();
             chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
         }
     }
-    if (entries_.empty()) dimText("no folders, scenes or meshes here");
+    if (listed_.entries.empty() && !busy())
+        dimText(fmt::format("no folders, {} files here", suffixChoices()));
     ImGui::EndChild();
-    if (!entered.empty()) enter((folder_ / entered).lexically_normal());
+    if (!entered.empty()) enter((listed_.folder / entered).lexically_normal());
     return chosen;
 }
 
 void OpenDialog::draw(Workspace& workspace) {
+    takeListing();
     if (std::exchange(requested_, false)) {
         std::error_code ignored;
-        enter(folder_.empty() ? std::filesystem::current_path(ignored) : folder_);
-        ImGui::OpenPopup(kOpenTitle);
+        enter(listed_.folder.empty() ? std::filesystem::current_path(ignored) : listed_.folder);
+        ImGui::OpenPopup(kTitle);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});
@@ -88,11 +115,10 @@ void OpenDialog::draw(Workspace& workspace) {
         "Path", ImGui::InputText("##path", &typed_,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll));
     open |= drawEntries();
-    if (errorMessage_.empty())
-        dimText(fmt::format("A scene (.toml), a mesh ({}) or builtin:NAME. Double-click to open.",
-                            scene::meshFileSuffixes()));
+    if (listed_.error.empty())
+        dimText(fmt::format("A file {}, or builtin:NAME. Double-click to open.", suffixChoices()));
     else
-        coloredText(kErrorText, errorMessage_);
+        coloredText(kErrorText, listed_.error);
     open |= ui::button("Open", {scaled(90.0f), 0.0f});
     ImGui::SameLine();
     const bool cancel = ui::button("Cancel", {scaled(90.0f), 0.0f}) || workspace.closeDialogs;

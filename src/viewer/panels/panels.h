@@ -14,6 +14,8 @@ void drawStatusBar(Workspace& workspace, float height);
 void drawKeysWindow(Workspace& workspace);
 void drawStatisticsWindow(Workspace& workspace);
 void drawErrorDialog(Workspace& workspace);
+/// Progress of a load that takes long, with a button that cancels it.
+void drawLoadingWindow(Workspace& workspace);
 
 /// The view buttons and the tabs, into the current window.
 void drawSidePanelContents(Workspace& workspace);
@@ -43,19 +45,29 @@ class OpenDialog {
     /// Opens the dialog at the next draw().
     void request() { requested_ = true; }
     void draw(Workspace& workspace);
+    bool busy() const { return listing_.busy(); }
 
   private:
-    bool requested_ = false;
     struct Entry {
         std::string name;
         bool folder;
     };
-    void enter(const std::filesystem::path& folder);
+    /// The folders and scene files in a folder.
+    struct Listing {
+        std::filesystem::path folder;
+        std::vector<Entry> entries;
+        std::string error;
+    };
+    static Listing list(const std::filesystem::path& folder, const std::stop_token& stop);
+    /// Lists a folder in the background.
+    void enter(std::filesystem::path folder);
+    void takeListing();
     bool drawEntries();
 
-    std::filesystem::path folder_;
-    std::vector<Entry> entries_;
-    std::string typed_, errorMessage_;
+    bool requested_ = false;
+    Listing listed_;
+    BackgroundJob<Listing> listing_;
+    std::string typed_;
 };
 
 /// Size, sample count and file name of a render to a file, then its progress.

@@ -11,7 +11,7 @@ namespace {
 void drawSceneChoice(Workspace& workspace) {
     static const std::vector<BuiltinScene> scenes = builtinScenes();
     const std::string& path = workspace.edit.scene->path;
-    const std::string shown = workspace.loader.busy() ? "loading " + workspace.loader.path() : path;
+    const std::string shown = workspace.loader.loading() ? "loading " + workspace.loader.path() : path;
     ImGui::SetNextItemWidth(-scaled(64.0f));
     ui::noteRow("File");
     const auto drawScenes = [&] {

@@ -140,6 +140,12 @@ void drawProgress(const Workspace& workspace, const Progress& progress) {
                                                   ImGui::GetColorU32(ImGuiCol_PlotHistogram));
 }
 
+std::string loadingText(const SceneLoader& loader) {
+    const SceneLoader::Step step = loader.step();
+    if (step.name.empty()) return fmt::format("loading {} ...", loader.path());
+    return fmt::format("loading {}: {}, {:.0f} %", loader.path(), step.name, 100.0 * step.fraction);
+}
+
 bool isFresh(const Notice& notice) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - notice.at).count() <
            kNoticeSeconds;
@@ -170,8 +176,10 @@ void drawStatusBar(Workspace& workspace, float height) {
         const ImVec2 corner = ImGui::GetWindowPos();
         ImGui::PushClipRect(corner, {corner.x + progress.start() - progress.gap, corner.y + height}, true);
         const std::optional<Notice>& notice = workspace.notice;
-        if (workspace.loader.busy())
-            text("loading " + workspace.loader.path() + " ...");
+        if (workspace.loader.loading())
+            text(loadingText(workspace.loader));
+        else if (const std::string saving = workspace.saves.current(); !saving.empty())
+            text(fmt::format("saving {} ...", saving));
         else if (notice && isFresh(*notice))
             coloredText(notice->severity == Severity::Note ? kGoodText : kWarningText, notice->text);
         else if (workspace.render.status().state == RenderState::Failed)

@@ -40,7 +40,7 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Hand
 void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bool moving) {
     if (loaded_ != workspace.edit.scene) {
         loaded_ = workspace.edit.scene;
-        raster_.setScene(loaded_);
+        raster_.setScene(loaded_, workspace.edit.bounds);
     }
     Inputs inputs = inputsOf(workspace, hovered);
     inputs.moving = moving;
@@ -149,16 +149,16 @@ void Picture::drawHandles(const Inputs& inputs, const ViewFrame& frame, LineDraw
     boldLines_.draw(look);
 }
 
-RgbImage Picture::rasterImage(const Workspace& workspace) {
+FramebufferPixels Picture::rasterPixels(const Workspace& workspace) {
     Inputs bare = inputsOf(workspace, std::nullopt);
     bare.overlay = bare.traced = false;
     resize(bare);
     redraw(workspace, bare);
     drawn_ = {};  // the next update() draws the overlays again
     target_.bind();
-    RgbImage image = readFramebuffer(0, 0, bare.size.x, bare.size.y);
+    FramebufferPixels pixels = readFramebuffer(0, 0, bare.size.x, bare.size.y);
     RenderTarget::unbind();
-    return image;
+    return pixels;
 }
 
 }  // namespace rayscope::viewer

@@ -25,13 +25,12 @@ class Picture {
         target_.copyToWindow(corner.x, corner.y, drawn_.size.x, drawn_.size.y);
     }
 
-    /// The rasterised view without overlays, as a linear image of the view's size.
-    RgbImage rasterImage(const Workspace& workspace);
+    /// The rasterised view without overlays, of the view's size.
+    FramebufferPixels rasterPixels(const Workspace& workspace);
     const RgbImage& tracedImage() const { return traced_.image(); }
     /// The traced picture with bloom, if it is on; its revision increases whenever it changes.
     const RgbImage& shownImage() const { return traced_.shownImage(); }
     int shownRevision() const { return traced_.revision(); }
-    const SceneBounds& sceneBounds() const { return raster_.bounds(); }
     bool computing() const { return traced_.computingBloom(); }
     /// How much of the scene and the overlays the picture shows.
     const DrawnCounts& counts() const { return counts_; }

@@ -1,6 +1,7 @@
 #include "viewer/view/raster_view.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace rayscope::viewer {
 
@@ -28,6 +29,12 @@ glm::mat4 sphereModel(const Sphere& sphere) {
     return model;
 }
 
+glm::vec3 meanOf(const std::vector<glm::vec3>& positions) {
+    glm::vec3 sum(0.0f);
+    for (const glm::vec3& position : positions) sum += position;
+    return sum / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
+}
+
 }  // namespace
 
 RasterView::RasterView(std::size_t maxTrianglesMoving)
@@ -37,9 +44,9 @@ RasterView::RasterView(std::size_t maxTrianglesMoving)
 
 RasterView::~RasterView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
 
-void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
+void RasterView::setScene(std::shared_ptr<const SceneDescription> scene, const SceneBounds& bounds) {
     scene_ = std::move(scene);
-    bounds_ = boundsOf(*scene_);
+    bounds_ = bounds;
 
     std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes;
     for (const MeshInstance& instance : scene_->meshes) {
@@ -68,26 +75,27 @@ void RasterView::setScene(std::shared_ptr<const SceneDescription> scene) {
 void RasterView::collectItems() {
     opaque_.clear();
     transparent_.clear();
-    const auto add = [&](const Item& item) {
-        const bool transparent =
-            item.material < scene_->materials.size() && scene_->materials[item.material].opacity < 1.0f;
-        (transparent ? transparent_ : opaque_).push_back(item);
+    const auto isTransparent = [&](std::size_t material) {
+        return material < scene_->materials.size() && scene_->materials[material].opacity < 1.0f;
     };
     for (const MeshInstance& instance : scene_->meshes) {
         DrawableMesh& mesh = *meshes_.at(instance.data);
         const glm::mat4 model(matrixOf(instance.transform));
-        glm::vec3 sum(0.0f);
-        for (const glm::vec3& position : instance.data->positions) sum += position;
-        const float count = static_cast<float>(std::max<std::size_t>(instance.data->positions.size(), 1));
-        const glm::vec3 center(model * glm::vec4(sum / count, 1.0f));
+        std::optional<glm::vec3> center;  // of large meshes takes long
         for (const MeshBuffer::Range& range : mesh.whole().ranges()) {
             const std::size_t slot = std::min<std::size_t>(range.slot, instance.materials.size() - 1);
             const std::size_t material = instance.materials.empty() ? 0 : instance.materials[slot];
-            add({&mesh, range.slot, model, material, center, instance.vertexColors});
+            if (!isTransparent(material)) {
+                opaque_.push_back({&mesh, range.slot, model, material, {}, instance.vertexColors});
+                continue;
+            }
+            if (!center) center = glm::vec3(model * glm::vec4(meanOf(instance.data->positions), 1.0f));
+            transparent_.push_back({&mesh, range.slot, model, material, *center, instance.vertexColors});
         }
     }
     for (const SphereInstance& sphere : scene_->spheres)
-        add({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, sphere.sphere.center});
+        (isTransparent(sphere.material) ? transparent_ : opaque_)
+            .push_back({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, sphere.sphere.center});
 }
 
 /// While something moves, the triangle limit is distributed over the meshes in proportion to their sizes.

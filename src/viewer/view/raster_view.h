@@ -25,7 +25,7 @@ class RasterView {
     RasterView& operator=(const RasterView&) = delete;
 
     /// Creates the OpenGL objects that are new in `scene` and deletes those that it does not have.
-    void setScene(std::shared_ptr<const SceneDescription> scene);
+    void setScene(std::shared_ptr<const SceneDescription> scene, const SceneBounds& bounds);
     const SceneBounds& bounds() const { return bounds_; }
 
     /// Fills the target: background, opaque, then transparent surfaces. Counts triangles.
@@ -39,7 +39,7 @@ class RasterView {
         std::uint32_t slot;
         glm::mat4 model;
         std::size_t material;
-        glm::vec3 center;
+        glm::vec3 center;          ///< of transparent items, which are sorted by distance
         bool showsColors = false;  ///< the vertex colours of the mesh
     };
     void drawBackground(const RenderTarget& target);

@@ -96,8 +96,8 @@ void TracedView::drawComparison(const Comparison& comparison, const Settings& se
     const Comparison::Kept& a = *comparison.a();
     if (keptVersion_ != view.version) {
         keptVersion_ = view.version;
-        keptTexture_ = GlTexture::floatImage(a.image.width, a.image.height);
-        keptTexture_.upload(0, 0, a.image.width, a.image.height, a.image.pixels.data());
+        keptTexture_ = GlTexture::floatImage(a.image->width, a.image->height);
+        keptTexture_.upload(0, 0, a.image->width, a.image->height, a.image->pixels.data());
     }
     if (view.mode == CompareMode::Difference) {
         glDisable(GL_DEPTH_TEST);

@@ -10,7 +10,7 @@ namespace rayscope::viewer {
 
 Workspace::Workspace(EditState first, Diagnostics firstNotes, int threads)
     : edit(std::move(first)), history(edit), sceneNotes(std::move(firstNotes)), render(threads) {
-    view.flySpeed = defaultFlySpeed(boundsOf(*edit.scene));
+    view.flySpeed = defaultFlySpeed(edit.bounds);
 }
 
 const SceneRequirements& Workspace::needs() {
@@ -29,8 +29,8 @@ glm::ivec2 Workspace::imageSize() const {
 
 bool Workspace::busy() const {
     const bool exporting = job && job->running();
-    const bool running[] = {render.busy(), loader.busy(), rays.busy(), bvh.busy(),       heat.busy(),
-                            lab.busy(),    trade.busy(),  exporting,   comparison.busy()};
+    const bool running[] = {render.busy(), loader.busy(), rays.busy(), bvh.busy(),        heat.busy(),
+                            lab.busy(),    trade.busy(),  exporting,   comparison.busy(), saves.busy()};
     return std::find(std::begin(running), std::end(running), true) != std::end(running);
 }
 
@@ -41,31 +41,49 @@ void Workspace::setLights(std::vector<Light> lights) {
     view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);
 }
 
-void Workspace::show(LoadedScene loaded) {
+void Workspace::cancelLoading() {
+    if (!loader.loading()) return;
+    loader.cancel();
+    notify(fmt::format("Cancelled: {} was not loaded", loader.path()), Severity::Warning);
+}
+
+void Workspace::reportSaves() {
+    while (const auto outcome = saves.poll()) {
+        if (outcome->error.empty())
+            notify("Saved " + outcome->names);
+        else
+            errorMessage = outcome->error;
+    }
+}
+
+void Workspace::show(LoadedScene loaded, const RequestOverrides* overrides) {
     if (!loaded.scene) {
         errorMessage = loaded.error;
         return;
     }
     try {
-        EditState opened = initialState(std::move(*loaded.scene));
+        EditState opened = initialState(std::move(*loaded.scene), overrides ? *overrides : RequestOverrides{},
+                                        loaded.bounds);
         if (loaded.reload) {
             opened.settings = edit.settings;
             opened.camera = edit.camera;
         }
         edit = std::move(opened);
     } catch (const InputError& error) {
+        if (overrides) throw;
         errorMessage = error.what();
         return;
     }
+    if (overrides) history = History(edit);
     sceneNotes = std::move(loaded.notes);
     if (!loaded.reload) {
         view.selectedLight = -1;
         bvh.clearSelection();
     }
-    view.flySpeed = defaultFlySpeed(boundsOf(*edit.scene));
+    view.flySpeed = defaultFlySpeed(edit.bounds);
     history.record(edit);
     recent.add(loaded.path);
-    notify(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
+    if (!overrides) notify(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
 }
 
 void Workspace::undo() {

@@ -13,6 +13,7 @@
 #include "viewer/jobs/heat_map.h"
 #include "viewer/jobs/lab_job.h"
 #include "viewer/jobs/render_control.h"
+#include "viewer/jobs/save_queue.h"
 #include "viewer/jobs/scene_loader.h"
 #include "viewer/jobs/trade_job.h"
 #include "viewer/model/edit_state.h"
@@ -67,6 +68,7 @@ struct Workspace {
     StopCriteria stopCriteria;
     bool bvhPanelOpen = false;  ///< the BVH panel was drawn in this frame
     SceneLoader loader;
+    SaveQueue saves;
     RecentFiles recent{recentFilesPath()};
     std::unique_ptr<RenderJob> job;
     FrameTimes frameTimes;
@@ -88,8 +90,13 @@ struct Workspace {
     void notify(std::string text, Severity severity = Severity::Note);
     void setLights(std::vector<Light> lights);
     void open(const std::string& path) { loader.start(path, false); }
-    /// Opens the loaded scene or reports its error.
-    void show(LoadedScene loaded);
+    /// Ends a load; the open scene stays.
+    void cancelLoading();
+    /// Opens the loaded scene or reports its error. With `overrides` of the command line it becomes the first
+    /// state, which nothing can undo; throws InputError if they do not fit to the scene.
+    void show(LoadedScene loaded, const RequestOverrides* overrides = nullptr);
+    /// Reports the end of files that were saved.
+    void reportSaves();
     void undo();
     void redo();
 
