@@ -144,6 +144,25 @@ TEST_F(Ply, CutFilesAndWrongCounts) {
     }
 }
 
+TEST_F(Ply, FilesOfSeveralMegabytes) {
+    constexpr int kVertices = 150000;
+    for (const PlyFile::Format format : PlyFile::kFormats) {
+        PlyFile file(format);
+        file.element("face", kVertices - 2, {"list uchar int vertex_indices"});
+        file.element("vertex", kVertices, {"float x", "float y", "double z"});
+        for (int i = 0; i + 2 < kVertices; ++i) file.row({{3, i * 1.0, i + 1.0, i + 2.0}});
+        for (int i = 0; i < kVertices; ++i) file.row({{i * 0.25}, {i % 7 * 1.0}, {-i * 1.0}});
+        const auto scene = read(file.bytes());
+        ASSERT_EQ(meshOf(scene).positions.size(), std::size_t{kVertices});
+        for (std::uint32_t i = 0; i < kVertices; ++i) {
+            const float x = static_cast<float>(i);
+            ASSERT_EQ(meshOf(scene).positions[i], glm::vec3(0.25f * x, static_cast<float>(i % 7), -x));
+            const glm::uvec3 next(i, i + 1, i + 2);
+            ASSERT_TRUE(next.z >= kVertices || meshOf(scene).triangles[i] == next) << i;
+        }
+    }
+}
+
 TEST_F(Ply, TexturesOfMeshLab) {
     PlyFile file(PlyFile::Format::LittleEndian);
     file.comment("TextureFile the image.png").comment("TextureFile C:\\elsewhere\\other.png");
