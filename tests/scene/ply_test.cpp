@@ -110,7 +110,8 @@ TEST_F(Ply, LinesAndRows) {
                 HasSubstr("mesh.ply:10: warning: lines with more values than the header announces; the "
                           "rest of them is ignored (4 times, first here)"));
     // Rows that are not lines.
-    for (const std::string body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0\n0\n1 0\n0\n0 1\n0\n3\n0\n1 2\n"}) {
+    for (const std::string body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0 0 1 0 0\n0 1 0 3\n0\n1\n2\n",
+                                   "0 0\n0\n1 0\n0\n0 1\n0\n3\n0\n1 2\n"}) {
         const auto scene = read(header(3, kXyz, 1) + body);
         EXPECT_EQ(meshOf(scene).positions[2], glm::vec3(0, 1, 0));
         EXPECT_THAT(notesText(), HasSubstr("warning: the rows are not one per line"));
