@@ -1,5 +1,6 @@
 #pragma once
 // One encoder and one decoder per image format. All work on whole files in memory.
+#include <rayscope/diagnostics.h>
 #include <rayscope/image.h>
 #include <cstddef>
 #include <span>
@@ -10,7 +11,8 @@ namespace rayscope::image {
 using FileBytes = std::span<const std::byte>;
 
 /// Decoders throw InputError; its messages name the file `name`.
-RgbImage decodeExr(FileBytes file, const std::string& name);
+/// Appends notes on what is read approximately to `notes`, if given.
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes = nullptr);
 RgbImage decodePfm(FileBytes file, const std::string& name);
 RgbImage decodeStb(FileBytes file, const std::string& name);  ///< .png .jpg .bmp .tga .hdr
 
