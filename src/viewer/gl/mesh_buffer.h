@@ -26,6 +26,9 @@ class MeshBuffer {
     std::size_t draw(std::uint32_t slot) const;
     std::size_t trianglesOf(std::uint32_t slot) const;
 
+    /// What the positions in the buffer are multiples of; see drawingUnit().
+    double unit() const { return unit_; }
+
     bool hasNormals() const { return hasNormals_; }
     bool hasTexCoords() const { return hasTexCoords_; }
 
@@ -35,6 +38,7 @@ class MeshBuffer {
     GLuint vertexArray_ = 0;
     GLuint buffers_[4] = {};  // positions, normals, texture coordinates, indices
     std::vector<Range> ranges_;
+    double unit_ = 1.0;
     bool hasNormals_ = false, hasTexCoords_ = false;
 };
 
