@@ -209,7 +209,8 @@ inline bool blursPixels(const SceneRequirements& scene, const CameraDescription&
 std::string_view inactiveReason(const SceneRequirements& scene, std::string_view setting);
 
 /// Probable mistakes in the scene: materials that do not conserve energy, degenerate triangles, unused
-/// materials, sizes beyond the range of accurate hits …
-Diagnostics lint(const SceneDescription& scene);
+/// materials, sizes beyond the range of accurate hits … Those that `known`, the notes of loadScene(), has
+/// already are left out.
+Diagnostics lint(const SceneDescription& scene, const Diagnostics& known = {});
 
 }  // namespace rayscope

@@ -90,7 +90,7 @@ int runInfo(const InfoOptions& options) {
     Diagnostics findings;
     const SceneDescription scene = loadScene(options.scene, findings);
     const SceneRequirements needs = requirementsOf(scene);
-    for (Diagnostic& finding : lint(scene)) findings.push_back(std::move(finding));
+    for (Diagnostic& finding : lint(scene, findings)) findings.push_back(std::move(finding));
     if (options.json)
         fmt::print("{}\n", infoJson(scene, needs, findings).dump(2));
     else

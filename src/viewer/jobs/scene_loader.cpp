@@ -9,7 +9,7 @@ LoadedScene loadWithNotes(const std::string& path, bool reload) {
     LoadedScene loaded{.path = path, .scene = {}, .notes = {}, .error = {}, .reload = reload};
     try {
         loaded.scene = loadScene(path, loaded.notes);
-        const Diagnostics odd = lint(*loaded.scene);
+        const Diagnostics odd = lint(*loaded.scene, loaded.notes);
         loaded.notes.insert(loaded.notes.end(), odd.begin(), odd.end());
     } catch (const std::exception& error) {
         loaded.error = error.what();
