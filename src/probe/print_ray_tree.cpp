@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "math/vectors.h"
 #include "probe/names.h"
 #include "trace/world.h"
 
@@ -71,8 +72,10 @@ std::string groupName(std::string_view name) {
 
 glm::vec3 endOf(const RayNode& node, float missLength) {
     if (node.hit) return node.position;
-    const float length = glm::length(node.ray.direction);
-    return node.ray.origin + (length > 0.0f ? node.ray.direction * (missLength / length) : glm::vec3(0.0f));
+    const double length = math::length(node.ray.direction);
+    if (!(length > 0.0)) return node.ray.origin;
+    return node.ray.origin +
+           glm::vec3(glm::dvec3(node.ray.direction) * (static_cast<double>(missLength) / length));
 }
 
 }  // namespace

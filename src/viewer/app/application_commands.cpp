@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "math/vectors.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/camera_text.h"
@@ -131,7 +132,8 @@ void Application::exportRays() {
     const std::string lines = nextFreeName(".obj"), tree = nextFreeName(".json");
     const SceneBounds& bounds = picture_.sceneBounds();
     try {
-        base::writeFileAtomically(lines, toObj(recording->tree(), glm::distance(bounds.lower, bounds.upper)));
+        base::writeFileAtomically(
+            lines, toObj(recording->tree(), static_cast<float>(math::distance(bounds.lower, bounds.upper))));
         base::writeFileAtomically(tree, toJson(recording->tree(), *recording->world));
         workspace_.notify("Saved " + lines + " and " + tree);
     } catch (const InputError& error) {

@@ -12,10 +12,9 @@ namespace rayscope::viewer {
 /// `units` at scale 1 in pixels of this window; a line of text is 13 units high.
 inline float scaled(float units) { return units * ImGui::GetFontSize() / 13.0f; }
 
-inline void text(std::string_view content) {
-    ImGui::TextUnformatted(content.data(), content.data() + content.size());
-    ui::noteText(content);
-}
+/// Shows a text, cut after some thousand characters: texts of files may have any length, and Dear ImGui's
+/// vertices of one wrapped text have 16-bit indices.
+void text(std::string_view content);
 void dimText(std::string_view content);
 void coloredText(const ImVec4& color, std::string_view content);
 void wrappedText(std::string_view content);
