@@ -85,7 +85,7 @@ RgbImage pictureOf(const std::string& path) {
 void expectSame(const RgbImage& image, const RgbImage& reference, int digits, int k, double& worst) {
     int different = 0;
     double sum = 0.0, brightness = 0.0;
-    const double tolerance = 64.0 * std::ldexp(1.0, -digits) + 2e-5;
+    const double tolerance = 16.0 * std::ldexp(1.0, -digits);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         ASSERT_TRUE(math::isFinite(image.pixels[i])) << k;
         const double difference = math::distance(image.pixels[i], reference.pixels[i]);
@@ -95,8 +95,8 @@ void expectSame(const RgbImage& image, const RgbImage& reference, int digits, in
         else
             sum += difference;
     }
-    EXPECT_GT(brightness, 0.05 * kSize * kSize) << "10^" << k << " is black";
-    EXPECT_LE(different, 6) << "of " << kSize * kSize << " pixels at 10^" << k;
+    EXPECT_GT(brightness, 0.02 * kSize * kSize) << "10^" << k << " is black";
+    EXPECT_LE(different, 2) << "of " << kSize * kSize << " pixels at 10^" << k;
     updateWorst(worst, sum / (kSize * kSize));
 }
 
