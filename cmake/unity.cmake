@@ -1,6 +1,6 @@
 # Unity builds: with RAYSCOPE_UNITY, the compiler reads several source files of a module or of a test program at a time,
 # because headers take most of the time of a compilation. Such files share their anonymous namespaces, so names in them are
-# unique within a module (except for overloads). The presets `dev` and `plain` compile every file alone.
+# unique within a module, except for overloads (style.names). The presets `dev` and `plain` compile every file alone.
 set(RAYSCOPE_UNITY_BATCH 8)
 
 # rayscope_batch(RESULT NAME SOURCES files…): RESULT becomes the list of files, with the .cpp files replaced

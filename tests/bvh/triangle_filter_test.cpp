@@ -13,7 +13,7 @@ namespace {
 
 using namespace bvh::kernel;
 
-struct Case {
+struct FilterCase {
     TriangleBlock block;
     Ray ray;
 };
@@ -25,8 +25,8 @@ float edgeFactor(Random& random) {
 
 /// Eight random triangles and a ray towards a point inside, on or near an edge of one of them; its interval
 /// ends far away or within a few roundings of that point.
-Case edgeCase(Random& random) {
-    Case made{};
+FilterCase edgeCase(Random& random) {
+    FilterCase made{};
     const int world = random.integer(4) == 0 ? random.integer(100) - 50 : 0;
     const float size = std::ldexp(1.0f, random.integer(60) - 45),
                 distance = std::ldexp(1.0f, world + random.integer(20) - 10);
