@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/vectors.h"
+
 namespace rayscope {
 
 glm::dmat4 matrixOf(const Transform& transform) {
@@ -52,7 +54,7 @@ CameraDescription framingCamera(const SceneBounds& bounds) {
     const double distance = 1.05 * radius / std::sin(glm::radians(0.5 * static_cast<double>(camera.fov)));
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.0, 0.35, 1.0));
     camera.lookAt = glm::vec3(center);
-    camera.lookFrom = glm::vec3(center + distance * direction);
+    camera.lookFrom = math::toFiniteFloat(center + distance * direction);
     return camera;
 }
 
