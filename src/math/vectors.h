@@ -3,6 +3,7 @@
 #include <rayscope/vector.h>
 
 #include <cmath>
+#include <limits>
 
 namespace rayscope::math {
 
@@ -17,6 +18,12 @@ bool isFinite(const glm::vec<3, T>& v) {
 inline double length(const glm::vec3& v) { return glm::length(glm::dvec3(v)); }
 inline double distance(const glm::vec3& a, const glm::vec3& b) {
     return glm::distance(glm::dvec3(a), glm::dvec3(b));
+}
+
+/// Rounds to float; what lies beyond its range becomes the largest float.
+inline glm::vec3 toFiniteFloat(const glm::dvec3& v) {
+    constexpr double kLargest = std::numeric_limits<float>::max();
+    return glm::vec3(glm::clamp(v, -kLargest, kLargest));
 }
 
 /// Luminance of a linear colour (ITU-R BT.709).

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/check_argument.h"
+#include "math/vectors.h"
 #include "scene/load_step.h"
 
 namespace rayscope {
@@ -61,7 +62,7 @@ CameraDescription framingCamera(const SceneBounds& bounds) {
     const double distance = 1.05 * radius / std::sin(glm::radians(0.5 * static_cast<double>(camera.fov)));
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.0, 0.35, 1.0));
     camera.lookAt = glm::vec3(center);
-    camera.lookFrom = glm::vec3(center + distance * direction);
+    camera.lookFrom = math::toFiniteFloat(center + distance * direction);
     return camera;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/file_suffix.h"
 #include "base/nearest_name.h"
+#include "math/vectors.h"
 #include "scene/mesh_files/read_mesh_file.h"
 #include "scene/source_files.h"
 #include "scene/toml/scene.h"
@@ -45,7 +46,7 @@ Light lightBeside(const CameraDescription& camera) {
     const glm::dvec3 forward = view / distance;
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
     const glm::dvec3 up = glm::cross(right, forward);
-    return {PointLight{glm::vec3(from + distance * (0.6 * up - 0.5 * right - 0.1 * forward))}};
+    return {PointLight{math::toFiniteFloat(from + distance * (0.6 * up - 0.5 * right - 0.1 * forward))}};
 }
 
 SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const LoadControl& control) {

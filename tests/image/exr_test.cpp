@@ -145,7 +145,7 @@ TEST(Exr, ChannelsAndLayersAreChosenByName) {
     expectPixels(imageOf({"r", "g", "b"}, &notes), 0, 0);
     EXPECT_THAT(notes, IsEmpty());
 
-    const RgbImage grey = imageOf({"Y", "A"}, &notes);
+    const RgbImage grey = imageOf({"Y", "A", "diffuse.R"}, &notes);
     EXPECT_EQ(grey.at(1, 2), Rgb(valueAt("Y", 1, 2)));
     EXPECT_THAT(notes, IsEmpty());
 }

@@ -32,6 +32,26 @@ TEST(TexelQuad, ResultIsTheColorOfTheTracer) {
     }
 }
 
+TEST(TexelQuad, OfASphereIsTheColorOfTheTracer) {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(0.5f))};
+    RgbImage image(4, 2);
+    for (std::size_t i = 0; i < 8; ++i) image.pixels[i] = Rgb(static_cast<float>(i + 1) / 8.0f);
+    scene.materials[0].kdTexture = std::make_shared<Texture>(Texture{"t", image, TextureWrap::Repeat});
+    scene.spheres = {{"s", {{0, 0, 0}, 1.0f}, 0, glm::vec3(0.0f)}};
+    const auto world = test::compileScene(scene, {}, 24, 24);
+    int found = 0;
+    for (int i = 0; i < 24 * 24; ++i) {
+        const RayTree tree = probeSample(*world, 1, {i % 24, i / 24, 0});
+        const auto quad = probe::texelsOf(*world, tree.nodes[0]);
+        ASSERT_EQ(quad.has_value(), tree.nodes[0].hit);
+        if (!quad) continue;
+        ++found;
+        EXPECT_NEAR(quad->result.x, tree.nodes[0].kd.x, 1e-6);
+    }
+    EXPECT_GT(found, 100);
+}
+
 TEST(VertexNormals, InterpolateToTheShadingNormal) {
     const auto world = test::compileBuiltin("teapot", 24);
     int found = 0;

@@ -130,6 +130,20 @@ TEST(Scale, ASceneLooksTheSameAtEveryScale) {
     }
 }
 
+/// The camera cannot be as far away as it should; what it shows is finite and not black.
+TEST(Scale, AMeshAtTheEndsOfFloatIsSeen) {
+    const TemporaryFolder folder;
+    for (const int k : {-43, 38}) {
+        const RgbImage image = pictureOf(folder.write("box.obj", boxObj(k)));
+        double brightness = 0.0;
+        for (const Rgb& pixel : image.pixels) {
+            ASSERT_TRUE(math::isFinite(pixel));
+            brightness += static_cast<double>(pixel.x);
+        }
+        EXPECT_GT(brightness, 0.02 * kSize * kSize) << k;
+    }
+}
+
 TEST(Scale, SamplesPerLengthAreCapped) {
     const TemporaryFolder folder;
     const std::string path = folder.write("room.toml", room(6, false));

@@ -33,6 +33,23 @@ TEST_F(TomlLimits, DeepKeysAreErrorsWithAPosition) {
     EXPECT_EQ(errorOf(write("scene.toml", harmless)), "");
 }
 
+TEST_F(TomlLimits, OtherEncodingsAreNamed) {
+    const std::string bom = "\xef\xbb\xbf";
+    EXPECT_EQ(errorOf(write("a.toml", bom + "version = 1\r\n[material.a]\r\n")), "");
+    EXPECT_THAT(errorOf(write("a.toml", std::string("\xff\xfe"
+                                                    "v\0e\0",
+                                                    6))),
+                HasSubstr("UTF-16"));
+    EXPECT_THAT(errorOf(write("a.toml", std::string("\xfe\xff"
+                                                    "\0v\0e",
+                                                    6))),
+                HasSubstr("UTF-16"));
+    EXPECT_THAT(errorOf(write("a.toml", "\x1f\x8b\x08")), HasSubstr("gzip"));
+    EXPECT_THAT(errorOf(write("a.toml", "version = 1\r[material.a]\r")), HasSubstr("CR alone"));
+    EXPECT_THAT(errorOf(write("a.toml", "version = 1\ntitle = \"caf\xe9\"\n")),
+                ::testing::AllOf(StartsWith("a.toml:2:"), HasSubstr("save the file as UTF-8")));
+}
+
 TEST_F(TomlLimits, LongNamesAndListsAreShort) {
     const std::string name(100000, 'm'), other(100000, 'n');
     const std::string error = errorOf(

@@ -15,7 +15,7 @@ TEST(CameraText, survivesPrintingAndParsing) {
 
 TEST(CameraText, changesOnlyWhatItNames) {
     CameraDescription camera;
-    camera.up = {0.0f, 0.0f, 1.0f};
+    camera.up = {1.0f, 0.0f, 0.0f};
     const CameraDescription changed = withOptions(camera, "  --fov=20 ");
     EXPECT_EQ(changed.fov, 20.0f);
     EXPECT_EQ(changed.up, camera.up);
@@ -37,6 +37,8 @@ TEST(CameraText, errorsNameTheExpectedForm) {
     EXPECT_NE(messageOf("--fov").find("a number"), std::string::npos);
     EXPECT_NE(messageOf("--fov 180").find("between 0 and 180"), std::string::npos);
     EXPECT_NE(messageOf("--look-from 0,0,0 --look-at 0,0,0").find("the same point"), std::string::npos);
+    EXPECT_NE(messageOf("--up 0,0,0").find("up must not be zero"), std::string::npos);
+    EXPECT_NE(messageOf("--up 0,0,1").find("parallel to the viewing direction"), std::string::npos);
 }
 
 }  // namespace

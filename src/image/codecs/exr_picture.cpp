@@ -60,6 +60,7 @@ class Chooser {
             if (headers_.parts[i].isDeep) continue;
             flat = true;
             const std::vector<Layer> layers = layersOf(headers_.parts[i]);
+            if (!layers[0].isColored() && layers[0].isLuminance()) return luminance(i, layers[0], layers);
             for (const Layer& layer : layers)
                 if (layer.isColored()) return colored(i, layer, layers);
             for (const Layer& layer : layers)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <istream>
+#include <utility>
 #include <vector>
 
 #include "scene/progress_stream.h"
@@ -102,9 +103,20 @@ bool endsWithinCharacter(std::string_view text) {
     return false;
 }
 
+/// What the file is instead of UTF-8 text with lines, and what to do; "" if it may be that.
+std::string_view foreignText(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "UTF-16 text; save it as UTF-8";
+    if (text.starts_with("\x1f\x8b")) return "a gzip archive; unpack it first";
+    if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
+        return "the lines end with CR alone, as on old Macs; save it with LF";
+    return {};
+}
+
 }  // namespace
 
 toml::table parseToml(const std::string& path, std::string_view text, const LoadControl& control) {
+    if (const std::string_view foreign = foreignText(text); !foreign.empty())
+        throw InputError(std::string(foreign), {path});
     DepthScan(path, text).run();
     ProgressBuffer buffer(text, control, "parsing " + std::filesystem::path(path).filename().string());
     std::istream stream(&buffer);
@@ -115,7 +127,9 @@ toml::table parseToml(const std::string& path, std::string_view text, const Load
         return toml::parse(stream, path);
     } catch (const toml::parse_error& error) {
         buffer.rethrowFailure();
-        throw InputError(std::string(error.description()), positionIn(path, error.source()));
+        std::string message(error.description());
+        if (message.find("invalid utf-8") != std::string::npos) message += "; save the file as UTF-8";
+        throw InputError(std::move(message), positionIn(path, error.source()));
     }
 }
 
