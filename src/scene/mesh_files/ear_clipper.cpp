@@ -1,5 +1,6 @@
 #include "scene/mesh_files/ear_clipper.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "scene/mesh_files/orientation.h"
@@ -10,26 +11,17 @@ namespace {
 
 constexpr std::size_t kNotQueued = std::numeric_limits<std::size_t>::max();
 
-std::vector<glm::dvec2> select(const std::vector<glm::dvec2>& points,
-                               std::span<const std::uint32_t> indices) {
-    std::vector<glm::dvec2> list;
-    list.reserve(indices.size());
-    for (const std::uint32_t i : indices) list.push_back(points[i]);
-    return list;
-}
-
 }  // namespace
 
-EarClipper::EarClipper(const std::vector<glm::dvec2>& points, std::span<const std::uint32_t> ring)
-    : corners_(ring.begin(), ring.end()),
-      prev_(ring.size()),
-      next_(ring.size()),
-      flat_(select(points, ring)),
-      queuedAt_(ring.size(), kNotQueued),
-      left_(ring.size()),
+EarClipper::EarClipper(const std::vector<glm::dvec2>& outline)
+    : flat_(outline),
+      prev_(outline.size()),
+      next_(outline.size()),
+      queuedAt_(outline.size(), kNotQueued),
+      left_(outline.size()),
       tree_(flat_, {}) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        next_[i] = static_cast<std::uint32_t>(i + 1 < ring.size() ? i + 1 : 0);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        next_[i] = static_cast<std::uint32_t>(i + 1 < outline.size() ? i + 1 : 0);
         prev_[next_[i]] = static_cast<std::uint32_t>(i);
     }
     buildTree();
@@ -49,20 +41,29 @@ void EarClipper::enqueueAll() {
 
 bool EarClipper::isEar(std::uint32_t corner, Rule rule) const {
     const glm::dvec2 a = flat_[prev_[corner]], b = flat_[corner], c = flat_[next_[corner]];
+    if (isSpike(a, b, c)) return true;
     const double area = orientation(a, b, c);
     if (rule == Rule::Strict ? area <= 0.0 : area < 0.0) return false;
     if (area == 0.0) return true;
+    // Whether the outline goes into the angle of the ear from another corner at its position.
+    const auto entersAngle = [&](std::uint32_t other) {
+        const auto isInside = [&](const glm::dvec2& p) {
+            return orientation(a, b, p) > 0.0 && orientation(b, c, p) > 0.0;
+        };
+        return isInside(flat_[prev_[other]]) || isInside(flat_[next_[other]]);
+    };
+    const double least = rule == Rule::Strict ? 0.0 : std::numeric_limits<double>::min();
     return !tree_.anyInTriangle({a, b, c}, [&](std::uint32_t other) {
         const glm::dvec2 p = flat_[other];
-        const double least = rule == Rule::Strict ? 0.0 : std::numeric_limits<double>::min();
+        if (p == b) return other != corner && entersAngle(other);
         return orientation(c, a, p) >= least && orientation(a, b, p) >= least &&
-               orientation(b, c, p) >= least && p != a && p != b && p != c;
+               orientation(b, c, p) >= least && p != a && p != c;
     });
 }
 
 void EarClipper::cut(std::uint32_t corner, std::span<glm::uvec3> triangles) {
     const std::uint32_t before = prev_[corner], after = next_[corner];
-    triangles[cut_++] = {corners_[before], corners_[corner], corners_[after]};
+    triangles[cut_++] = {before, corner, after};
     next_[before] = after;
     prev_[after] = before;
     start_ = before;
@@ -107,7 +108,7 @@ bool EarClipper::clip(std::span<glm::uvec3> triangles, const std::function<void(
     const bool isSimple =
         left_ == 3 && orientation(flat_[prev_[start_]], flat_[start_], flat_[next_[start_]]) >= 0.0;
     for (std::uint32_t corner = next_[start_]; left_ > 2; --left_, corner = next_[corner])
-        triangles[cut_++] = {corners_[start_], corners_[corner], corners_[next_[corner]]};
+        triangles[cut_++] = {start_, corner, next_[corner]};
     return isSimple;
 }
 

@@ -16,10 +16,10 @@ namespace rayscope::scene {
 /// O(√n) for needles across the whole polygon.
 class EarClipper {
   public:
-    /// `ring`: the corners, at least three, as indices into `points`, counter-clockwise.
-    EarClipper(const std::vector<glm::dvec2>& points, std::span<const std::uint32_t> ring);
+    /// `outline`: at least three corners, counter-clockwise; it must outlive the clipper.
+    explicit EarClipper(const std::vector<glm::dvec2>& outline);
 
-    /// Fills `triangles`, of ring.size() − 2 elements. False if the polygon crosses itself. `progress` is
+    /// Fills `triangles`, of outline.size() − 2 elements. False if the polygon crosses itself. `progress` is
     /// called with the number of triangles so far.
     bool clip(std::span<glm::uvec3> triangles, const std::function<void(std::size_t)>& progress);
 
@@ -38,9 +38,8 @@ class EarClipper {
                  const std::function<void(std::size_t)>& progress);
     void buildTree();
 
-    std::vector<std::uint32_t> corners_;      ///< point of each corner
+    const std::vector<glm::dvec2>& flat_;
     std::vector<std::uint32_t> prev_, next_;  ///< links of the corners that are left
-    std::vector<glm::dvec2> flat_;            ///< position of each corner
     std::vector<std::uint32_t> queue_;
     std::vector<std::size_t> queuedAt_;  ///< per corner: its valid position in the queue
     std::size_t head_ = 0, left_, inTree_ = 0, cut_ = 0;

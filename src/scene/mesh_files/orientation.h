@@ -17,4 +17,10 @@ inline double orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::d
     return std::fma(u.x, v.y, -right) - std::fma(u.y, v.x, -right);
 }
 
+/// Whether the outline goes from a to b and back over itself to c, or stays at a point. Cutting b off then
+/// leaves the polygon as it is.
+inline bool isSpike(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return orientation(a, b, c) == 0.0 && glm::dot(a - b, c - b) >= 0.0;
+}
+
 }  // namespace rayscope::scene

@@ -12,9 +12,6 @@ namespace rayscope::scene {
 
 namespace {
 
-/// Polygons with at most this many corners are clipped without a search tree.
-constexpr std::size_t kFewCorners = 32;
-
 /// Twice the area vector of the polygon (Newell's method), along its normal even if it is non-planar or
 /// concave.
 glm::dvec3 areaVector(std::span<const glm::vec3> points) {
@@ -56,36 +53,6 @@ bool isStrictlyConvex(const std::vector<glm::dvec2>& flat) {
     return changes == 2;
 }
 
-bool isEar(const std::vector<glm::dvec2>& flat, const std::vector<std::uint32_t>& ring, std::size_t i) {
-    const std::size_t n = ring.size();
-    const glm::dvec2 a = flat[ring[(i + n - 1) % n]], b = flat[ring[i]], c = flat[ring[(i + 1) % n]];
-    if (orientation(a, b, c) <= 0.0) return false;
-    return std::none_of(ring.begin(), ring.end(), [&](std::uint32_t k) {
-        const glm::dvec2 p = flat[k];
-        return p != a && p != b && p != c && orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 &&
-               orientation(c, a, p) >= 0.0;
-    });
-}
-
-/// Clips ears of a polygon of few corners, always the first one. Returns the number of triangles; `ring`
-/// keeps the corners that are left.
-std::size_t clipFew(const std::vector<glm::dvec2>& flat, std::vector<std::uint32_t>& ring,
-                    std::span<glm::uvec3> triangles) {
-    std::size_t count = 0;
-    for (bool found = true; ring.size() > 3 && found;) {
-        found = false;
-        // Starting at the second corner makes fans around the first.
-        for (std::size_t i = 1; i <= ring.size() && !found; ++i) {
-            const std::size_t n = ring.size(), ear = i % n;
-            if (!isEar(flat, ring, ear)) continue;
-            triangles[count++] = {ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]};
-            ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
-            found = true;
-        }
-    }
-    return count;
-}
-
 void makeFan(std::span<const std::uint32_t> ring, std::span<glm::uvec3> triangles) {
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) triangles[i - 1] = {ring[0], ring[i], ring[i + 1]};
 }
@@ -116,8 +83,7 @@ bool triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triang
         makeFan(ring, triangles);
         return true;
     }
-    if (points.size() <= kFewCorners) triangles = triangles.subspan(clipFew(flat, ring, triangles));
-    return EarClipper(flat, ring).clip(triangles, progress);
+    return EarClipper(flat).clip(triangles, progress);
 }
 
 }  // namespace rayscope::scene
