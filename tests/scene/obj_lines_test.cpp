@@ -44,6 +44,8 @@ TEST_F(ObjLines, BackslashesContinueLines) {
           "f 1 2 3 \\", "f 1 2 3\\\n\n", "f 1 2\\\n 3", "f 1 2 \\\r3"})
         expectTriangle(kTriangle + std::string(face));
     expectTriangle("# no \\\nv 0 0 0 # no \\\nv 1 0 0\nv 0 1 \\\n 0\nf 1 2 3\n");
+    expectTriangle("\\\n\n\\\n \\\n\n" + kFile + "\\\n\\");
+    EXPECT_EQ(notesText(), "");
     EXPECT_EQ(failure(kTriangle + "f 1 \\\n 2 \\\n  x\n"), "mesh.obj:6:3: error: expected an index, got 'x'");
     EXPECT_EQ(failure(kTriangle + " f x \\\n 2 3\n"), "mesh.obj:4:4: error: expected an index, got 'x'");
 }

@@ -12,6 +12,7 @@
 #include "base/parse_float.h"
 #include "scene/load_step.h"
 #include "scene/mesh_files/obj_corner.h"
+#include "scene/mesh_files/obj_references.h"
 #include "scene/mesh_files/obj_statements.h"
 #include "scene/mesh_files/text_lines.h"
 
@@ -22,44 +23,11 @@ namespace {
 constexpr std::size_t kShortestVertex = 8;  ///< bytes of "v 0 0 0" and its line end
 constexpr std::int64_t kMaxIndex = std::numeric_limits<std::int32_t>::max();
 
-/// The positive indices of one kind that were beyond the elements so far. Later elements may make them valid,
-/// so only those that exceed all earlier ones are kept: the first invalid one is among them.
-class ForwardReferences {
-  public:
-    struct Reference {
-        std::int64_t index;
-        SourcePosition position;
-    };
-    bool exceeds(std::int64_t index) const { return references_.empty() || index > references_.back().index; }
-    void add(std::int64_t index, SourcePosition position) {
-        references_.push_back({index, std::move(position)});
-    }
-    /// The first index above `count`; null: none.
-    const Reference* firstBeyond(std::size_t count) const {
-        const auto found = std::upper_bound(
-            references_.begin(), references_.end(), static_cast<std::int64_t>(count),
-            [](std::int64_t value, const Reference& reference) { return value < reference.index; });
-        return found == references_.end() ? nullptr : &*found;
-    }
-
-  private:
-    std::vector<Reference> references_;
-};
-
-/// Indices of texture coordinates or normals that do not exist.
-struct Missing {
-    std::string_view what;
-    std::size_t count = 0;
-    int firstLine = 0;
-    void add(int line) {
-        if (count++ == 0 || line < firstLine) firstLine = line;
-    }
-};
-
 class ObjParser {
   public:
     ObjParser(const std::string& path, std::string_view text, Oddities& oddities, const LoadControl& control)
-        : lines_(path, text),
+        : path_(path),
+          lines_(path, text),
           oddities_(oddities),
           statements_(path),
           step_(control, "reading " + path.substr(path.find_last_of('/') + 1), text.size()),
@@ -215,8 +183,10 @@ class ObjParser {
     std::int32_t positionIndex(std::int64_t index, std::string_view word) {
         const std::size_t count = obj_.positions.size();
         if (index > 0 && index <= kMaxIndex) {
-            if (static_cast<std::size_t>(index) > count && positions_.exceeds(index))
-                positions_.add(index, lines_.positionOf(word.data()));
+            if (static_cast<std::size_t>(index) > count && positions_.exceeds(index)) {
+                const SourcePosition at = lines_.positionOf(word.data());
+                positions_.add(index, at.line, at.column);
+            }
             return static_cast<std::int32_t>(index - 1);
         }
         const std::int64_t fromStart = static_cast<std::int64_t>(count) + index;
@@ -233,18 +203,13 @@ class ObjParser {
         throw InputError(fmt::format("vertex {} is out of range: {}", index, range), std::move(position));
     }
 
-    struct OptionalElements {
-        ForwardReferences forward;
-        Missing missing;
-    };
-
     /// Zero-based; −1: none.
     std::int32_t optionalIndex(const std::optional<std::int64_t>& index, std::size_t count,
-                               OptionalElements& elements) {
+                               OptionalReferences& elements) {
         if (!index) return -1;
         if (*index > 0 && *index <= kMaxIndex) {
             if (static_cast<std::size_t>(*index) > count && elements.forward.exceeds(*index))
-                elements.forward.add(*index, {"", lines_.number(), 0});
+                elements.forward.add(*index, lines_.number(), 0);
             return static_cast<std::int32_t>(*index - 1);
         }
         const std::int64_t fromStart = static_cast<std::int64_t>(count) + *index;
@@ -283,7 +248,7 @@ class ObjParser {
     /// Checks what depends on the whole file.
     void finish() {
         if (const auto* reference = positions_.firstBeyond(obj_.positions.size()))
-            failPosition(std::to_string(reference->index), reference->position, "");
+            failPosition(std::to_string(reference->index), {path_, reference->line, reference->column}, "");
         if (obj_.triangles.empty()) statements_.failWithoutFaces(obj_.positions.size());
         obj_.corners = corners_.takeCorners();
         if (!obj_.colors.empty())
@@ -293,21 +258,22 @@ class ObjParser {
         statements_.report(!obj_.normals.empty(), oddities_);
     }
 
-    void dropMissing(std::int32_t Corner::*index, std::size_t count, OptionalElements& elements) {
+    void dropMissing(std::int32_t Corner::*index, std::size_t count, OptionalReferences& elements) {
         if (const auto* reference = elements.forward.firstBeyond(count)) {
             for (Corner& corner : obj_.corners)
                 if (corner.*index >= 0 && static_cast<std::size_t>(corner.*index) >= count) {
                     corner.*index = -1;
-                    elements.missing.add(reference->position.line);
+                    elements.missing.add(reference->line);
                 }
         }
-        const Missing& missing = elements.missing;
+        const MissingElements& missing = elements.missing;
         oddities_.add(Severity::Warning,
                       fmt::format("corners with a {} that does not exist (the file has {}); ignored",
                                   missing.what, count),
                       missing.firstLine, missing.count);
     }
 
+    const std::string& path_;
     TextLines lines_;
     Oddities& oddities_;
     ObjStatements statements_;
@@ -316,7 +282,7 @@ class ObjParser {
     CornerTable corners_;
     std::vector<Corner> face_;
     ForwardReferences positions_;
-    OptionalElements texCoords_{{}, {"texture coordinate"}}, normals_{{}, {"normal"}};
+    OptionalReferences texCoords_{{}, {"texture coordinate"}}, normals_{{}, {"normal"}};
     std::map<std::string, std::uint32_t, std::less<>> slotOf_;
     std::optional<std::uint32_t> slot_;
 };

@@ -42,10 +42,16 @@ bool TextLines::next() {
         line_ = readLine();
         lineNumber_ = lastNumber_;
         isJoined_ = false;
-        while (!line_.empty() && isBlank(line_.front())) line_.remove_prefix(1);
+        const auto skipBlanks = [&] {
+            while (!line_.empty() && isBlank(line_.front())) line_.remove_prefix(1);
+        };
+        skipBlanks();
         if (line_.empty() || line_.front() == '#') continue;
-        if (continuation(line_) != std::string_view::npos && withoutComment(line_).size() == line_.size())
+        if (continuation(line_) != std::string_view::npos && withoutComment(line_).size() == line_.size()) {
             joinLines(line_);
+            skipBlanks();
+            if (line_.empty() || line_.front() == '#') continue;
+        }
         return true;
     }
     return false;
