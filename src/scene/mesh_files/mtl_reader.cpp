@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scene/load_step.h"
 #include "scene/mesh_files/mtl_parser.h"
 #include "scene/mesh_files/referenced_file.h"
 #include "scene/mesh_files/text_file.h"
@@ -24,7 +25,12 @@ class MtlReader {
         for (const ParsedMaterial& material : parsed) statements.push_back(material.statements);
         const std::vector<MtlValues> values = interpretMtl(statements);
         std::vector<Material> materials;
-        for (std::size_t i = 0; i < parsed.size(); ++i) materials.push_back(convert(parsed[i], values[i]));
+        LoadStep step(context_.control, "reading " + path_.substr(path_.find_last_of('/') + 1),
+                      parsed.size());
+        for (std::size_t i = 0; i < parsed.size(); ++i) {
+            materials.push_back(convert(parsed[i], values[i]));
+            step.advanceTo(i + 1);
+        }
         for (const Problem* problem : {&missing_, &renamed_, &unreadable_}) report(*problem);
         oddities_.report(context_.notes);
         return materials;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -17,6 +18,9 @@ std::string textOf(float value) { return fmt::format("{:.17g}", static_cast<doub
 std::string textOf(const Rgb& color) {
     return fmt::format("{} {} {}", textOf(color.r), textOf(color.g), textOf(color.b));
 }
+
+/// Materials per call, because those of the library take 2 KB each.
+constexpr std::size_t kBlock = 1024;
 
 /// The default of this program for materials without Kd; that of the library is black.
 constexpr Rgb kDefaultKd(0.8f);
@@ -46,19 +50,22 @@ Rgb colorOf(const tinyobj::real_t (&c)[3]) {
 }  // namespace
 
 std::vector<MtlValues> interpretMtl(std::span<const MtlStatements> materials) {
-    if (materials.empty()) return {};
-    std::istringstream stream(textOf(materials));
-    std::map<std::string, int> names;
-    std::vector<tinyobj::material_t> parsed;
-    std::string warning, error;
-    tinyobj::LoadMtl(&names, &parsed, &stream, &warning, &error);
     std::vector<MtlValues> values;
-    for (const tinyobj::material_t& material : parsed)
-        values.push_back({.kd = colorOf(material.diffuse),
-                          .ks = colorOf(material.specular),
-                          .shininess = static_cast<float>(material.shininess),
-                          .opacity = static_cast<float>(material.dissolve),
-                          .illum = material.illum});
+    while (!materials.empty()) {
+        const std::size_t count = std::min(materials.size(), kBlock);
+        std::istringstream stream(textOf(materials.first(count)));
+        materials = materials.subspan(count);
+        std::map<std::string, int> names;
+        std::vector<tinyobj::material_t> parsed;
+        std::string warning, error;
+        tinyobj::LoadMtl(&names, &parsed, &stream, &warning, &error);
+        for (const tinyobj::material_t& material : parsed)
+            values.push_back({.kd = colorOf(material.diffuse),
+                              .ks = colorOf(material.specular),
+                              .shininess = static_cast<float>(material.shininess),
+                              .opacity = static_cast<float>(material.dissolve),
+                              .illum = material.illum});
+    }
     return values;
 }
 
