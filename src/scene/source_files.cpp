@@ -44,6 +44,14 @@ bool fileExists(const std::string& path) {
     return findEmbedded(path) || fs::is_regular_file(path, ignored);
 }
 
+void refuseSpecialFile(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_type type = fs::status(path, ignored).type();
+    if (type == fs::file_type::fifo || type == fs::file_type::socket || type == fs::file_type::block ||
+        type == fs::file_type::character)
+        throw InputError("is a pipe or device, not a regular file", {path});
+}
+
 std::string readSource(const std::string& path, const LoadControl& control) {
     if (const auto* embedded = findEmbedded(path)) return std::string(embedded->content);
     std::optional<LoadStep> step;

@@ -11,7 +11,11 @@ namespace rayscope::scene {
 /// "reading NAME".
 std::string readSource(const std::string& path, const LoadControl& control = {});
 
+/// Whether there is a regular file at the path.
 bool fileExists(const std::string& path);
+
+/// Throws InputError if the path names a pipe, a socket or a device, from which reading may never end.
+void refuseSpecialFile(const std::string& path);
 
 /// The path of a file `name` that the file `base` refers to: relative to the folder of `base`, with \ read as
 /// /. References in embedded files are searched among the embedded files, then in the scenes folder of the

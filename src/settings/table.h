@@ -71,7 +71,7 @@ inline constexpr std::tuple kSettingsTable{
     Range<int>{{"max_depth", "Reflection", "Max depth", "Maximum number of reflections along a path.", "reflections", Trade::Bias},
            &Settings::maxDepth, 0, 16, Invalidates::Film, inactive::recursion},
     Choice<ReflectWhen, 2>{{"reflect_when", "Reflection", "Reflect when",
-           "Which materials reflect: those with ks above 0, or those whose MTL illum is at least 3."},
+           "Which materials reflect: those with ks above 0, or those whose MTL illum is from 3 to 9."},
            &Settings::reflectWhen, {"ks", "illum"}, Invalidates::Film, inactive::recursion},
     Toggle{{"glossy", "Reflection", "Glossy", "Blurs reflections by a Gaussian lobe around the mirror direction."},
            &Settings::glossy, Invalidates::Film, inactive::recursion},

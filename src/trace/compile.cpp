@@ -76,7 +76,7 @@ void compileMotionGroups(World& world, const World* previous, bool keepBinaryTre
 
 bool reflects(const Material& material, const Settings& settings) {
     if (!settings.recursion || material.ks == Rgb(0.0f)) return false;
-    return settings.reflectWhen == ReflectWhen::Ks || material.illum >= 3;
+    return settings.reflectWhen == ReflectWhen::Ks || (material.illum >= 3 && material.illum <= 9);
 }
 
 void compileMaterials(World& world, const World* previous) {

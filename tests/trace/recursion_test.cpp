@@ -73,10 +73,11 @@ TEST(Recursion, ByIlluminationModelReflectsFromThreeOn) {
     settings.shading = false;
     settings.reflectWhen = ReflectWhen::Illum;
     settings.maxDepth = 1;
-    for (const int illum : {-1, 0, 2, 3, 5}) {
+    for (const int illum : {-1, 0, 2, 3, 5, 9, 10}) {
         SceneDescription scene = facingMirrors(Rgb(0.25f), Rgb(0.5f));
         scene.materials[0].illum = illum;
-        EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)), RgbSum(illum >= 3 ? 0.375 : 0.25))
+        EXPECT_EQ(firstSample(*compileScene(scene, settings, 1, 1)),
+                  RgbSum(illum >= 3 && illum <= 9 ? 0.375 : 0.25))
             << illum;
     }
 }

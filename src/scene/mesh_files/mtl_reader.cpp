@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
-#include "scene/mesh_files/tinyobj_tokenizer.h"
-#include "scene/source_files.h"
+#include "scene/load_step.h"
+#include "scene/mesh_files/mtl_parser.h"
+#include "scene/mesh_files/referenced_file.h"
+#include "scene/mesh_files/text_file.h"
 
 namespace rayscope::scene {
 
@@ -14,71 +15,100 @@ namespace {
 
 class MtlReader {
   public:
-    MtlReader(const std::string& path, TextureCache& textures, Diagnostics& notes)
-        : path_(path), textures_(textures), notes_(notes) {}
+    MtlReader(const std::string& path, const ImportContext& context)
+        : path_(path), context_(context), oddities_(path) {}
 
     std::vector<Material> read() {
-        const MtlContent content = tokenizeMtl(path_, readSource(path_));
-        for (const MtlContent::OpacityConflict& conflict : content.opacityConflicts)
-            note(Severity::Note,
-                 fmt::format("material '{}': d {} contradicts Tr {}; d is used", conflict.material,
-                             conflict.d, conflict.tr),
-                 conflict.line);
+        const std::string text = readTextFile(path_, "MTL", oddities_);
+        const std::vector<ParsedMaterial> parsed = parseMtl(path_, text, oddities_);
+        std::vector<MtlStatements> statements;
+        for (const ParsedMaterial& material : parsed) statements.push_back(material.statements);
+        const std::vector<MtlValues> values = interpretMtl(statements);
         std::vector<Material> materials;
-        for (const MtlMaterial& material : content.materials) materials.push_back(convert(material));
-        if (!content.ignored.empty())
-            note(Severity::Note, fmt::format("ignored statements: {}", fmt::join(content.ignored, ", ")));
+        LoadStep step(context_.control, "reading " + path_.substr(path_.find_last_of('/') + 1),
+                      parsed.size());
+        for (std::size_t i = 0; i < parsed.size(); ++i) {
+            materials.push_back(convert(parsed[i], values[i]));
+            step.advanceTo(i + 1);
+        }
+        for (const Problem* problem : {&missing_, &renamed_, &unreadable_}) report(*problem);
+        oddities_.report(context_.notes);
         return materials;
     }
 
   private:
-    void note(Severity severity, std::string message, int line = 0) {
-        notes_.push_back({severity, std::move(message), {path_, line, 0}});
-    }
-
-    Material convert(const MtlMaterial& parsed) {
+    Material convert(const ParsedMaterial& parsed, const MtlValues& values) {
         Material material{.name = parsed.name,
-                          .kd = parsed.kd,
-                          .ks = parsed.ks,
-                          .shininess = parsed.shininess,
-                          .opacity = parsed.opacity,
-                          .illum = parsed.illum};
-        if (!(material.opacity >= 0.0f && material.opacity <= 1.0f)) {
-            note(Severity::Warning, fmt::format("material '{}': d {} is not between 0 and 1; clamped",
-                                                material.name, material.opacity));
-            material.opacity = std::clamp(material.opacity, 0.0f, 1.0f);
-        }
-        if (!(material.shininess >= 0.0f)) {
-            note(Severity::Warning, fmt::format("material '{}': Ns {} is negative; 0 is used", material.name,
-                                                material.shininess));
-            material.shininess = 0.0f;
-        }
-        if (!parsed.kdTexture.empty()) openTexture(parsed, material);
+                          .kd = values.kd,
+                          .ks = values.ks,
+                          .shininess = values.shininess,
+                          .opacity = values.opacity,
+                          .illum = values.illum};
+        if (material.opacity == 0.0f)
+            oddities_.add(Severity::Warning,
+                          fmt::format("materials are invisible by {}", parsed.statements.d ? "d 0" : "Tr 1"),
+                          parsed.opacityLine);
+        if (!parsed.texture.empty()) openTexture(parsed, material);
+        if (!parsed.statements.kd && !material.kdTexture)
+            oddities_.add(Severity::Note, fmt::format("materials without Kd; {} is used", values.kd.r),
+                          parsed.line);
         return material;
     }
 
-    void openTexture(const MtlMaterial& parsed, Material& material) {
-        const std::string resolved = resolvePath(path_, parsed.kdTexture);
+    void openTexture(const ParsedMaterial& parsed, Material& material) {
+        const std::string name = referencedName(parsed.texture);
+        const auto found = findReferenced(path_, parsed.texture);
+        if (!found) {
+            missing_.add(name, fmt::format("'{}' {}; Kd is used", name, whyNotFound(path_, parsed.texture)),
+                         parsed.textureLine);
+            return;
+        }
+        if (found->how != ReferencedFile::How::AsWritten)
+            renamed_.add(name, fmt::format("'{}' is not found; {} is used", name, found->path),
+                         parsed.textureLine);
         try {
-            material.kdTexture =
-                textures_.open(resolved, parsed.clampsTexture ? TextureWrap::Clamp : TextureWrap::Repeat);
+            material.kdTexture = context_.textures.open(
+                found->path, parsed.clampsTexture ? TextureWrap::Clamp : TextureWrap::Repeat);
         } catch (const InputError& error) {
-            if (!unreadable_.insert(resolved).second) return;
-            note(Severity::Warning, fmt::format("material '{}': {}: {}; Kd is used instead", material.name,
-                                                resolved, error.diagnostic().message));
+            unreadable_.add(found->path,
+                            fmt::format("{}: {}; Kd is used", found->path, error.diagnostic().message),
+                            parsed.textureLine);
         }
     }
 
+    /// Textures with the same problem: the message about the first, and which others there are.
+    struct Problem {
+        std::string firstMessage{};
+        int firstLine = 0;
+        std::set<std::string> files{};
+
+        void add(const std::string& file, std::string message, int line) {
+            if (files.empty()) {
+                firstMessage = std::move(message);
+                firstLine = line;
+            }
+            files.insert(file);
+        }
+    };
+    void report(const Problem& problem) {
+        if (problem.files.empty()) return;
+        const std::size_t others = problem.files.size() - 1;
+        const std::string more = others == 0   ? ""
+                                 : others == 1 ? " (and 1 other texture)"
+                                               : fmt::format(" (and {} other textures)", others);
+        oddities_.add(Severity::Warning, "texture " + problem.firstMessage + more, problem.firstLine);
+    }
+
     const std::string& path_;
-    TextureCache& textures_;
-    Diagnostics& notes_;
-    std::set<std::string> unreadable_;
+    const ImportContext& context_;
+    Oddities oddities_;
+    Problem missing_, renamed_, unreadable_;
 };
 
 }  // namespace
 
-std::vector<Material> readMtl(const std::string& path, TextureCache& textures, Diagnostics& notes) {
-    return MtlReader(path, textures, notes).read();
+std::vector<Material> readMtl(const std::string& path, const ImportContext& context) {
+    return MtlReader(path, context).read();
 }
 
 }  // namespace rayscope::scene

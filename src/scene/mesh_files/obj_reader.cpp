@@ -2,53 +2,27 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <set>
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 
-#include "scene/mesh_files/mtl_reader.h"
+#include "image/srgb.h"
+#include "scene/load_step.h"
+#include "scene/mesh_files/missing_normals.h"
+#include "scene/mesh_files/obj_materials.h"
 #include "scene/mesh_files/obj_parser.h"
+#include "scene/mesh_files/text_file.h"
 #include "scene/mesh_files/triangulate.h"
-#include "scene/source_files.h"
 
 namespace rayscope::scene {
 
 namespace {
 
-void checkIndices(const std::string& path, const ParsedObj& obj) {
-    const auto check = [&](std::int32_t index, std::size_t count, std::string_view what, std::size_t corner) {
-        if (index >= 0 && static_cast<std::size_t>(index) >= count)
-            failObjIndex(path, obj.firstLines[corner], what, static_cast<std::int64_t>(index) + 1, count);
-    };
-    const std::vector<Corner>& corners = obj.corners.corners();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        check(corners[i].position, obj.positions.size(), "vertex", i);
-        check(corners[i].texCoord, obj.texCoords.size(), "texture coordinate", i);
-        check(corners[i].normal, obj.normals.size(), "normal", i);
-    }
-}
-
-void report(const std::string& path, const ParsedObj& obj, Diagnostics& notes) {
-    const auto note = [&](std::string message, int line) {
-        notes.push_back({Severity::Note, std::move(message), {path, line, 0}});
-    };
-    if (obj.nonFiniteVertices > 0)
-        note(fmt::format("{} vertices with NaN or infinite coordinates, the first one here; rays never hit "
-                         "their triangles",
-                         obj.nonFiniteVertices),
-             obj.firstNonFiniteVertex);
-    if (obj.degenerateFaces > 0)
-        note(fmt::format("{} faces with fewer than three vertices, the first one here; ignored",
-                         obj.degenerateFaces),
-             obj.firstDegenerateFace);
-    if (!obj.ignored.empty()) note(fmt::format("ignored statements: {}", fmt::join(obj.ignored, ", ")), 0);
-}
-
 /// Replaces the fans of polygons by triangulations, in place.
-void triangulatePolygons(const ParsedObj& obj, MeshData& mesh) {
+void triangulatePolygons(const ParsedObj& obj, MeshData& mesh, Oddities& oddities, LoadStep step) {
     std::vector<std::uint32_t> ring;
     std::vector<glm::vec3> points;
     std::vector<glm::uvec3> triangles;
+    std::size_t done = 0;
     for (const ParsedObj::Polygon& polygon : obj.polygons) {
         glm::uvec3* const fan = &mesh.triangles[polygon.firstTriangle];
         ring = {fan[0].x, fan[0].y};
@@ -56,128 +30,116 @@ void triangulatePolygons(const ParsedObj& obj, MeshData& mesh) {
         points.clear();
         for (const std::uint32_t vertex : ring) points.push_back(mesh.positions[vertex]);
         triangles.resize(polygon.corners - 2);
-        triangulate(points, triangles);
+        const bool isSimple =
+            triangulate(points, triangles, [&](std::size_t cut) { step.advanceTo(done + cut); });
+        if (!isSimple)
+            oddities.add(Severity::Warning,
+                         fmt::format("faces whose outline crosses itself, the first with {} corners; their "
+                                     "triangles overlap",
+                                     polygon.corners),
+                         polygon.line);
         for (std::size_t i = 0; i < triangles.size(); ++i)
             fan[i] = {ring[triangles[i].x], ring[triangles[i].y], ring[triangles[i].z]};
+        done += triangles.size();
+        step.advanceTo(done);
     }
 }
 
-/// Computes the normals of corners without one, in a file where others have one, as the mean of their faces
-/// weighted by area.
-void fillMissingNormals(const std::vector<Corner>& corners, MeshData& mesh) {
-    for (const glm::uvec3& t : mesh.triangles) {
-        const glm::vec3 a = mesh.positions[t.x], b = mesh.positions[t.y], c = mesh.positions[t.z];
-        const glm::vec3 area = glm::cross(b - a, c - a);
-        for (const std::uint32_t vertex : {t.x, t.y, t.z})
-            if (corners[vertex].normal < 0) mesh.normals[vertex] += area;
+/// The colours of the corners, linear. They are written encoded with the sRGB curve, from 0 to 1; some
+/// programs write 0 to 255.
+void addColors(const ParsedObj& obj, MeshData& mesh, Oddities& oddities) {
+    float largest = 0.0f;
+    for (const Rgb& color : obj.colors)
+        for (int i = 0; i < 3; ++i)
+            if (std::isfinite(color[i])) largest = std::max(largest, color[i]);
+    const float scale = largest > 1.0f ? 1.0f / 255.0f : 1.0f;
+    if (largest > 1.0f)
+        oddities.add(Severity::Warning, "colours of vertices above 1; all are read as 0 to 255");
+    std::size_t without = 0, outside = 0;
+    mesh.colors.reserve(obj.corners.size());
+    for (const Corner& corner : obj.corners) {
+        const Rgb written = scale * obj.colors[static_cast<std::size_t>(corner.position)];
+        const bool isGiven = !std::isnan(written.r) && !std::isnan(written.g) && !std::isnan(written.b);
+        const Rgb color = isGiven ? glm::clamp(written, 0.0f, 1.0f) : Rgb(1.0f);
+        without += !isGiven;
+        outside += isGiven && color != written;
+        mesh.colors.emplace_back(image::srgbToLinear(color.r), image::srgbToLinear(color.g),
+                                 image::srgbToLinear(color.b));
     }
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (corners[i].normal >= 0) continue;
-        const float length = glm::length(mesh.normals[i]);
-        if (length > 0.0f) mesh.normals[i] /= length;
-    }
+    oddities.add(Severity::Note, "vertices without a colour in a file with colours; white is used", 0,
+                 without);
+    oddities.add(Severity::Warning, "colours of vertices out of range; clamped", 0, outside);
 }
 
-std::shared_ptr<const MeshData> assemble(ParsedObj& obj) {
-    auto mesh = std::make_shared<MeshData>();
-    const std::vector<Corner>& corners = obj.corners.corners();
+/// Vertices from the distinct corners.
+void addVertices(const ParsedObj& obj, MeshData& mesh) {
     std::size_t withNormal = 0, withTexCoord = 0;
-    for (const Corner& corner : corners) {
+    for (const Corner& corner : obj.corners) {
         withNormal += corner.normal >= 0;
         withTexCoord += corner.texCoord >= 0;
     }
-    mesh->positions.reserve(corners.size());
-    if (withNormal > 0) mesh->normals.reserve(corners.size());
-    if (withTexCoord > 0) mesh->texCoords.reserve(corners.size());
-    for (const Corner& c : corners) {
-        mesh->positions.push_back(obj.positions[static_cast<std::size_t>(c.position)]);
+    mesh.positions.reserve(obj.corners.size());
+    if (withNormal > 0) mesh.normals.reserve(obj.corners.size());
+    if (withTexCoord > 0) mesh.texCoords.reserve(obj.corners.size());
+    for (const Corner& c : obj.corners) {
+        mesh.positions.push_back(obj.positions[static_cast<std::size_t>(c.position)]);
         if (withNormal > 0)
-            mesh->normals.push_back(c.normal < 0 ? glm::vec3(0.0f)
-                                                 : obj.normals[static_cast<std::size_t>(c.normal)]);
+            mesh.normals.push_back(c.normal < 0 ? glm::vec3(0.0f)
+                                                : obj.normals[static_cast<std::size_t>(c.normal)]);
         if (withTexCoord > 0)
-            mesh->texCoords.push_back(c.texCoord < 0 ? glm::vec2(0.0f)
-                                                     : obj.texCoords[static_cast<std::size_t>(c.texCoord)]);
+            mesh.texCoords.push_back(c.texCoord < 0 ? glm::vec2(0.0f)
+                                                    : obj.texCoords[static_cast<std::size_t>(c.texCoord)]);
     }
-    mesh->triangles = std::move(obj.triangles);
-    mesh->triangles.shrink_to_fit();
-    mesh->materialSlots = std::move(obj.slots);
-    triangulatePolygons(obj, *mesh);
-    if (withNormal > 0 && withNormal < corners.size()) fillMissingNormals(corners, *mesh);
-    return mesh;
 }
 
-/// The materials of the files that mtllib statements name.
-class MaterialLibrary {
-  public:
-    MaterialLibrary(const std::string& path, TextureCache& textures, Diagnostics& notes)
-        : path_(path), textures_(textures), notes_(notes) {}
+void addMissingNormals(const ParsedObj& obj, MeshData& mesh, Oddities& oddities) {
+    if (mesh.normals.empty()) return;
+    std::vector<bool> isMissing(obj.corners.size());
+    for (std::size_t i = 0; i < obj.corners.size(); ++i) isMissing[i] = obj.corners[i].normal < 0;
+    const auto count = static_cast<std::size_t>(std::count(isMissing.begin(), isMissing.end(), true));
+    if (count == 0) return;
+    oddities.add(Severity::Note, "corners without a normal in a file with normals; computed from the faces",
+                 0, count);
+    computeMissingNormals(isMissing, mesh);
+}
 
-    /// Blanks are part of the file name if such a file exists; else they separate several names.
-    void open(const ParsedObj::Named& library) {
-        std::vector<std::string> files{library.name};
-        if (!fileExists(resolvePath(path_, library.name))) {
-            files.clear();
-            std::istringstream words(library.name);
-            for (std::string word; words >> word;) files.push_back(word);
-        }
-        for (const std::string& file : files) openFile(file, library.line);
+/// Corners without texture coordinates, in a mesh where others have some, whose material has a texture.
+void noteUntexturedCorners(const ParsedObj& obj, const ImportedMesh& mesh, Oddities& oddities) {
+    if (mesh.data->texCoords.empty()) return;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.data->triangles.size(); ++i) {
+        const std::size_t slot = mesh.data->materialSlots.empty() ? 0 : mesh.data->materialSlots[i];
+        if (!mesh.materials[slot].kdTexture) continue;
+        const glm::uvec3 t = mesh.data->triangles[i];
+        count +=
+            obj.corners[t.x].texCoord < 0 || obj.corners[t.y].texCoord < 0 || obj.corners[t.z].texCoord < 0;
     }
-
-    std::vector<Material> materialsOf(const std::vector<ParsedObj::Named>& slots) {
-        std::vector<Material> list;
-        std::vector<const ParsedObj::Named*> undefined;
-        for (const ParsedObj::Named& slot : slots) {
-            const auto found = materials_.find(slot.name);
-            list.push_back(found != materials_.end() ? found->second : Material{.name = slot.name});
-            if (found == materials_.end() && !slot.name.empty()) undefined.push_back(&slot);
-            if (list.back().name.empty()) list.back().name = "default";
-        }
-        if (!undefined.empty() && !isIncomplete_) {
-            const std::string others =
-                undefined.size() > 1 ? fmt::format(" and {} more", undefined.size() - 1) : "";
-            warn(fmt::format("undefined material '{}'{}; a default material is used", undefined[0]->name,
-                             others),
-                 undefined[0]->line);
-        }
-        return list;
-    }
-
-  private:
-    void warn(std::string message, int line) {
-        notes_.push_back({Severity::Warning, std::move(message), {path_, line, 0}});
-    }
-
-    void openFile(const std::string& file, int line) {
-        const std::string resolved = resolvePath(path_, file);
-        if (!opened_.insert(resolved).second) return;
-        if (!fileExists(resolved)) {
-            isIncomplete_ = true;
-            warn(fmt::format("material file not found: {}; default materials are used", resolved), line);
-            return;
-        }
-        for (Material& material : readMtl(resolved, textures_, notes_))
-            materials_.try_emplace(material.name, std::move(material));
-    }
-
-    const std::string& path_;
-    TextureCache& textures_;
-    Diagnostics& notes_;
-    std::map<std::string, Material> materials_;
-    std::set<std::string> opened_;
-    bool isIncomplete_ = false;
-};
+    oddities.add(Severity::Warning,
+                 "triangles with a texture but without texture coordinates; the texture is sampled at (0, 0)",
+                 0, count);
+}
 
 }  // namespace
 
 ImportedMesh readObj(const std::string& path, const ImportContext& context) {
-    ParsedObj obj = parseObj(path);
-    if (obj.triangles.empty()) throw InputError("the file has no faces (lines 'f …')", {path});
-    checkIndices(path, obj);
-    report(path, obj, context.notes);
-    MaterialLibrary library(path, context.textures, context.notes);
-    for (const ParsedObj::Named& name : obj.libraries) library.open(name);
-    std::vector<Material> materials = library.materialsOf(obj.slotNames);
-    return {assemble(obj), std::move(materials)};
+    Oddities oddities(path);
+    ParsedObj obj = parseObj(path, readTextFile(path, "OBJ", oddities), oddities, context.control);
+    auto data = std::make_shared<MeshData>();
+    addVertices(obj, *data);
+    if (!obj.colors.empty()) addColors(obj, *data, oddities);
+    data->triangles = std::move(obj.triangles);
+    data->triangles.shrink_to_fit();
+    data->materialSlots = std::move(obj.slots);
+    std::size_t corners = 0;
+    for (const ParsedObj::Polygon& polygon : obj.polygons) corners += polygon.corners - 2;
+    triangulatePolygons(
+        obj, *data, oddities,
+        {context.control, "triangulating " + path.substr(path.find_last_of('/') + 1), corners});
+    addMissingNormals(obj, *data, oddities);
+    ImportedMesh mesh{data, readObjMaterials(path, obj, context)};
+    noteUntexturedCorners(obj, mesh, oddities);
+    oddities.report(context.notes);
+    return mesh;
 }
 
 }  // namespace rayscope::scene

@@ -6,13 +6,14 @@
 
 namespace rayscope::scene {
 
-void Oddities::add(Severity severity, std::string_view kind, int line) {
+void Oddities::add(Severity severity, std::string_view kind, int line, std::size_t count) {
+    if (count == 0) return;
     const auto found =
         std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.text == kind; });
     if (found != kinds_.end())
-        ++found->count;
+        found->count += count;
     else
-        kinds_.push_back({severity, std::string(kind), line, 1});
+        kinds_.push_back({severity, std::string(kind), line, count});
 }
 
 void Oddities::report(Diagnostics& notes) const {

@@ -15,7 +15,8 @@ class Oddities {
 
     /// `kind` is the message in the singular or with its count left out, e.g. "normals that do not exist;
     /// ignored". It is also the identity of the kind. `line` 0: the format has no lines.
-    void add(Severity severity, std::string_view kind, int line = 0);
+    /// Nothing is added if `count` is 0.
+    void add(Severity severity, std::string_view kind, int line = 0, std::size_t count = 1);
 
     /// Appends one message per kind in the order of their first occurrences: "file:line: warning: KIND", with
     /// "(N times, first here)" behind those that occurred more than once.
