@@ -5,7 +5,7 @@ build_packages=(
     build-essential cmake ninja-build pkg-config
     libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
     libtomlplusplus-dev libtinyobjloader-dev libstb-dev libopenexr-dev # scenes, meshes, images
-    libcli11-dev nlohmann-json3-dev                                # command line
+    nlohmann-json3-dev                                             # reports
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
 )
 

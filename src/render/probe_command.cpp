@@ -41,8 +41,8 @@ std::vector<std::string> changedSettings(const RenderRequest& request) {
 
 /// The command without the pixel and the sample.
 std::string commandPrefix(const RenderRequest& request) {
-    std::string text = fmt::format("rayscope probe {} --size {}x{}", base::shellQuote(request.scene->path),
-                                   request.width, request.height);
+    std::string text = fmt::format("rayscope probe {} --size {}x{}",
+                                   base::shellQuotePath(request.scene->path), request.width, request.height);
     text += cameraOptions(*request.scene, request.camera);
     if (request.seed != 0) text += fmt::format(" --seed {}", request.seed);
     for (const std::string& assignment : changedSettings(request))

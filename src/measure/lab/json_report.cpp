@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace rayscope {
 
 namespace {
@@ -137,7 +139,7 @@ std::string labJson(const LabResult& r) {
                                 {"remarks", r.remarks},
                                 {"seconds", r.seconds},
                                 {"interrupted", r.interrupted}};
-    return all.dump(2) + "\n";
+    return base::jsonText(all);
 }
 
 std::string labCsv(const LabResult& r) {
