@@ -32,20 +32,24 @@ bool isBelowOne(std::string_view number) {
 
 }  // namespace
 
-std::optional<double> parseReal(std::string_view text) {
+template <class Real>
+std::optional<Real> parseReal(std::string_view text) {
     const bool isNegative = text.starts_with('-');
     if (isNegative || text.starts_with('+')) text.remove_prefix(1);
     // Excludes a second sign and the words of NaN and infinity.
     const std::string_view digits = text.starts_with('.') ? text.substr(1) : text;
     if (digits.empty() || kDigits.find(digits[0]) == std::string_view::npos) return std::nullopt;
-    double value = 0.0;
+    Real value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end != text.data() + text.size()) return std::nullopt;
     if (error == std::errc::result_out_of_range)
-        value = isBelowOne(text) ? 0.0 : std::numeric_limits<double>::infinity();
+        value = isBelowOne(text) ? Real(0) : std::numeric_limits<Real>::infinity();
     else if (error != std::errc{})
         return std::nullopt;
     return isNegative ? -value : value;
 }
+
+template std::optional<float> parseReal(std::string_view text);
+template std::optional<double> parseReal(std::string_view text);
 
 }  // namespace rayscope::base

@@ -7,9 +7,11 @@
 namespace rayscope::base {
 
 /// The number nearest to the decimal number that the whole text spells, with an optional sign, point and
-/// exponent; infinite beyond the range of doubles, zero or subnormal below it. Nothing if the text is
+/// exponent; infinite beyond the range of the type, zero or subnormal below it. Nothing if the text is
 /// anything else: NaN and infinity in words, hexadecimal digits, blanks and separators are not numbers.
-std::optional<double> parseReal(std::string_view text);
+/// `Real` is float or double.
+template <class Real>
+std::optional<Real> parseReal(std::string_view text);
 
 /// The integer that the whole text spells in decimal digits with an optional sign. Nothing if it is anything
 /// else or beyond the range of the type.

@@ -11,10 +11,11 @@ namespace rayscope::cli {
 namespace {
 
 int printUsageError(const std::string& message) {
+    constexpr std::size_t kLongestMessage = 490;
     base::printMessage(
         "error: {}\nRun 'rayscope --help' for the commands and 'rayscope COMMAND --help' for their "
         "options.\n",
-        message);
+        base::shortened(base::printable(message), kLongestMessage));
     return kUsageError;
 }
 

@@ -64,11 +64,10 @@ Number parseNumber(const Option& option, std::string_view text, std::string_view
         if (!value || !option.range.contains(static_cast<double>(*value))) throwExpected(option, whole);
         return *value;
     } else {
-        const std::optional<double> value = base::parseReal(text);
-        const bool isFinite = value && std::isfinite(static_cast<Number>(*value));
-        if (!isFinite || !option.range.contains(static_cast<double>(static_cast<Number>(*value))))
+        const std::optional<Number> value = base::parseReal<Number>(text);
+        if (!value || !std::isfinite(*value) || !option.range.contains(static_cast<double>(*value)))
             throwExpected(option, whole);
-        return static_cast<Number>(*value);
+        return *value;
     }
 }
 
@@ -143,7 +142,8 @@ std::string expectationOf(const Option& option) {
         [&](const std::optional<float>*) { return withRange("a number", option); },
         [&](const std::optional<double>*) { return withRange("a number", option); },
         [&](const std::optional<glm::vec3>*) {
-            return fmt::format("{}, 3 numbers of at most {:.4g}", option.valueForm, kLargestFloat);
+            return fmt::format("{}, 3 numbers from -{:.4g} to {:.4g}", option.valueForm, kLargestFloat,
+                               kLargestFloat);
         },
         [&](const glm::ivec2*) { return integersText(2, option); },
         [&](const std::optional<glm::ivec2>*) { return integersText(2, option); },

@@ -31,11 +31,15 @@ std::vector<std::string> pathsOf(const Option& option) {
 void checkFolder(const std::string& path) {
     std::error_code error;
     fs::create_directories(path, error);
+    if (error) throw InputError("the folder cannot be created: " + error.message(), {path});
     base::checkFileDestination((fs::path(path) / "report").string());
 }
 
 void checkDestination(const Option& option, const std::string& path) {
     if (path == "-" && option.output == Option::Output::ImageOrStandardOutput) return;
+    if (path == "/dev/stdout" && option.output == Option::Output::ImageOrStandardOutput)
+        throw UsageError(std::string(option.mainName()),
+                         "to write the image to the standard output, write '-' and --format");
     if (path == "-")
         throw UsageError(std::string(option.mainName()),
                          "'-' does not mean the standard output here: write /dev/stdout for it, or ./- for a "
@@ -59,7 +63,7 @@ void checkDestination(const Option& option, const std::string& path) {
 /// Equal for names of the same file.
 std::string identityOf(const std::string& path) {
     std::error_code error;
-    const fs::path canonical = fs::weakly_canonical(path, error);
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
     return error ? path : canonical.string();
 }
 
@@ -75,8 +79,9 @@ void checkDestinations(const OptionList& list) {
             const bool isDevice = fs::is_other(path, ignored);
             const auto [place, isNew] = written.emplace(identityOf(path), &option);
             if (!isNew && !isDevice)
-                throw UsageError(std::string(option.mainName()),
-                                 fmt::format("'{}' is also written by {}", path, place->second->mainName()));
+                throw UsageError(
+                    std::string(option.mainName()),
+                    fmt::format("{} is also written by {}", base::quoted(path), place->second->mainName()));
         }
     }
 }

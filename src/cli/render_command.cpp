@@ -102,7 +102,9 @@ void checkOptions(const RenderCommandOptions& options) {
     if (options.outputs.empty()) throw UsageError("-o/--output is required");
     const bool usesStandardOutput = std::ranges::count(options.outputs, kStandardOutput) > 0;
     if (usesStandardOutput && options.format.empty())
-        throw UsageError("--output", "'-' writes the image to the standard output and needs --format");
+        throw UsageError(
+            "--output",
+            "'-' writes the image to the standard output and needs --format png, exr, pfm or hdr");
     if (!usesStandardOutput && !options.format.empty())
         throw UsageError("--format", "is the format of '-o -'; files have that of their suffix");
     if (options.aovs.empty()) return;
@@ -272,7 +274,7 @@ std::function<int()> setUpRender(OptionList& list) {
     list.add("--aov", &options->aovs,
              fmt::format("AOVs to write beside the first output, as NAME.AOV.exr: {}",
                          fmt::join(aovNames(), ", ")))
-        .form("NAME,…", ',');
+        .form("NAME[,NAME]", ',');
     list.add("--stats", &options->statsFile, "Write counts and times as JSON").writes(Option::Output::File);
     addProgressTo(list, options->progress);
     list.add("-q,--quiet", &options->quiet, "Print errors only");

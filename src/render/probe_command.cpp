@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/printable_text.h"
 #include "base/shell_quote.h"
 #include "render/scene_defaults.h"
 
@@ -54,8 +55,8 @@ std::string commandPrefix(const RenderRequest& request) {
 
 CrashContext crashContextOf(const RenderRequest& request) {
     const std::vector<std::string> assignments = changedSettings(request);
-    return {.scene = fmt::format("{}, {} x {} pixels, seed {}", request.scene->path, request.width,
-                                 request.height, request.seed),
+    return {.scene = fmt::format("{}, {} x {} pixels, seed {}", base::printable(request.scene->path),
+                                 request.width, request.height, request.seed),
             .settings = assignments.empty() ? "those of the scene, or defaults"
                                             : fmt::format("{}", fmt::join(assignments, " ")),
             .beforeX = commandPrefix(request) + " --pixel ",

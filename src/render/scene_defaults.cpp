@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <rayscope/diagnostics.h>
 
+#include "bvh/isa.h"
+
 namespace rayscope::render {
 
 CameraDescription defaultCamera(const SceneDescription& scene) {
@@ -19,6 +21,9 @@ void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignm
     for (const SettingAssignment& assignment : assignments) {
         try {
             assign(settings, assignment.key, assignment.value);
+            if (assignment.key == "isa" && !bvh::isAvailable(settings.isa))
+                throw InputError(
+                    fmt::format("setting 'isa': this processor has no {}; use auto", assignment.value));
         } catch (const InputError& error) {
             throw InputError(error.diagnostic().message, assignment.position);
         }

@@ -22,9 +22,10 @@ void parse(const settings::Toggle& row, Settings& settings, std::string_view val
 
 template <class T>
 std::optional<T> numberOf(std::string_view text) {
-    if constexpr (std::is_integral_v<T>) return base::parseInteger<T>(text);
-    const std::optional<double> value = base::parseReal(text);
-    return value ? std::optional(static_cast<T>(*value)) : std::nullopt;
+    if constexpr (std::is_integral_v<T>)
+        return base::parseInteger<T>(text);
+    else
+        return base::parseReal<T>(text);
 }
 
 template <class T>

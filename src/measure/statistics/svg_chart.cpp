@@ -38,6 +38,8 @@ std::string escaped(std::string_view text) {
             result += "&amp;";
         else if (c == '"')
             result += "&quot;";
+        else if (c == '\'')
+            result += "&#39;";
         else
             result += c;
     }
