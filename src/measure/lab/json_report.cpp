@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_text.h"
+#include "base/printable_text.h"
 
 namespace rayscope {
 
@@ -80,8 +81,8 @@ std::string labText(const LabResult& r) {
     std::string text = fmt::format(
         "{}: {} triangles, {} shared edges, {} closed vertices; {:.4g} units large, {:.3g} sizes from the "
         "origin\n{} test points of {} rays in {:.1f} s\n\n",
-        r.scene, r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset, r.testPoints.size(),
-        r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
+        base::printable(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset,
+        r.testPoints.size(), r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
     appendHeader(text, "all test points");
     for (const LabMethod method : kLabMethods) appendRow(text, infoOf(method).label, r.total(method));
     text += "\n";
