@@ -35,6 +35,7 @@ bool looksLikeScene(const std::string& argument) {
     std::string hint = base::didYouMean(name, known);
     for (const BuiltinScene& scene : builtinScenes())
         if (scene.name == name) hint = fmt::format(" (the built-in scene is 'builtin:{}')", name);
+    if (hint.empty()) hint = ", and there is no file of this name";
     throw UsageError(fmt::format("unknown command {}{}", base::quoted(name), hint));
 }
 
@@ -226,7 +227,8 @@ CommandArguments findCommand(std::span<const Command> commands, const std::vecto
     for (const std::string& argument : arguments)
         if (first.starts_with('-') && commandNamed(argument))
             throw UsageError(fmt::format("the command comes first: rayscope {} …", argument));
-    if (!view || !looksLikeScene(first)) throwUnknownCommand(commands, first);
+    if (!looksLikeScene(first)) throwUnknownCommand(commands, first);
+    if (!view) throw UsageError("a command is required, such as 'render': this build has no window");
     result.command = view;
     return result;
 }

@@ -128,7 +128,7 @@ TEST(Arguments, CommandsAreFoundByName) {
 
 TEST(Arguments, UnknownCommandsAreNamed) {
     EXPECT_EQ(commandErrorOf({"rendr", "x.obj"}), "unknown command 'rendr' (did you mean 'render'?)");
-    EXPECT_EQ(commandErrorOf({"xyzzy"}), "unknown command 'xyzzy'");
+    EXPECT_EQ(commandErrorOf({"xyzzy"}), "unknown command 'xyzzy', and there is no file of this name");
     EXPECT_EQ(commandErrorOf({"cornell"}),
               "unknown command 'cornell' (the built-in scene is 'builtin:cornell')");
     EXPECT_THAT(commandErrorOf({""}), HasSubstr("an argument is empty"));
