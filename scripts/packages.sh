@@ -6,7 +6,7 @@ build_packages=(
     libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
     libtomlplusplus-dev libtinyobjloader-dev                       # scenes, meshes
     libpng-dev libjpeg-dev libopenexr-dev zlib1g-dev               # images
-    libcli11-dev nlohmann-json3-dev                                # command line
+    nlohmann-json3-dev                                             # reports
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
 )
 

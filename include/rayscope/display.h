@@ -16,4 +16,8 @@ RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings);
 void writeRenderedImage(const std::string& path, const RgbImage& mean, const Settings& settings,
                         const ImageMetadata& metadata = {});
 
+/// The file that writeRenderedImage() would write, for a suffix such as ".png".
+std::string encodeRenderedImage(const std::string& suffix, const RgbImage& mean, const Settings& settings,
+                                const ImageMetadata& metadata = {});
+
 }  // namespace rayscope

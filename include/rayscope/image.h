@@ -74,6 +74,11 @@ RgbImage decodeImage(std::span<const std::byte> file, const std::string& name, D
 void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata = {},
                 Encoding encoding = Encoding::Srgb);
 
+/// The file that writeImage() would write, for a suffix such as ".png". Throws InputError if it is unknown or
+/// the image is empty.
+std::string encodeImage(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata = {},
+                        Encoding encoding = Encoding::Srgb);
+
 /// Throws InputError unless writeImage() could write `path`: a known suffix and a writable folder.
 void checkImageDestination(const std::string& path);
 

@@ -39,8 +39,8 @@ std::shared_ptr<const trace::World> compileScene(const RenderRequest& request);
 /// The mean of each pixel of a film, like RenderedImage::mean.
 RgbImage meanOf(const render::Film& film);
 
-/// The metadata for the image file of a render: program and version, scene, settings, seed, samples per
-/// pixel.
+/// The metadata for the image file of a render: program and version, name of the scene without its folder,
+/// settings, seed, samples per pixel.
 ImageMetadata metadataOf(const RenderRequest& request, int samples);
 
 }  // namespace rayscope

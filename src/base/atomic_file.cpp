@@ -7,9 +7,14 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
+
+#include "base/parse_number.h"
+#include "base/temporary_files.h"
 
 namespace rayscope::base {
 
@@ -28,8 +33,18 @@ fs::path destinationOf(const std::string& path) {
     return error ? fs::path(path) : target;
 }
 
+/// The number in names of open descriptors such as /dev/stdout and /dev/fd/3.
+std::optional<int> descriptorNamed(const std::string& path) {
+    if (path == "/dev/stdout") return STDOUT_FILENO;
+    if (path == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"})
+        if (path.starts_with(folder)) return parseInteger<int>(std::string_view(path).substr(folder.size()));
+    return std::nullopt;
+}
+
 /// Whether there is something at `path` that cannot be replaced by a regular file.
-bool isPipeOrDevice(const fs::path& path) {
+bool isPipeOrDevice(const std::string& path) {
+    if (descriptorNamed(path)) return true;
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
@@ -39,17 +54,21 @@ class TemporaryFile {
   public:
     explicit TemporaryFile(const fs::path& target) {
         static std::atomic<unsigned> serial{0};
-        const std::string name =
-            ".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
-        path_ = target.parent_path() / name;
-        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        exists_ = descriptor_ >= 0;
+        // Another run may have had this process number and left its file. Its names end somewhere.
+        constexpr int kAttempts = 10000;
+        for (int i = 0; i < kAttempts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
+            const std::string name =
+                ".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
+            path_ = target.parent_path() / name;
+            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        }
+        if (descriptor_ >= 0) name_.emplace(path_.string());
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
-        if (exists_) ::unlink(path_.c_str());
+        if (name_) ::unlink(path_.c_str());
     }
 
     int descriptor() const { return descriptor_; }
@@ -61,14 +80,15 @@ class TemporaryFile {
             return false;
         // Network file systems may report a full disk only here.
         if (::close(std::exchange(descriptor_, -1)) != 0) return false;
-        exists_ = ::rename(path_.c_str(), target.c_str()) != 0;
-        return !exists_;
+        if (::rename(path_.c_str(), target.c_str()) != 0) return false;
+        name_.reset();
+        return true;
     }
 
   private:
     fs::path path_;
     int descriptor_ = -1;
-    bool exists_ = false;
+    std::optional<TemporaryName> name_;  ///< while the file exists
 };
 
 /// Returns false and sets errno unless all bytes were written.
@@ -84,7 +104,15 @@ bool writeAll(int descriptor, std::string_view bytes) {
 /// An open pipe or device.
 class OpenDevice {
   public:
-    explicit OpenDevice(const std::string& path) : descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {}
+    explicit OpenDevice(const std::string& path) {
+        if (const std::optional<int> number = descriptorNamed(path)) {
+            // Opening it anew would begin at the first byte of a file again.
+            std::fflush(stdout);
+            descriptor_ = ::fcntl(*number, F_DUPFD_CLOEXEC, 0);
+        } else {
+            descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        }
+    }
     OpenDevice(const OpenDevice&) = delete;
     OpenDevice& operator=(const OpenDevice&) = delete;
     ~OpenDevice() {
@@ -93,7 +121,7 @@ class OpenDevice {
     int descriptor() const { return descriptor_; }
 
   private:
-    int descriptor_;
+    int descriptor_ = -1;
 };
 
 /// A temporary file for `target`. Throws InputError, with the position `path`, if its folder cannot hold one.
@@ -148,7 +176,9 @@ void writeFileAtomically(const std::string& path, std::string_view bytes) {
 void checkFileDestination(const std::string& path) {
     if (path.empty()) throw InputError("the name of the file to write is empty");
     if (isPipeOrDevice(path)) {
-        if (::access(path.c_str(), W_OK) != 0) throwCannotWrite(path, errno);
+        const std::optional<int> number = descriptorNamed(path);
+        const bool isOpen = number ? ::fcntl(*number, F_GETFD) != -1 : ::access(path.c_str(), W_OK) == 0;
+        if (!isOpen) throwCannotWrite(path, errno);
         return;
     }
     // Creating a file is the only reliable check: permission bits do not cover read-only or full file

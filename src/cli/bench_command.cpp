@@ -5,6 +5,8 @@
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
+#include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"
@@ -100,41 +102,41 @@ std::string ratio(const Interval& interval) {
 }
 
 void print(const measure::BenchRow& row) {
-    fmt::print("{}: {} triangles, {} spheres, {} thread{}\n", row.scene, row.triangles, row.spheres,
-               row.threads, row.threads == 1 ? "" : "s");
-    fmt::print("  {}: SAH cost {:.2f}, cost of random lines {:.2f}; {} levels, {} nodes",
-               settingText(row, "bvh_builder"), row.sahCost, row.countedCost, row.summary.binaryLevels,
-               row.summary.binaryNodes);
+    base::print("{}: {} triangles, {} spheres, {} thread{}\n", base::printable(row.scene), row.triangles,
+                row.spheres, row.threads, row.threads == 1 ? "" : "s");
+    base::print("  {}: SAH cost {:.2f}, cost of random lines {:.2f}; {} levels, {} nodes",
+                settingText(row, "bvh_builder"), row.sahCost, row.countedCost, row.summary.binaryLevels,
+                row.summary.binaryNodes);
     if (row.summary.wideNodes > 0)
-        fmt::print("; {} wide nodes, {:.1f} triangles per leaf", row.summary.wideNodes, row.blockFill);
-    fmt::print("\n");
-    fmt::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
-               row.bytesPerPrimitive);
+        base::print("; {} wide nodes, {:.1f} triangles per leaf", row.summary.wideNodes, row.blockFill);
+    base::print("\n");
+    base::print("  build {:.1f} ms, {:.1f} bytes per primitive", row.buildSeconds.value * 1e3,
+                row.bytesPerPrimitive);
     if (measure::EmbreeBaseline::isAvailable())
-        fmt::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.value * 1e3,
-                   row.embreeBytesPerPrimitive, ratio(row.buildRatio));
-    fmt::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
+        base::print("; Embree {:.1f} ms, {:.1f} bytes; {} times as fast", row.embreeBuildSeconds.value * 1e3,
+                    row.embreeBytesPerPrimitive, ratio(row.buildRatio));
+    base::print("\n  {:8} {:>8} {:>8}", "Mray/s", "single", "batched");
     if (measure::EmbreeBaseline::isAvailable())
-        fmt::print(" | Embree {:>6} {:>6} {:>6} {:>6} | {:17} {:17} {:17} {:17} {}", "single", "robust",
-                   "16-wide", "stream", "single/single", "single/robust", "batched/single", "batched/best",
-                   "mismatches");
-    fmt::print("\n");
+        base::print(" | Embree {:>6} {:>6} {:>6} {:>6} | {:17} {:17} {:17} {:17} {}", "single", "robust",
+                    "16-wide", "stream", "single/single", "single/robust", "batched/single", "batched/best",
+                    "mismatches");
+    base::print("\n");
     for (const measure::RayTiming& timing : row.rays) {
-        fmt::print("  {:8} {:8.2f} {:8.2f}", measure::benchNameOf(timing.kind), timing.single,
-                   timing.batched);
+        base::print("  {:8} {:8.2f} {:8.2f}", measure::benchNameOf(timing.kind), timing.single,
+                    timing.batched);
         if (measure::EmbreeBaseline::isAvailable())
-            fmt::print(" |        {:6.2f} {:6.2f} {:6.2f} {:6.2f} | {} {} {} {} {}", timing.embreeSingle,
-                       timing.embreeRobust, timing.embreePacket16, timing.embreeStream,
-                       ratio(timing.singleToSingle), ratio(timing.singleToRobust),
-                       ratio(timing.batchedToSingle), ratio(timing.batchedToBest), timing.mismatches);
-        fmt::print("\n");
+            base::print(" |        {:6.2f} {:6.2f} {:6.2f} {:6.2f} | {} {} {} {} {}", timing.embreeSingle,
+                        timing.embreeRobust, timing.embreePacket16, timing.embreeStream,
+                        ratio(timing.singleToSingle), ratio(timing.singleToRobust),
+                        ratio(timing.batchedToSingle), ratio(timing.batchedToBest), timing.mismatches);
+        base::print("\n");
     }
     if (row.summary.wideNodes > 0)
-        fmt::print("  {:8} {:>8} {:>8} {:>8} {:>8}\n", "per ray", "nodes", "leaves", "filter", "exact");
+        base::print("  {:8} {:>8} {:>8} {:>8} {:>8}\n", "per ray", "nodes", "leaves", "filter", "exact");
     for (const measure::RayTiming& timing : row.rays)
         if (timing.nodes > 0.0)
-            fmt::print("  {:8} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", measure::benchNameOf(timing.kind),
-                       timing.nodes, timing.leaves, timing.primitives, timing.exact);
+            base::print("  {:8} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", measure::benchNameOf(timing.kind),
+                        timing.nodes, timing.leaves, timing.primitives, timing.exact);
 }
 
 /// The centre of the first light, or a point above the scene if there is none.
@@ -174,10 +176,10 @@ int runBenchCommand(const BenchCommandOptions& options) {
     for (const std::string& scene : options.scenes) {
         const measure::BenchRow row = benchScene(scene, options);
         print(row);
-        std::fflush(stdout);
+        base::flushOutput();
         rows.push_back(json(row));
     }
-    if (!options.jsonFile.empty()) base::writeFileAtomically(options.jsonFile, rows.dump(2) + "\n");
+    if (!options.jsonFile.empty()) base::writeFileAtomically(options.jsonFile, base::jsonText(rows));
     return kSuccess;
 }
 
@@ -188,13 +190,13 @@ std::function<int()> setUpBench(OptionList& list) {
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
     list.add("scenes", &options->scenes,
              fmt::format("Scenes: {} or builtin:NAME", fmt::join(sceneFileSuffixes(), ", ")));
-    list.add("--json", &options->jsonFile, "Write all figures to this file");
-    list.add("-t,--threads", &options->threads, "Threads for building and tracing; 0: all");
-    list.add("-D,--set", &options->assignments, "A setting as KEY=VALUE; repeatable");
+    list.add("--json", &options->jsonFile, "Write all figures to this file").writes(Option::Output::File);
+    addThreadsTo(list, options->threads);
+    addSettingsTo(list, options->assignments);
     list.add("--size", &options->size, "Width and height of the image of primary rays")
-        .range(8, 16384)
+        .from(8, 16384)
         .showDefault();
-    list.add("--rounds", &options->rounds, "Rounds of interleaved measurements").range(5, 1000).showDefault();
+    list.add("--rounds", &options->rounds, "Rounds of interleaved measurements").from(5, 1000).showDefault();
     return [options] { return runBenchCommand(*options); };
 }
 

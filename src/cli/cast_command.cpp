@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -116,9 +117,9 @@ int runCast(const CastOptions& options) {
     if (interrupt.interrupted()) return kInterrupted;
     output.commit();
     if (!options.quiet)
-        fmt::print(stderr, "{} rays, {} {}, {:.2f} Mray/s\n", counts.rays, counts.hits,
-                   options.any ? "occluded" : "hits",
-                   counts.seconds > 0.0 ? static_cast<double>(counts.rays) * 1e-6 / counts.seconds : 0.0);
+        base::printMessage(
+            "{} rays, {} {}, {:.2f} Mray/s\n", counts.rays, counts.hits, options.any ? "occluded" : "hits",
+            counts.seconds > 0.0 ? static_cast<double>(counts.rays) * 1e-6 / counts.seconds : 0.0);
     return kSuccess;
 }
 
@@ -127,9 +128,10 @@ int runCast(const CastOptions& options) {
 std::function<int()> setUpCast(OptionList& list) {
     auto options = std::make_shared<CastOptions>();
     options->scene.addSceneTo(list, true);
-    list.add("--rays", &options->rays, "Ray file to read, of any length").required();
+    list.add("--rays", &options->rays, "Ray file to read, of any length").form("FILE").required();
     list.add("-o,--output", &options->output, "File of results to write, in the order of the rays")
-        .required();
+        .required()
+        .writes(Option::Output::File);
     list.add("--any", &options->any, "Any-hit queries: whether there is a hit, not the closest one");
     list.add("-q,--quiet", &options->quiet, "Print errors only");
     list.setDetails(

@@ -1,9 +1,10 @@
 #pragma once
-// The syntax of the command line. Only command_line.cpp includes the parser library, which is slow to
-// compile.
+// What the program accepts on its command line: commands, their options, and the values of these.
+#include <rayscope/vector.h>
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -23,35 +24,60 @@ class UsageError : public std::runtime_error {
         : std::runtime_error(option + ": " + problem) {}
 };
 
+/// The numbers that an option accepts. NaN and infinity are in no range.
+struct NumberRange {
+    double lowest = -std::numeric_limits<double>::infinity();
+    double highest = std::numeric_limits<double>::infinity();
+    bool isLowestExcluded = false, isHighestExcluded = false;
+
+    bool contains(double value) const;
+};
+
 /// An option, a flag or a positional argument of a command.
 struct Option {
     /// The variable that is set; it holds the default before. A `bool` makes a flag without a value, a vector
-    /// takes one value each time the option is given.
-    using Target =
-        std::variant<bool*, int*, float*, double*, std::uint64_t*, std::string*, std::optional<int>*,
-                     std::optional<float>*, std::optional<double>*, std::vector<std::string>*>;
-    enum class Sign { Positive, NonNegative };
-    /// Which values are accepted: inclusive ranges or a list of texts.
-    using Check = std::variant<std::monostate, std::pair<int, int>, std::pair<double, double>, Sign,
-                               std::vector<std::string>>;
+    /// of texts takes one value each time the option is given. Vectors of numbers are written with a
+    /// separator, see form().
+    using Target = std::variant<bool*, int*, float*, double*, std::uint64_t*, std::string*, glm::ivec2*,
+                                std::optional<int>*, std::optional<float>*, std::optional<double>*,
+                                std::optional<glm::vec3>*, std::optional<glm::ivec2>*,
+                                std::optional<glm::ivec4>*, std::vector<std::string>*>;
+    /// What is written to the path that an option names. It is checked before the command runs.
+    enum class Output { None, File, Image, ImageOrStandardOutput, ImageOrTable, Folder };
 
     std::string names;  ///< "-o,--output", or a name without dashes for a positional argument
     Target target;
     std::string help;
-    Check check{};
+    std::vector<std::string> accepted{};  ///< texts; empty: any
+    NumberRange range{};
+    std::string valueForm{};  ///< "X,Y,Z"
+    char separator = 0;       ///< of several values in one argument; 0: none
+    Output output = Output::None;
     bool isRequired = false, showsDefault = false;
-    char separator = 0;                         ///< of several values in one argument; 0: none
     std::optional<std::string> impliedValue{};  ///< if the option is given without a value
 
     Option& required() { return isRequired = true, *this; }
     Option& showDefault() { return showsDefault = true, *this; }
-    Option& range(int lowest, int highest) { return check = std::pair(lowest, highest), *this; }
-    Option& range(double lowest, double highest) { return check = std::pair(lowest, highest), *this; }
-    Option& positive() { return check = Sign::Positive, *this; }
-    Option& nonNegative() { return check = Sign::NonNegative, *this; }
-    Option& choices(std::vector<std::string> texts) { return check = std::move(texts), *this; }
+    Option& from(double lowest, double highest) { return range = {lowest, highest}, *this; }
+    Option& atLeast(double lowest) { return range.lowest = lowest, *this; }
+    Option& above(double lowest) { return range.lowest = lowest, range.isLowestExcluded = true, *this; }
+    Option& below(double highest) { return range.highest = highest, range.isHighestExcluded = true, *this; }
+    Option& atMost(double highest) { return range.highest = highest, *this; }
+    Option& choices(std::vector<std::string> texts) { return accepted = std::move(texts), *this; }
+    /// How the value is written, such as "WxH" with the separator 'x'.
+    Option& form(std::string text, char between = 0) {
+        return valueForm = std::move(text), separator = between, *this;
+    }
     Option& separatedBy(char character) { return separator = character, *this; }
+    Option& writes(Output kind) { return output = kind, *this; }
     Option& valueOptional(std::string implied) { return impliedValue = std::move(implied), *this; }
+
+    bool isPositional() const { return !names.starts_with('-'); }
+    bool isFlag() const { return std::holds_alternative<bool*>(target); }
+    /// "-o,--output" as {"-o", "--output"}.
+    std::vector<std::string_view> nameList() const;
+    /// The first long name, or the name of a positional argument.
+    std::string_view mainName() const;
 };
 
 /// The options of one command, in the order of its --help.
@@ -79,8 +105,8 @@ struct Command {
     std::function<int()> (*setUp)(OptionList& options);
 };
 
-/// Parses the arguments and runs the command that they name. Returns the exit code; --help, --version and
-/// errors of use are printed here, the latter with the nearest valid name. Other exceptions pass through.
+/// Parses the arguments and runs the command that they name, or `view` for a scene without a command. Returns
+/// the exit code; --help, --version and errors of use are printed here. Other exceptions pass through.
 int runCommandLine(std::span<const Command> commands, const std::vector<std::string>& arguments);
 
 }  // namespace rayscope::cli

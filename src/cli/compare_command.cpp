@@ -6,8 +6,11 @@
 
 #include <nlohmann/json.hpp>
 #include "base/atomic_file.h"
+#include "base/console.h"
+#include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "post/display_transform.h"
 
 namespace rayscope::cli {
@@ -40,14 +43,14 @@ nlohmann::json toJson(const ErrorMeasures& e) {
 }
 
 void printText(const ErrorMeasures& e) {
-    fmt::print("rmse             {:.6g}\n", e.rmse);
-    fmt::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n",
-               e.relMse, e.relMseTrimmed);
-    fmt::print("smape            {:.6g}\n", e.smape);
-    fmt::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
-    fmt::print("mean difference  {:+.6g}\n", e.meanDifference);
-    fmt::print("ssim             {:.6g}\n", e.ssim);
-    fmt::print("flip             {:.6g}\n", e.flip);
+    base::print("rmse             {:.6g}\n", e.rmse);
+    base::print("relmse           {:.6g}  ({:.6g} without the 0.1 % of the pixels with the largest error)\n",
+                e.relMse, e.relMseTrimmed);
+    base::print("smape            {:.6g}\n", e.smape);
+    base::print("max              {:.6g}  at pixel {},{}\n", e.maximum, e.maximumX, e.maximumY);
+    base::print("mean difference  {:+.6g}\n", e.meanDifference);
+    base::print("ssim             {:.6g}\n", e.ssim);
+    base::print("flip             {:.6g}\n", e.flip);
 }
 
 std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
@@ -93,44 +96,43 @@ bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& 
         {&options.image, errors.nonFiniteImage}, {&options.reference, errors.nonFiniteReference}};
     for (const auto& [name, count] : counts)
         if (count > 0)
-            fmt::print(stderr,
-                       "{}: error: {} of {} pixels are NaN or infinite; they are excluded from the metrics\n",
-                       *name, count, errors.pixels);
+            base::printMessage(
+                "{}: error: {} of {} pixels are NaN or infinite; they are excluded from the metrics\n",
+                base::printable(*name), count, errors.pixels);
     return errors.nonFiniteImage + errors.nonFiniteReference > 0;
 }
 
 int runCompare(const CompareCommandOptions& options) {
     const ErrorMetric metric = errorMetricNamed(options.metric);
-    if (!options.difference.empty()) checkImageDestination(options.difference);
-    if (!options.map.empty()) base::checkFileDestination(options.map);
     Diagnostics notes;
     const RgbImage image = readImage(options.image, &notes);
     const RgbImage reference =
         options.reference == options.image ? image : readImage(options.reference, &notes);
-    for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
+    for (const Diagnostic& note : notes) base::printMessage("{}\n", toString(note));
     const ErrorMeasures errors = measureErrors(image, reference, options.measure);
     const Image<double> map = errorMap(image, reference, metric, options.measure);
 
     if (options.json)
-        fmt::print("{}\n", toJson(errors).dump(2));
+        base::writeOutput(base::jsonText(toJson(errors)));
     else
         printText(errors);
+    OutputFiles files;
     if (!options.difference.empty()) {
         const double range = rangeOf(options, map, metric);
-        writeMap(options.difference, map, range);
+        files.write(options.difference, [&] { writeMap(options.difference, map, range); });
         if (post::isDisplayFormat(options.difference) && !options.json)
-            fmt::print("{}: {} of each pixel, from black for 0 to white for {:.6g}\n", options.difference,
-                       options.metric, range);
+            base::print("{}: {} of each pixel, from black for 0 to white for {:.6g}\n",
+                        base::printable(options.difference), options.metric, range);
     }
-    if (!options.map.empty()) writeTiles(options, map, metric);
+    if (!options.map.empty()) files.write(options.map, [&] { writeTiles(options, map, metric); });
 
     const bool nonFinite = reportNonFinite(options, errors);
     const double score = errors.of(metric);
     if (options.failAbove && !(score <= *options.failAbove)) {
-        fmt::print(stderr, "error: {} is {:.6g}, above {:.6g}\n", options.metric, score, *options.failAbove);
-        return kThresholdExceeded;
+        base::printMessage("error: {} is {:.6g}, above {:.6g}\n", options.metric, score, *options.failAbove);
+        return files.exitCode(kThresholdExceeded);
     }
-    return nonFinite ? kNonFiniteImage : kSuccess;
+    return files.exitCode(nonFinite ? kNonFiniteImage : kSuccess);
 }
 
 }  // namespace
@@ -141,26 +143,28 @@ std::function<int()> setUpCompare(OptionList& list) {
     list.add("B", &options->reference, "The reference image, of the same size").required();
     list.add("-o,--output", &options->difference,
              "Write the error of each pixel as an image: in false colour (.png .ppm) or as values (.exr .pfm "
-             ".hdr)");
+             ".hdr)")
+        .writes(Option::Output::Image);
     list.add("--metric", &options->metric,
              "Metric of -o, --map and --fail-above: rmse, relmse, smape, max, ssim (as 1 - SSIM) or flip")
         .showDefault();
     list.add("--fail-above", &options->failAbove, "Exit with 4 if the metric exceeds this value or is NaN")
-        .nonNegative();
+        .atLeast(0.0);
     list.add("--map", &options->map,
              "Write the error of each tile: a table (.csv), an image in false colour (.png .ppm) or as "
-             "values (.exr .pfm .hdr)");
+             "values (.exr .pfm .hdr)")
+        .writes(Option::Output::ImageOrTable);
     list.add("--tile", &options->tile, "Edge length of the tiles of --map, in pixels")
-        .range(1, 1 << 16)
+        .from(1, 1 << 16)
         .showDefault();
     list.add("--range", &options->range,
              "Value shown as white in false colour; by default the maximum, and 1 for flip")
-        .positive();
+        .above(0.0);
     list.add("--exposure", &options->measure.exposure, "Exposure before ssim and flip, in stops")
-        .range(-20.0, 20.0);
+        .from(-20.0, 20.0);
     list.add("--pixels-per-degree", &options->measure.pixelsPerDegree,
              "Viewing distance for FLIP, in pixels per degree")
-        .range(1.0, 1000.0)
+        .from(1.0, 1000.0)
         .showDefault();
     list.add("--json", &options->json, "Print JSON");
     list.setDetails(

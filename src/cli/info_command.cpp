@@ -3,6 +3,8 @@
 #include <rayscope/scene.h>
 #include <nlohmann/json.hpp>
 
+#include "base/console.h"
+#include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/load_progress.h"
@@ -17,6 +19,8 @@ struct InfoOptions {
     bool json = false, list = false;
 };
 
+using base::printable;
+
 nlohmann::json diagnosticJson(const Diagnostic& diagnostic) {
     constexpr const char* severities[] = {"note", "warning", "error"};
     return {{"severity", severities[static_cast<int>(diagnostic.severity)]},
@@ -29,10 +33,10 @@ nlohmann::json diagnosticJson(const Diagnostic& diagnostic) {
 int listScenes(bool json) {
     nlohmann::json list = nlohmann::json::array();
     for (const BuiltinScene& scene : builtinScenes()) {
-        if (!json) fmt::print("builtin:{:<20} {}\n", scene.name, scene.title);
+        if (!json) base::print("builtin:{:<20} {}\n", scene.name, scene.title);
         list.push_back({{"name", "builtin:" + scene.name}, {"title", scene.title}});
     }
-    if (json) fmt::print("{}\n", list.dump(2));
+    if (json) base::writeOutput(base::jsonText(list));
     return kSuccess;
 }
 
@@ -45,26 +49,26 @@ struct Opened {
 
 void printText(const Opened& opened) {
     const auto& [scene, needs, bounds, findings] = opened;
-    fmt::print("{}\n", scene.path);
-    if (!scene.title.empty()) fmt::print("  {}\n", scene.title);
-    fmt::print("\nContents\n  {} triangles in {} meshes, {} spheres, {} materials, {} lights, {} cameras\n",
-               needs.triangles, scene.meshes.size(), scene.spheres.size(), scene.materials.size(),
-               scene.lights.size(), scene.cameras.size());
-    fmt::print("  bounds ({:.6g} {:.6g} {:.6g}) to ({:.6g} {:.6g} {:.6g})\n", bounds.lower.x, bounds.lower.y,
-               bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
+    base::print("{}\n", printable(scene.path));
+    if (!scene.title.empty()) base::print("  {}\n", printable(scene.title));
+    base::print("\nContents\n  {} triangles in {} meshes, {} spheres, {} materials, {} lights, {} cameras\n",
+                needs.triangles, scene.meshes.size(), scene.spheres.size(), scene.materials.size(),
+                scene.lights.size(), scene.cameras.size());
+    base::print("  bounds ({:.6g} {:.6g} {:.6g}) to ({:.6g} {:.6g} {:.6g})\n", bounds.lower.x, bounds.lower.y,
+                bounds.lower.z, bounds.upper.x, bounds.upper.y, bounds.upper.z);
     for (const CameraDescription& camera : scene.cameras)
-        fmt::print("  camera '{}' from ({:.6g} {:.6g} {:.6g}), fov {:.6g}°{}\n", camera.name,
-                   camera.lookFrom.x, camera.lookFrom.y, camera.lookFrom.z, camera.fov,
-                   camera.lens ? ", with a lens" : "");
+        base::print("  camera '{}' from ({:.6g} {:.6g} {:.6g}), fov {:.6g}°{}\n", printable(camera.name),
+                    camera.lookFrom.x, camera.lookFrom.y, camera.lookFrom.z, camera.fov,
+                    camera.lens ? ", with a lens" : "");
     for (const SettingAssignment& setting : scene.settings)
-        fmt::print("  setting {} = {}\n", setting.key, setting.value);
-    fmt::print("\nRequirements\n");
+        base::print("  setting {} = {}\n", printable(setting.key), printable(setting.value));
+    base::print("\nRequirements\n");
     for (const Requirement& requirement : needs.list)
-        fmt::print("  {} {:<22} {}\n", requirement.needed ? "needs" : "not: ", requirement.name,
-                   requirement.reason);
-    fmt::print("\nLint\n");
-    for (const Diagnostic& finding : findings) fmt::print("  {}\n", toString(finding));
-    if (findings.empty()) fmt::print("  nothing found\n");
+        base::print("  {} {:<22} {}\n", requirement.needed ? "needs" : "not: ", requirement.name,
+                    printable(requirement.reason));
+    base::print("\nLint\n");
+    for (const Diagnostic& finding : findings) base::print("  {}\n", toString(finding));
+    if (findings.empty()) base::print("  nothing found\n");
 }
 
 nlohmann::json infoJson(const Opened& opened) {
@@ -105,7 +109,7 @@ int runInfo(const InfoOptions& options) {
     }
     opened.needs = requirementsOf(opened.scene);
     if (options.json)
-        fmt::print("{}\n", infoJson(opened).dump(2));
+        base::writeOutput(base::jsonText(infoJson(opened)));
     else
         printText(opened);
     return kSuccess;

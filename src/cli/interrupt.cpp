@@ -2,34 +2,47 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 
+#include "base/temporary_files.h"
 #include "cli/commands.h"
 
 namespace rayscope::cli {
 
 namespace {
-volatile std::sig_atomic_t interruptCount = 0;
-int guards = 0;
 
-void onInterrupt(int) {
-    interruptCount = interruptCount + 1;
-    if (interruptCount > 1) _exit(kInterrupted);
+std::atomic<int> guards{0}, interruptCount{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void onInterrupt(int signal) {
+    const bool isFirst = interruptCount.fetch_add(1) == 0;
+    if (guards > 0 && isFirst) return;
+    base::removeTemporaryFiles();
+    if (guards > 0) _exit(kInterrupted);
+    // The default action ends the program with the status of the signal.
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
 }
+
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
-    if (guards++ > 0) return;
-    interruptCount = 0;
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
+void installInterruptHandlers() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action {};
+        if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+        action = {};
+        action.sa_handler = onInterrupt;
+        action.sa_flags = SA_RESTART;
+        sigaction(signal, &action, nullptr);
+    }
 }
 
-InterruptGuard::~InterruptGuard() {
-    if (--guards > 0) return;
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+InterruptGuard::InterruptGuard() {
+    if (guards.fetch_add(1) == 0) interruptCount = 0;
 }
+
+InterruptGuard::~InterruptGuard() { --guards; }
 
 bool InterruptGuard::interrupted() const { return interruptCount > 0; }
 

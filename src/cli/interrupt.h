@@ -2,8 +2,13 @@
 
 namespace rayscope::cli {
 
-/// During its lifetime the first Ctrl+C sets a flag and the second ends the program with exit code 130.
-/// Several may exist, one within the lifetime of another; they share the flag.
+/// To be called once at the start of the program. From then on SIGINT (Ctrl+C), SIGTERM and SIGHUP delete
+/// temporary files before they end the program. Signals that are ignored at the start, as in background jobs
+/// and under nohup, stay ignored.
+void installInterruptHandlers();
+
+/// During its lifetime the first of these signals sets a flag and the second ends the program with exit code
+/// 130. Several may exist, one within the lifetime of another; they share the flag.
 class InterruptGuard {
   public:
     InterruptGuard();

@@ -2,9 +2,8 @@
 
 #include <rayscope/diagnostics.h>
 #include <rayscope/lab.h>
-#include <filesystem>
 
-#include "base/atomic_file.h"
+#include "base/console.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
@@ -42,11 +41,6 @@ void showProgress(Progress& progress, double fraction, double remaining) {
 }
 
 int runLabCommand(const LabOptions& options) {
-    if (!options.folder.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(options.folder, error);
-        base::checkFileDestination((std::filesystem::path(options.folder) / "lab.json").string());
-    }
     const InterruptStopSource interrupt;
     LabRequest request = requestOf(options);
     request.stop = interrupt.token();
@@ -57,15 +51,19 @@ int runLabCommand(const LabOptions& options) {
 
     const LabResult result = runLab(request);
     progress.clear();
-    fmt::print("{}", options.json ? labJson(result) : labText(result));
+    if (options.json)
+        base::writeOutput(labJson(result));
+    else
+        base::print("{}", labText(result));
     if (!options.folder.empty()) {
         const std::vector<std::string> commands = writeLab(result, *request.scene, options.folder);
         if (!options.quiet)
-            fmt::print(stderr, "wrote lab.html, lab.json and lab.csv into {}\n", options.folder);
+            base::printMessage("wrote lab.html, lab.json and lab.csv into {}\n",
+                               base::printable(options.folder));
         if (!options.quiet && !commands.empty())
-            fmt::print(stderr, "commands that trace the failing rays of each method with Rayscope:\n");
+            base::printMessage("commands that trace the failing rays of each method with Rayscope:\n");
         for (const std::string& command : commands)
-            if (!options.quiet) fmt::print(stderr, "  {}\n", command);
+            if (!options.quiet) base::printMessage("  {}\n", command);
     }
     if (result.interrupted) return kInterrupted;
     return result.range(LabMethod::Rayscope).failingTestPoints > 0 ? kThresholdExceeded : kSuccess;
@@ -78,13 +76,14 @@ std::function<int()> setUpLab(OptionList& list) {
     options->scene.addSceneTo(list, false);
     list.add("--seed", &options->scene.seed, "Seed of the random numbers").showDefault();
     list.add("-o,--output", &options->folder,
-             "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'");
+             "Folder for the report: lab.html, lab.json, lab.csv, and failing rays for 'rayscope cast'")
+        .writes(Option::Output::Folder);
     list.add("--rays", &options->rays,
              "Rays per test point at shared edges and vertices; half as many spawned rays are added")
-        .range(1, 1000000000)
+        .from(1, 1000000000)
         .showDefault();
     list.add("--quick", &options->quick, "A coarse grid of scales and offsets");
-    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    addProgressTo(list, options->progress);
     list.add("--json", &options->json, "Print the result as JSON");
     list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
     list.setDetails(

@@ -3,12 +3,14 @@
 #include <rayscope/probe.h>
 #include <rayscope/render_image.h>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
+#include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/number_list.h"
 #include "cli/scene_options.h"
 #include "probe/diagnosis.h"
 #include "probe/traversal_log.h"
@@ -20,7 +22,8 @@ namespace {
 
 struct ProbeOptions {
     SceneOptions scene;
-    std::string pixel, jsonFile;
+    std::optional<glm::ivec2> pixel;
+    std::string jsonFile;
     std::string traversal;  ///< "3" or "s3"
     std::string layout = "binary";
     int sample = 0;
@@ -28,9 +31,10 @@ struct ProbeOptions {
 };
 
 [[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
-    throw UsageError("--traversal",
-                     fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got '{}'",
-                                 tree.nodes.size() - 1, static_cast<long>(tree.shadowRays.size()) - 1, name));
+    throw UsageError(
+        "--traversal",
+        fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got {}", tree.nodes.size() - 1,
+                    static_cast<long>(tree.shadowRays.size()) - 1, base::quoted(name)));
 }
 
 /// The traversals of a ray, one per motion group. `name` is its number in the tree, after an "s" for shadow
@@ -65,12 +69,12 @@ std::string asJson(const RayTree& tree, const trace::World& world,
                 {{"sample", e.sample}, {e.shadow >= 0 ? "shadow_ray" : "node", std::max(e.node, e.shadow)}});
         j["explanation"].push_back(std::move(entry));
     }
-    return j.dump(2) + "\n";
+    return base::jsonText(j);
 }
 
 int runProbe(const ProbeOptions& options) {
     const RenderRequest request = openScene(options.scene, false, progressStyle("", false));
-    const glm::ivec2 pixel = parsePair("--pixel", options.pixel, ',', 0);
+    const glm::ivec2 pixel = *options.pixel;
     if (pixel.x >= request.width || pixel.y >= request.height)
         throw UsageError("--pixel", fmt::format("the image has {} x {} pixels, counted from 0,0",
                                                 request.width, request.height));
@@ -80,15 +84,15 @@ int runProbe(const ProbeOptions& options) {
     if (!options.traversal.empty())
         traversals = traversalsOf(*world, tree, options.traversal,
                                   options.layout == "wide" ? BvhLayout::Wide : BvhLayout::Binary);
-    fmt::print("{}", toText(tree, *world));
-    for (const probe::TraversalLog& log : traversals) fmt::print("{}", probe::toText(log));
-    if (!options.traversal.empty() && traversals.empty()) fmt::print("no BVH to traverse\n");
+    base::print("{}", toText(tree, *world));
+    for (const probe::TraversalLog& log : traversals) base::print("{}", probe::toText(log));
+    if (!options.traversal.empty() && traversals.empty()) base::print("no BVH to traverse\n");
     std::vector<probe::Diagnosis> diagnoses;
     if (options.explain)
         diagnoses = probe::diagnosePixel(*world, request.seed, pixel.x, pixel.y,
                                          probe::samplesToDiagnose(request.settings));
-    for (const probe::Diagnosis& diagnosis : diagnoses) fmt::print("{}", probe::toText(diagnosis));
-    if (options.explain && diagnoses.empty()) fmt::print("no anomaly found in this pixel\n");
+    for (const probe::Diagnosis& diagnosis : diagnoses) base::print("{}", probe::toText(diagnosis));
+    if (options.explain && diagnoses.empty()) base::print("no anomaly found in this pixel\n");
     if (!options.jsonFile.empty())
         base::writeFileAtomically(options.jsonFile, asJson(tree, *world, traversals, diagnoses));
     return kSuccess;
@@ -99,11 +103,17 @@ int runProbe(const ProbeOptions& options) {
 std::function<int()> setUpProbe(OptionList& list) {
     auto options = std::make_shared<ProbeOptions>();
     options->scene.addTo(list, true);
-    list.add("--pixel", &options->pixel, "The pixel as X,Y, counted from 0,0 at the top left").required();
-    list.add("--sample", &options->sample, "Index of the sample of the pixel").nonNegative().showDefault();
+    list.add("--pixel", &options->pixel, "The pixel, counted from 0,0 at the top left")
+        .form("X,Y", ',')
+        .from(0, 1 << 20)
+        .required();
+    list.add("--sample", &options->sample, "Index of the sample of the pixel")
+        .from(0, std::numeric_limits<int>::max())
+        .showDefault();
     list.add("--traversal", &options->traversal,
              "Also print the BVH traversal of a ray: its number in the tree, with an s before it for a "
              "shadow ray; the camera ray if no number is given")
+        .form("RAY")
         .valueOptional("0");
     list.add("--layout", &options->layout,
              "BVH that --traversal uses: binary, or the wide one that renders use")
@@ -111,7 +121,8 @@ std::function<int()> setUpProbe(OptionList& list) {
         .showDefault();
     list.add("--explain", &options->explain,
              "Print a diagnosis: why the pixel is black, bright, noisy, slow or not finite");
-    list.add("--json", &options->jsonFile, "Also write the tree to this file, as JSON");
+    list.add("--json", &options->jsonFile, "Also write the tree to this file, as JSON")
+        .writes(Option::Output::File);
     return [options] { return runProbe(*options); };
 }
 

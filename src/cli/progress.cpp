@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "base/console.h"
+#include "base/json_text.h"
 
 namespace rayscope::cli {
 
@@ -22,7 +24,7 @@ std::string jsonText(const ProgressReport& report) {
     nlohmann::json event;
     for (const auto& [name, value] : report.fields)
         std::visit([&](const auto& v) { event[std::string(name)] = v; }, value);
-    return event.dump();
+    return base::jsonText(event, -1);
 }
 
 }  // namespace
@@ -46,19 +48,19 @@ std::string etaText(double remainingSeconds) {
 }
 
 void Progress::show(const ProgressReport& report) {
-    if (style_ == ProgressStyle::Json) fmt::print(stderr, "{}\n", jsonText(report));
+    if (style_ == ProgressStyle::Json) base::writeMessage(jsonText(report));
     if (style_ != ProgressStyle::Bar) return;
-    fmt::print(stderr, "{}{}{}", kClearLine, report.fraction ? barText(*report.fraction) : "", report.text);
-    std::fflush(stderr);
+    base::writeMessage(kClearLine);
+    base::printMessage("{}{}", report.fraction ? barText(*report.fraction) : "", report.text);
     drawn_ = true;
 }
 
 void Progress::keep() {
-    if (std::exchange(drawn_, false)) fmt::print(stderr, "\n");
+    if (std::exchange(drawn_, false)) base::writeMessage("\n");
 }
 
 void Progress::clear() {
-    if (std::exchange(drawn_, false)) fmt::print(stderr, "{}", kClearLine);
+    if (std::exchange(drawn_, false)) base::writeMessage(kClearLine);
 }
 
 }  // namespace rayscope::cli

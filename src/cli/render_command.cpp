@@ -1,21 +1,24 @@
 #include <fmt/format.h>
 
 #include <rayscope/aov.h>
+#include <rayscope/compare.h>
+#include <rayscope/diagnostics.h>
 #include <rayscope/display.h>
 #include <rayscope/probe.h>
 #include <rayscope/render_image.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <thread>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
-#include "cli/number_list.h"
+#include "cli/output_files.h"
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
@@ -35,21 +38,25 @@ struct RenderCommandOptions {
     SceneOptions scene;
     TargetOptions target;
     std::vector<std::string> outputs;
-    std::string pixelBounds, statsFile, progress;
+    std::optional<glm::ivec4> pixelBounds;  ///< x0, x1, y0, y1
+    std::string statsFile, progress;
+    std::string format;  ///< of the image on the standard output
     std::vector<std::string> aovs;
     double timeLimit = 0.0;
     bool quiet = false, dumpSettings = false;
 };
 
 std::optional<PixelBounds> regionFor(const RenderCommandOptions& options, const RenderRequest& request) {
-    if (options.pixelBounds.empty()) return std::nullopt;
-    const PixelBounds region = parseBounds("--pixelbounds", options.pixelBounds);
+    if (!options.pixelBounds) return std::nullopt;
+    const glm::ivec4& bounds = *options.pixelBounds;
+    const PixelBounds region{bounds[0], bounds[1], bounds[2], bounds[3]};
     const bool inside = region.x0 < region.x1 && region.x1 <= request.width && region.y0 < region.y1 &&
                         region.y1 <= request.height;
     if (!inside)
-        throw UsageError("--pixelbounds",
-                         fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{}'",
-                                     request.width, request.height, options.pixelBounds));
+        throw UsageError(
+            "--pixelbounds",
+            fmt::format("expected 0 <= X0 < X1 <= {} and 0 <= Y0 < Y1 <= {}, got '{},{},{},{}'",
+                        request.width, request.height, bounds[0], bounds[1], bounds[2], bounds[3]));
     return region;
 }
 
@@ -86,19 +93,49 @@ std::string aovPath(const std::string& output, std::string_view name) {
     return path.string();
 }
 
-void checkAovs(const RenderCommandOptions& options) {
+constexpr std::string_view kStandardOutput = "-";
+
+/// What can be checked without the scene, so that a mistake costs no time.
+void checkOptions(const RenderCommandOptions& options) {
+    errorMetricNamed(options.target.metric);
+    if (options.dumpSettings) return;
+    if (options.outputs.empty()) throw UsageError("-o/--output is required");
+    const bool usesStandardOutput = std::ranges::count(options.outputs, kStandardOutput) > 0;
+    if (usesStandardOutput && options.format.empty())
+        throw UsageError(
+            "--output",
+            "'-' writes the image to the standard output and needs --format png, exr, pfm, hdr, ppm or pgm");
+    if (!usesStandardOutput && !options.format.empty())
+        throw UsageError("--format", "is the format of '-o -'; files have that of their suffix");
+    if (options.aovs.empty()) return;
+    if (options.target.wanted())
+        throw UsageError("--aov", "needs a fixed number of samples: leave out --target-error");
+    if (options.outputs.front() == kStandardOutput)
+        throw UsageError("--aov", "AOVs are named after the first output, which must be a file");
     for (const std::string& name : options.aovs)
         checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(probe::aovNamed(name)).name));
-    if (!options.aovs.empty() && options.target.wanted())
-        throw UsageError("--aov", "needs a fixed number of samples: leave out --target-error");
 }
 
-void writeAovs(const RenderCommandOptions& options, const RenderedImage& image,
+void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
                const ImageMetadata& metadata) {
     if (options.aovs.empty() || !image.world) return;
     const std::vector<RgbImage> images = renderAovs(image, options.aovs, {options.scene.threads, {}});
-    for (std::size_t i = 0; i < images.size(); ++i)
-        writeImage(aovPath(options.outputs.front(), options.aovs[i]), images[i], metadata);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const std::string path = aovPath(options.outputs.front(), options.aovs[i]);
+        files.write(path, [&] { writeImage(path, images[i], metadata); });
+    }
+}
+
+void writeImages(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
+                 const ImageMetadata& metadata) {
+    const Settings& settings = image.request.settings;
+    for (const std::string& output : options.outputs)
+        files.write(output, [&] {
+            if (output == kStandardOutput)
+                base::writeOutput(encodeRenderedImage("." + options.format, image.mean, settings, metadata));
+            else
+                writeRenderedImage(output, image.mean, settings, metadata);
+        });
 }
 
 /// The first sample of a pixel that is not finite, and why; sample 0 if each of them is finite.
@@ -135,9 +172,9 @@ bool reportNonFinite(const RenderedImage& image) {
     }
     if (count == 0) return false;
     const NonFiniteSample sample = firstNonFiniteSample(image, first);
-    fmt::print(stderr, "error: {} pixels are NaN or infinite:{}{}; in the first, {}; to inspect it: {}\n",
-               count, names, count > kNamed ? " …" : "", sample.cause,
-               render::probeCommand(image.request, {first.x, first.y, sample.index}));
+    base::printMessage("error: {} pixels are NaN or infinite:{}{}; in the first, {}; to inspect it: {}\n",
+                       count, names, count > kNamed ? " …" : "", base::printable(sample.cause),
+                       render::probeCommand(image.request, {first.x, first.y, sample.index}));
     return true;
 }
 
@@ -191,30 +228,31 @@ void writeStats(const RenderCommandOptions& options, const RenderedImage& image,
 int runRender(const RenderCommandOptions& options) {
     const InterruptStopSource interrupt;
     const auto start = std::chrono::steady_clock::now();
-    for (const std::string& output : options.outputs) checkImageDestination(output);
+    checkOptions(options);
     RenderRequest request =
         openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
     if (options.dumpSettings) {
-        fmt::print("{}", dumpSettings(request.settings));
+        base::print("{}", dumpSettings(request.settings));
         return kSuccess;
     }
-    if (options.outputs.empty()) throw UsageError("-o/--output is required");
     request.region = regionFor(options, request);
-    checkAovs(options);
     request.keepBinaryTrees = false;
 
     const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
                                                       : renderSamples(request, options, interrupt);
     const RenderedImage& image = rendered.image;
     const ImageMetadata metadata = metadataOf(request, image.status.samples);
-    for (const std::string& output : options.outputs)
-        writeRenderedImage(output, image.mean, request.settings, metadata);
-    if (rendered.exitCode != kInterrupted) writeAovs(options, image, metadata);
-    writeStats(options, image,
-               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    if (!rendered.message.empty()) fmt::print(stderr, "{}\n", rendered.message);
+    OutputFiles files;
+    writeImages(files, options, image, metadata);
+    if (rendered.exitCode != kInterrupted) writeAovs(files, options, image, metadata);
+    files.write(options.statsFile, [&] {
+        writeStats(options, image,
+                   std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    });
+    if (!rendered.message.empty()) base::printMessage("{}\n", rendered.message);
     const bool isFinite = !reportNonFinite(image);
-    return isFinite || rendered.exitCode == kInterrupted ? rendered.exitCode : kNonFiniteImage;
+    return files.exitCode(isFinite || rendered.exitCode == kInterrupted ? rendered.exitCode
+                                                                        : kNonFiniteImage);
 }
 
 }  // namespace
@@ -223,18 +261,23 @@ std::function<int()> setUpRender(OptionList& list) {
     auto options = std::make_shared<RenderCommandOptions>();
     options->scene.addTo(list, true);
     list.add("-o,--output", &options->outputs,
-             "Image to write, .png .exr .pfm .hdr .ppm or .pgm; repeatable");
+             "Image to write, .png .exr .pfm .hdr .ppm or .pgm, or - for the standard output; repeatable")
+        .writes(Option::Output::ImageOrStandardOutput);
+    list.add("--format", &options->format, "Format of -o -").choices({"png", "exr", "pfm", "hdr", "ppm", "pgm"});
     list.add("--time-limit", &options->timeLimit, "Stop after this many seconds with the best image so far")
-        .positive();
+        .above(0.0)
+        .atMost(1e9);
     options->target.addTo(list);
     list.add("--pixelbounds", &options->pixelBounds,
-             "Render only X0,X1,Y0,Y1 (half-open, from the top left)");
+             "Render only this half-open rectangle of pixels, from the top left")
+        .form("X0,X1,Y0,Y1", ',')
+        .from(0, 1 << 20);
     list.add("--aov", &options->aovs,
              fmt::format("AOVs to write beside the first output, as NAME.AOV.exr: {}",
                          fmt::join(aovNames(), ", ")))
-        .separatedBy(',');
-    list.add("--stats", &options->statsFile, "Write counts and times as JSON");
-    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+        .form("NAME[,NAME]", ',');
+    list.add("--stats", &options->statsFile, "Write counts and times as JSON").writes(Option::Output::File);
+    addProgressTo(list, options->progress);
     list.add("-q,--quiet", &options->quiet, "Print errors only");
     list.add("--dump-settings", &options->dumpSettings,
              "Print the settings that differ from the defaults, and exit");

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
 #include "trace/world.h"
 
 namespace rayscope::cli {
@@ -44,7 +45,7 @@ std::string renderStatsJson(const RenderRequest& request, const RenderStatus& st
         {"mrays_per_s", seconds > 0.0 ? static_cast<double>(status.rays) * 1e-6 / seconds : 0.0},
         {"bodies", motionGroups},
         {"settings", settings}};
-    return stats.dump(2) + "\n";
+    return base::jsonText(stats);
 }
 
 }  // namespace rayscope::cli

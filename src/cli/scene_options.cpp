@@ -4,12 +4,26 @@
 
 #include <span>
 
+#include "base/console.h"
+#include "base/printable_text.h"
 #include "cli/command_line.h"
 #include "cli/load_progress.h"
-#include "cli/number_list.h"
-#include "scene/mesh_files/read_mesh_file.h"
 
 namespace rayscope::cli {
+
+namespace {
+
+/// Far more than a picture has, and few enough that sums of two do not overflow.
+constexpr int kLargestEdge = 1 << 20;
+
+/// The row of the settings table.
+SettingInfo settingNamed(std::string_view key) {
+    for (const SettingInfo& info : describeSettings())
+        if (info.key == key) return info;
+    throw std::logic_error("no such setting");
+}
+
+}  // namespace
 
 std::string sceneOptionHelp() {
     const std::vector<std::string> suffixes = sceneFileSuffixes();
@@ -19,13 +33,17 @@ std::string sceneOptionHelp() {
 
 void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     addSceneTo(list, sceneRequired);
-    list.add("--size", &size, "Width and height of the image in pixels, as WxH").showDefault();
+    list.add("--size", &size, "Width and height of the image in pixels")
+        .form("WxH", 'x')
+        .from(1, kLargestEdge)
+        .showDefault();
     list.add("--camera", &camera, "Name of a camera of the scene; by default the first");
-    list.add("--look-from", &lookFrom, "Position of the camera, as X,Y,Z");
-    list.add("--look-at", &lookAt, "Point that the camera looks at, as X,Y,Z");
-    list.add("--up", &up, "Direction that is up in the image, as X,Y,Z");
-    list.add("--fov", &fov, "Vertical angle of view in degrees").range(0.001, 179.0);
-    list.add("--spp,--samples", &spp, "Samples per pixel");
+    list.add("--look-from", &lookFrom, "Position of the camera").form("X,Y,Z", ',');
+    list.add("--look-at", &lookAt, "Point that the camera looks at").form("X,Y,Z", ',');
+    list.add("--up", &up, "Direction that is up in the image").form("X,Y,Z", ',');
+    list.add("--fov", &fov, "Vertical angle of view in degrees").above(0.0).below(180.0);
+    const SettingInfo samples = settingNamed("spp");
+    list.add("--spp,--samples", &spp, "Samples per pixel").from(samples.lowest, samples.highest);
     list.add("--preset", &preset,
              "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
              "override it");
@@ -35,23 +53,30 @@ void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
 void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
     Option& positional = list.add("SCENE", &scene, sceneOptionHelp());
     if (sceneRequired) positional.required();
-    list.add("-t,--threads,--nthreads", &threads, "Tracing threads; 0 takes one per core")
-        .range(0, 1024)
+    addThreadsTo(list, threads);
+    addSettingsTo(list, assignments);
+}
+
+void addThreadsTo(OptionList& list, int& threads) {
+    list.add("-t,--threads,--nthreads", &threads, "Threads; 0 takes one per core")
+        .from(0, 1024)
         .showDefault();
-    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings', as KEY=VALUE; repeatable");
+}
+
+void addSettingsTo(OptionList& list, std::vector<std::string>& assignments) {
+    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings'; repeatable").form("KEY=VALUE");
+}
+
+void addProgressTo(OptionList& list, std::string& progress) {
+    list.add("--progress", &progress, "How progress is shown").choices({"bar", "json", "none"});
 }
 
 namespace {
 
-std::optional<glm::vec3> optionalVector(const std::string& option, const std::string& text) {
-    if (text.empty()) return std::nullopt;
-    return parseVector(option, text);
-}
-
 SettingAssignment parseAssignment(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos)
-        throw UsageError("--set", fmt::format("expected KEY=VALUE, got '{}'", text));
+        throw UsageError("--set", fmt::format("expected KEY=VALUE, got {}", base::quoted(text)));
     return {text.substr(0, equals), text.substr(equals + 1), {}};
 }
 
@@ -59,15 +84,14 @@ SettingAssignment parseAssignment(const std::string& text) {
 
 RequestOverrides overridesOf(const SceneOptions& options) {
     RequestOverrides overrides;
-    overrides.camera = {options.camera, optionalVector("--look-from", options.lookFrom),
-                        optionalVector("--look-at", options.lookAt), optionalVector("--up", options.up),
-                        options.fov};
+    overrides.camera = {options.camera, options.lookFrom, options.lookAt, options.up, options.fov};
     overrides.preset = options.preset;
     for (const std::string& text : options.assignments) overrides.settings.push_back(parseAssignment(text));
     overrides.spp = options.spp;
-    const glm::ivec2 size = parsePair("--size", options.size, 'x', 1);
-    if (static_cast<long long>(size.x) * size.y > kMaxImagePixels)
-        throw UsageError("--size", "more than 2^28 pixels");
+    const glm::ivec2 size = options.size;
+    if (const long long pixels = static_cast<long long>(size.x) * size.y; pixels > kMaxImagePixels)
+        throw UsageError("--size", fmt::format("{}x{} are {} pixels; at most {} are possible", size.x, size.y,
+                                               pixels, kMaxImagePixels));
     overrides.width = size.x;
     overrides.height = size.y;
     overrides.seed = options.seed;
@@ -80,7 +104,7 @@ RenderRequest openScene(const SceneOptions& options, bool quiet, ProgressStyle s
     const RequestOverrides overrides = overridesOf(options);
     RenderRequest request = openRequest(options.scene, overrides, notes, LoadProgress(style).control());
     if (!quiet)
-        for (const Diagnostic& note : notes) fmt::print(stderr, "{}\n", toString(note));
+        for (const Diagnostic& note : notes) base::printMessage("{}\n", toString(note));
     return request;
 }
 

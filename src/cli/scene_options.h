@@ -1,6 +1,8 @@
 #pragma once
 // The options of every command that opens a scene.
 #include <rayscope/open_request.h>
+#include <rayscope/vector.h>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,9 +16,9 @@ class OptionList;
 
 struct SceneOptions {
     std::string scene;
-    std::string size = "800x800";
+    glm::ivec2 size{800, 800};
     std::string camera;
-    std::string lookFrom, lookAt, up;
+    std::optional<glm::vec3> lookFrom, lookAt, up;
     std::optional<float> fov;
     std::optional<int> spp;
     std::string preset;
@@ -31,6 +33,10 @@ struct SceneOptions {
 
 /// What SCENE may be, for --help.
 std::string sceneOptionHelp();
+// Options that several commands have, with the same names and ranges everywhere.
+void addThreadsTo(OptionList& list, int& threads);
+void addSettingsTo(OptionList& list, std::vector<std::string>& assignments);
+void addProgressTo(OptionList& list, std::string& progress);
 
 /// The options in the form of the library. Throws InputError or UsageError.
 RequestOverrides overridesOf(const SceneOptions& options);

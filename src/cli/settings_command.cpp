@@ -3,6 +3,8 @@
 #include <rayscope/settings.h>
 #include <nlohmann/json.hpp>
 
+#include "base/console.h"
+#include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 
@@ -17,23 +19,23 @@ struct SettingsOptions {
 void printText() {
     std::string_view group;
     for (const SettingInfo& info : describeSettings()) {
-        if (info.group != group) fmt::print("{}{}\n", group.empty() ? "" : "\n", info.group);
+        if (info.group != group) base::print("{}{}\n", group.empty() ? "" : "\n", info.group);
         group = info.group;
-        fmt::print("  {:<24} {}\n  {:<24} {}{}{}; default {}\n", info.key, info.help, "", info.values,
-                   info.unit.empty() ? "" : " ", info.unit, info.defaultValue);
+        base::print("  {:<24} {}\n  {:<24} {}{}{}; default {}\n", info.key, info.help, "", info.values,
+                    info.unit.empty() ? "" : " ", info.unit, info.defaultValue);
     }
 }
 
 void printMarkdown() {
-    fmt::print("# Settings\n\nWritten by `rayscope settings --markdown`.\n");
+    base::print("# Settings\n\nWritten by `rayscope settings --markdown`.\n");
     std::string_view group;
     for (const SettingInfo& info : describeSettings()) {
         if (info.group != group)
-            fmt::print("\n## {}\n\n| setting | meaning | values | unit | default |\n|---|---|---|---|---|\n",
-                       info.group);
+            base::print("\n## {}\n\n| setting | meaning | values | unit | default |\n|---|---|---|---|---|\n",
+                        info.group);
         group = info.group;
-        fmt::print("| `{}` | {} | {} | {} | {} |\n", info.key, info.help, info.values, info.unit,
-                   info.defaultValue);
+        base::print("| `{}` | {} | {} | {} | {} |\n", info.key, info.help, info.values, info.unit,
+                    info.defaultValue);
     }
 }
 
@@ -53,7 +55,7 @@ void printJson() {
         if (info.kind == "integer" || info.kind == "number") row["range"] = {info.lowest, info.highest};
         list.push_back(row);
     }
-    fmt::print("{}\n", list.dump(2));
+    base::writeOutput(base::jsonText(list));
 }
 
 }  // namespace

@@ -10,9 +10,9 @@ void TargetOptions::addTo(OptionList& list) {
     list.add("--target-error", &error,
              "Stop when the upper bound of the error is below this value; chooses the sample count "
              "automatically, with --spp as the limit")
-        .positive();
+        .above(0.0);
     list.add("--confidence", &confidence, "Confidence level of --target-error")
-        .range(0.5, 0.9999)
+        .from(0.5, 0.9999)
         .showDefault();
     list.add("--metric", &metric, "Metric of --target-error: rmse or relmse").showDefault();
     list.add("--worst-tile", &worstTile,

@@ -5,9 +5,12 @@
 #include <filesystem>
 
 #include "base/atomic_file.h"
+#include "base/console.h"
+#include "base/shell_quote.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
+#include "cli/output_files.h"
 #include "cli/progress.h"
 #include "cli/scene_options.h"
 
@@ -29,44 +32,43 @@ void showProgress(Progress& progress, const TradeProgress& p) {
 }
 
 void printSummary(const TradeResult& r, const std::string& scene) {
-    fmt::print("{} at {} x {}, {} threads: {} candidates, {} blocks, {:.1f} s\n", scene, r.width, r.height,
-               r.threads,
-               std::count_if(r.points.begin(), r.points.end(), [](const auto& p) { return p.runs > 0; }),
-               r.blocks, r.spentSeconds);
-    fmt::print("reference: 2 x {} samples, RMSE {:.3g}{}\n", r.reference.samples, r.reference.error,
-               r.reference.fromCache ? " (continued from the cache)" : "");
+    base::print("{} at {} x {}, {} threads: {} candidates, {} blocks, {:.1f} s\n", base::printable(scene),
+                r.width, r.height, r.threads,
+                std::count_if(r.points.begin(), r.points.end(), [](const auto& p) { return p.runs > 0; }),
+                r.blocks, r.spentSeconds);
+    base::print("reference: 2 x {} samples, RMSE {:.3g}{}\n", r.reference.samples, r.reference.error,
+                r.reference.fromCache ? " (continued from the cache)" : "");
     if (r.complete) {
-        fmt::print("timing noise of the machine: {:.1f} %\n", 100.0 * r.smallestTimeDifference);
-        fmt::print("\nrecommended settings, with 95 % prediction intervals of one more run:\n");
+        base::print("timing noise of the machine: {:.1f} %\n", 100.0 * r.smallestTimeDifference);
+        base::print("\nrecommended settings, with 95 % prediction intervals of one more run:\n");
     }
     for (const TradeAdvice& advice : r.advice) {
         const TradePoint& p = r.points[advice.point];
-        fmt::print(
+        base::print(
             "  {:.3g} s [{:.3g}, {:.3g}]  RMSE {:.3g} [{:.3g}, {:.3g}]\n    rayscope render {} {} -o OUT\n",
             p.predictedSeconds.value, p.predictedSeconds.lower, p.predictedSeconds.upper,
-            p.predictedError.value, p.predictedError.lower, p.predictedError.upper, scene,
-            renderArguments(r, p));
+            p.predictedError.value, p.predictedError.lower, p.predictedError.upper,
+            base::shellQuotePath(scene), renderArguments(r, p));
     }
     for (const TradePreset& preset : r.presetPoints)
-        fmt::print("preset {}: {:.3g} s, RMSE {:.3g}, excess time over the Pareto front {}\n", preset.preset,
-                   r.points[preset.point].seconds.value, r.points[preset.point].error.value,
-                   excessText(r, preset));
-    for (const std::string& remark : r.remarks) fmt::print("note: {}\n", remark);
+        base::print("preset {}: {:.3g} s, RMSE {:.3g}, excess time over the Pareto front {}\n", preset.preset,
+                    r.points[preset.point].seconds.value, r.points[preset.point].error.value,
+                    excessText(r, preset));
+    for (const std::string& remark : r.remarks) base::print("note: {}\n", base::printable(remark));
 }
 
-void writeReports(const TradeResult& result, const std::string& folder) {
+void writeReports(OutputFiles& files, const TradeResult& result, const std::string& folder) {
     const std::filesystem::path path(folder);
-    base::writeFileAtomically((path / "trade.json").string(), tradeJson(result));
-    base::writeFileAtomically((path / "trade.csv").string(), tradeCsv(result));
-    base::writeFileAtomically((path / "trade.html").string(), tradeHtml(result));
+    using Report = std::string (*)(const TradeResult&);
+    const std::pair<const char*, Report> reports[] = {
+        {"trade.json", tradeJson}, {"trade.csv", tradeCsv}, {"trade.html", tradeHtml}};
+    for (const auto& [name, report] : reports) {
+        const std::string file = (path / name).string();
+        files.write(file, [&, make = report] { base::writeFileAtomically(file, make(result)); });
+    }
 }
 
 int runTrade(const TradeOptions& options) {
-    if (!options.folder.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(options.folder, error);
-        base::checkFileDestination((std::filesystem::path(options.folder) / "trade.json").string());
-    }
     const InterruptStopSource interrupt;
     TradeRequest request;
     request.render = openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
@@ -84,30 +86,33 @@ int runTrade(const TradeOptions& options) {
         return kInterrupted;
     }
     progress.clear();
-    if (!options.folder.empty()) writeReports(result, options.folder);
+    OutputFiles files;
+    if (!options.folder.empty()) writeReports(files, result, options.folder);
     if (options.json)
-        fmt::print("{}", tradeJson(result));
+        base::writeOutput(tradeJson(result));
     else
         printSummary(result, options.scene.scene);
-    if (!options.folder.empty() && !options.quiet)
-        fmt::print(stderr, "wrote trade.html, trade.json and trade.csv into {}\n", options.folder);
+    if (!options.folder.empty() && !options.quiet && !files.failed())
+        base::printMessage("wrote trade.html, trade.json and trade.csv into {}\n",
+                           base::printable(options.folder));
     if (result.interrupted) return kInterrupted;
-    return result.complete ? kSuccess : kStoppedByLimit;
+    return files.exitCode(result.complete ? kSuccess : kStoppedByLimit);
 }
 
 }  // namespace
 
 std::function<int()> setUpTrade(OptionList& list) {
     auto options = std::make_shared<TradeOptions>();
-    options->scene.size = "200x200";
+    options->scene.size = {200, 200};
     options->scene.addTo(list, true);
-    list.add("-o,--output", &options->folder, "Folder for the report: trade.html, trade.json, trade.csv");
+    list.add("-o,--output", &options->folder, "Folder for the report: trade.html, trade.json, trade.csv")
+        .writes(Option::Output::Folder);
     list.add("--budget", &options->budget, "Seconds to spend, half of them on the reference")
-        .range(0.1, 1e6)
+        .from(0.1, 1e6)
         .showDefault();
     list.add("--no-cache", &options->noCache,
              "Neither read nor write the reference cache ($XDG_CACHE_HOME/rayscope/references)");
-    list.add("--progress", &options->progress, "bar, json or none").choices({"bar", "json", "none"});
+    addProgressTo(list, options->progress);
     list.add("--json", &options->json, "Print the result as JSON");
     list.add("-q,--quiet", &options->quiet, "Print no progress and no notes");
     return [options] { return runTrade(*options); };

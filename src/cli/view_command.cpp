@@ -20,7 +20,7 @@ int runView(const SceneOptions& options) {
 std::function<int()> setUpView(OptionList& list) {
     auto options = std::make_shared<SceneOptions>();
     options->scene = viewer::kDefaultScene;
-    options->size = "1280x720";
+    options->size = {1280, 720};
     options->addTo(list, false);
     return [options] { return runView(*options); };
 }

@@ -14,4 +14,11 @@ void writeRenderedImage(const std::string& path, const RgbImage& mean, const Set
                settings.tone);
 }
 
+std::string encodeRenderedImage(const std::string& suffix, const RgbImage& mean, const Settings& settings,
+                                const ImageMetadata& metadata) {
+    const bool forDisplay = post::isDisplayFormat("image" + suffix);
+    return encodeImage(suffix, post::applyDisplayTransform(mean, settings, forDisplay), metadata,
+                       settings.tone);
+}
+
 }  // namespace rayscope

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/printable_text.h"
 #include "probe/diagnosis_parts.h"
 
 namespace rayscope::probe {
@@ -26,8 +27,8 @@ std::string_view nameOf(Cause cause) {
 }
 
 std::string toText(const Diagnosis& diagnosis) {
-    std::string text =
-        fmt::format("{}, {}: {}\n", nameOf(diagnosis.symptom), nameOf(diagnosis.cause), diagnosis.sentence);
+    std::string text = fmt::format("{}, {}: {}\n", nameOf(diagnosis.symptom), nameOf(diagnosis.cause),
+                                   base::printable(diagnosis.sentence));
     for (const Evidence& e : diagnosis.evidence)
         text += fmt::format("  see sample {}, {} {}\n", e.sample, e.shadow >= 0 ? "shadow ray" : "ray",
                             std::max(e.node, e.shadow));

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check_argument.h"
+#include "base/json_text.h"
+#include "base/printable_text.h"
 #include "math/vectors.h"
 #include "probe/names.h"
 #include "trace/world.h"
@@ -112,7 +114,7 @@ std::string toText(const RayTree& tree, const trace::World& world) {
         const RayNode& node = tree.nodes[i];
         if (node.parent >= 0) level[i] = level[static_cast<std::size_t>(node.parent)] + 1;
         const std::string indent(static_cast<std::size_t>(2 * (level[i] + 1)), ' ');
-        out += fmt::format("{}[{}] {}\n", indent, i, describe(node, world));
+        out += fmt::format("{}[{}] {}\n", indent, i, base::printable(describe(node, world)));
         for (; shadow < tree.shadowRays.size() && tree.shadowRays[shadow].node == static_cast<int>(i);
              ++shadow) {
             const ShadowRay& ray = tree.shadowRays[shadow];
@@ -140,7 +142,7 @@ std::string toJson(const RayTree& tree, const trace::World& world) {
                                     {"color", json(ray.color)},
                                     {"visibility", probe::nameOf(ray.visibility)},
                                     {"contribution", json(ray.contribution)}});
-    return j.dump(2) + "\n";
+    return base::jsonText(j);
 }
 
 std::string toObj(const RayTree& tree, float missLength) {

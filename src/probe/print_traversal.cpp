@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include <nlohmann/json.hpp>
+
+#include "base/json_text.h"
 #include "probe/names.h"
 #include "probe/traversal_log.h"
 
@@ -87,7 +89,7 @@ std::string toJson(const TraversalLog& log) {
     }
     if (log.hit.primitive != kNoPrimitive)
         j["hit"] = {{"primitive", log.hit.primitive}, {"t", log.hit.t}, {"u", log.hit.u}, {"v", log.hit.v}};
-    return j.dump(2) + "\n";
+    return base::jsonText(j);
 }
 
 }  // namespace rayscope::probe

@@ -9,6 +9,8 @@
 #include <memory>
 #include <mutex>
 
+#include "base/temporary_files.h"
+
 namespace rayscope::render {
 
 namespace {
@@ -135,6 +137,7 @@ void report(int signal) {
         print("\n");
         printSamplesInFlight(*context);
     }
+    base::removeTemporaryFiles();
     // The default action ends the program with the status of the signal.
     std::signal(signal, SIG_DFL);
     std::raise(signal);

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 namespace rayscope::render {
 
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples) {
     ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
-                              {"scene", scene.path},
+                              {"scene", std::filesystem::path(scene.path).filename().string()},
                               {"seed", std::to_string(seed)},
                               {"samples", std::to_string(samples)}};
     for (const std::string_view key : settingKeys())

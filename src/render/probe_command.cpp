@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/printable_text.h"
 #include "base/shell_quote.h"
 #include "render/scene_defaults.h"
 
@@ -41,8 +42,8 @@ std::vector<std::string> changedSettings(const RenderRequest& request) {
 
 /// The command without the pixel and the sample.
 std::string commandPrefix(const RenderRequest& request) {
-    std::string text = fmt::format("rayscope probe {} --size {}x{}", base::shellQuote(request.scene->path),
-                                   request.width, request.height);
+    std::string text = fmt::format("rayscope probe {} --size {}x{}",
+                                   base::shellQuotePath(request.scene->path), request.width, request.height);
     text += cameraOptions(*request.scene, request.camera);
     if (request.seed != 0) text += fmt::format(" --seed {}", request.seed);
     for (const std::string& assignment : changedSettings(request))
@@ -54,8 +55,8 @@ std::string commandPrefix(const RenderRequest& request) {
 
 CrashContext crashContextOf(const RenderRequest& request) {
     const std::vector<std::string> assignments = changedSettings(request);
-    return {.scene = fmt::format("{}, {} x {} pixels, seed {}", request.scene->path, request.width,
-                                 request.height, request.seed),
+    return {.scene = fmt::format("{}, {} x {} pixels, seed {}", base::printable(request.scene->path),
+                                 request.width, request.height, request.seed),
             .settings = assignments.empty() ? "those of the scene, or defaults"
                                             : fmt::format("{}", fmt::join(assignments, " ")),
             .beforeX = commandPrefix(request) + " --pixel ",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <rayscope/diagnostics.h>
 
+#include "bvh/isa.h"
 #include "scene/check_camera.h"
 
 namespace rayscope::render {
@@ -21,6 +22,9 @@ void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignm
     for (const SettingAssignment& assignment : assignments) {
         try {
             assign(settings, assignment.key, assignment.value);
+            if (assignment.key == "isa" && !bvh::isAvailable(settings.isa))
+                throw InputError(
+                    fmt::format("setting 'isa': this processor has no {}; use auto", assignment.value));
         } catch (const InputError& error) {
             throw InputError(error.diagnostic().message, assignment.position);
         }

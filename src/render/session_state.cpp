@@ -1,5 +1,9 @@
 #include "render/session_state.h"
 
+#include <fmt/format.h>
+
+#include <new>
+
 #include "render/pass_plan.h"
 #include "render/probe_command.h"
 #include "sampling/sample_stream.h"
@@ -21,6 +25,16 @@ bool continues(const RenderRequest& before, const RenderRequest& after) {
     return before.scene == after.scene && before.camera == after.camera && before.width == after.width &&
            before.height == after.height && regionOf(before) == regionOf(after) &&
            before.seed == after.seed && changed(sameCount, after.settings) <= Invalidates::Display;
+}
+
+/// The memory for an image of this size: the film and its mean.
+std::string outOfMemoryText(const RenderRequest& request) {
+    const double pixels = static_cast<double>(request.width) * request.height;
+    return fmt::format(
+        "out of memory: an image of {} x {} pixels takes {:.2g} GB beside the scene; try a smaller --size or "
+        "a "
+        "smaller scene",
+        request.width, request.height, pixels * (sizeof(render::PixelSums) + sizeof(Rgb)) * 1e-9);
 }
 
 }  // namespace
@@ -71,6 +85,9 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
         if (renderPasses(request, control)) outcome = RenderState::Done;
     } catch (const Stopped&) {
         // Cancelled, paused or replaced: the state below follows from `pending` and `paused`.
+    } catch (const std::bad_alloc&) {
+        outcome = RenderState::Failed;
+        message = outOfMemoryText(request);
     } catch (const std::exception& error) {
         outcome = RenderState::Failed;
         message = error.what();
@@ -110,7 +127,8 @@ bool RenderSession::State::renderPasses(const RenderRequest& request, const rend
     }
     const std::scoped_lock guard(lock);
     status.elapsedSeconds += render::secondsSince(started);
-    return complete;
+    // A stop that comes while the last tiles are in flight stops nothing.
+    return complete || film->completeSamples() >= wanted;
 }
 
 }  // namespace rayscope

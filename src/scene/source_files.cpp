@@ -1,13 +1,13 @@
 #include "scene/source_files.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <vector>
 
 #include "base/read_file.h"
+#include "base/user_folders.h"
 #include "embedded_scenes.h"
 #include "scene/load_step.h"
 
@@ -30,10 +30,7 @@ const scenes::EmbeddedFile* findEmbedded(std::string_view path) {
 /// Folders of files that are too large to be embedded.
 std::vector<fs::path> sceneFolders() {
     std::vector<fs::path> folders{RAYSCOPE_SOURCE_SCENES, RAYSCOPE_INSTALLED_SCENES};
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-        folders.push_back(fs::path(cache) / "rayscope");
-    else if (const char* home = std::getenv("HOME"); home && *home)
-        folders.push_back(fs::path(home) / ".cache" / "rayscope");
+    if (const fs::path cache = base::userCacheFolder(); !cache.empty()) folders.push_back(cache);
     return folders;
 }
 

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <rayscope/diagnostics.h>
-#include <charconv>
+#include <optional>
 
 #include "base/nearest_name.h"
+#include "base/parse_number.h"
+#include "base/printable_text.h"
 #include "settings/table.h"
 
 namespace rayscope {
@@ -13,20 +15,27 @@ namespace {
 
 void parse(const settings::Toggle& row, Settings& settings, std::string_view value) {
     if (value != "true" && value != "false")
-        throw InputError(fmt::format("setting '{}': expected true or false, got '{}'", row.text.key, value));
+        throw InputError(
+            fmt::format("setting '{}': expected true or false, got {}", row.text.key, base::quoted(value)));
     settings.*row.member = value == "true";
 }
 
 template <class T>
+std::optional<T> numberOf(std::string_view text) {
+    if constexpr (std::is_integral_v<T>)
+        return base::parseInteger<T>(text);
+    else
+        return base::parseReal<T>(text);
+}
+
+template <class T>
 void parse(const settings::Range<T>& row, Settings& settings, std::string_view value) {
-    T number{};
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    const bool isNumber = error == std::errc{} && end == value.data() + value.size();
-    if (!isNumber || !(number >= row.lowest && number <= row.highest))
-        throw InputError(fmt::format("setting '{}': expected {} from {} to {}, got '{}'", row.text.key,
+    const std::optional<T> number = numberOf<T>(value);
+    if (!number || !(*number >= row.lowest && *number <= row.highest))
+        throw InputError(fmt::format("setting '{}': expected {} from {} to {}, got {}", row.text.key,
                                      std::is_integral_v<T> ? "an integer" : "a number", row.lowest,
-                                     row.highest, value));
-    settings.*row.member = number;
+                                     row.highest, base::quoted(value)));
+    settings.*row.member = *number;
 }
 
 template <class E, std::size_t N>
@@ -36,8 +45,9 @@ void parse(const settings::Choice<E, N>& row, Settings& settings, std::string_vi
         settings.*row.member = static_cast<E>(i);
         return;
     }
-    throw InputError(fmt::format("setting '{}': expected {}, got '{}'{}", row.text.key,
-                                 base::joinChoices(row.names), value, base::didYouMean(value, row.names)));
+    throw InputError(fmt::format("setting '{}': expected {}, got {}{}", row.text.key,
+                                 base::joinChoices(row.names), base::quoted(value),
+                                 base::didYouMean(value, row.names)));
 }
 
 std::string print(const settings::Toggle& row, const Settings& settings) {
@@ -72,7 +82,7 @@ void describeKind(const settings::Choice<E, N>& row, SettingInfo& info) {
 
 [[noreturn]] void throwUnknown(std::string_view key) {
     const auto keys = settingKeys();
-    throw InputError(fmt::format("unknown setting '{}'{}", key, base::didYouMean(key, keys)));
+    throw InputError(fmt::format("unknown setting {}{}", base::quoted(key), base::didYouMean(key, keys)));
 }
 
 }  // namespace

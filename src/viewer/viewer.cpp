@@ -1,7 +1,6 @@
 #include "viewer/viewer.h"
 
-#include <fmt/format.h>
-
+#include "base/console.h"
 #include "viewer/app/application.h"
 
 namespace rayscope::viewer {
@@ -11,16 +10,16 @@ int runViewer(const ViewerOptions& options) {
     try {
         viewer::Application(options).run();
     } catch (const viewer::FirstSceneFailed& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        base::printMessage("{}\n", error.what());
         return kInputError;
     } catch (const viewer::NoDisplay& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        base::printMessage("error: {}\n", error.what());
         return kInputError;
     } catch (const InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        base::printMessage("{}\n", error.what());
         return kInputError;
     } catch (const std::runtime_error& error) {
-        fmt::print(stderr, "error: {}\n", error.what());
+        base::printMessage("error: {}\n", error.what());
         return kInputError;
     }
     return 0;

@@ -1,11 +1,13 @@
 #include "base/atomic_file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
 
+#include "base/temporary_files.h"
 #include "support/expect_input_error.h"
 #include "support/temporary_folder.h"
 
@@ -110,6 +112,38 @@ TEST(AtomicFile, UnwritableFoldersAreErrors) {
     EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination(folder.file("a.json")); }),
                 HasSubstr("Permission denied"));
     ::chmod(folder.path().c_str(), 0700);
+}
+
+TEST(AtomicFile, StaleTemporaryFilesDoNotBlock) {
+    const TemporaryFolder folder;
+    // More than this test program has made so far, so that the next numbers are taken.
+    for (int i = 0; i < 300; ++i)
+        folder.write(".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp", "stale");
+    base::writeFileAtomically(folder.file("a"), "new");
+    EXPECT_EQ(readText(folder / "a"), "new");
+    EXPECT_EQ(folder.entries(), 301u);
+}
+
+TEST(AtomicFile, SignalHandlersCanDeleteTemporaryFiles) {
+    const TemporaryFolder folder;
+    base::AtomicFile file(folder.file("a"));
+    file.write("half");
+    EXPECT_EQ(folder.entries(), 1u);
+    base::removeTemporaryFiles();
+    EXPECT_EQ(folder.entries(), 0u);
+    EXPECT_THAT(inputErrorOf([&] { file.commit(); }), HasSubstr("cannot be written"));
+}
+
+TEST(AtomicFile, DescriptorsAreContinued) {
+    const TemporaryFolder folder;
+    const int descriptor = ::open(folder.file("log").c_str(), O_WRONLY | O_CREAT, 0600);
+    ASSERT_GE(descriptor, 0);
+    ASSERT_EQ(::write(descriptor, "one ", 4), 4);
+    base::writeFileAtomically("/dev/fd/" + std::to_string(descriptor), "two");
+    ::close(descriptor);
+    EXPECT_EQ(readText(folder / "log"), "one two");
+    EXPECT_THAT(inputErrorOf([&] { base::checkFileDestination("/dev/fd/987"); }),
+                HasSubstr("cannot be written"));
 }
 
 TEST(AtomicFile, PiecesAppearOnCommitOnly) {

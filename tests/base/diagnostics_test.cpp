@@ -22,5 +22,20 @@ TEST(Diagnostics, InputErrorHasTheLineAndItsParts) {
     EXPECT_EQ(error.diagnostic().position.line, 3);
 }
 
+TEST(Diagnostics, ForeignTextStaysOnOneShortLine) {
+    const std::string forged =
+        toString({Severity::Error, "bad name 'x\nfake.toml:1:1: error: y'", {"a\nb", 1, 1}});
+    EXPECT_EQ(forged, "a\\nb:1:1: error: bad name 'x\\nfake.toml:1:1: error: y'");
+    for (const std::string& filling :
+         {std::string(20000000, 'm'), std::string(1000, '\0'), std::string(2000, '\xff')}) {
+        const std::string line = toString({Severity::Error,
+                                           "unknown '" + filling + "' (did you mean 'n'?)",
+                                           {std::string(5000, 'p'), 1, 1}});
+        EXPECT_LE(line.size(), 500u);
+        EXPECT_TRUE(line.ends_with("(did you mean 'n'?)")) << line;
+        EXPECT_EQ(line.find('\0'), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace rayscope

@@ -50,6 +50,12 @@ void writeImage(const std::string& path, const RgbImage& image, const ImageMetad
     base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, encoding));
 }
 
+std::string encodeImage(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
+                        Encoding encoding) {
+    if (image.empty()) throw InputError("the image has no pixels");
+    return encode(checkedSuffix("image" + suffix), image, metadata, encoding);
+}
+
 void checkImageDestination(const std::string& path) {
     checkedSuffix(path);
     base::checkFileDestination(path);

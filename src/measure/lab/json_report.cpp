@@ -8,6 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+#include "base/printable_text.h"
+
 namespace rayscope {
 
 namespace {
@@ -78,8 +81,8 @@ std::string labText(const LabResult& r) {
     std::string text = fmt::format(
         "{}: {} triangles, {} shared edges, {} closed vertices; {:.4g} units large, {:.3g} sizes from the "
         "origin\n{} test points of {} rays in {:.1f} s\n\n",
-        r.scene, r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset, r.testPoints.size(),
-        r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
+        base::printable(r.scene), r.triangles, r.sharedEdges, r.closedVertices, r.size, r.offset,
+        r.testPoints.size(), r.raysPerTestPoint + r.raysPerTestPoint / 2, r.seconds);
     appendHeader(text, "all test points");
     for (const LabMethod method : kLabMethods) appendRow(text, infoOf(method).label, r.total(method));
     text += "\n";
@@ -137,7 +140,7 @@ std::string labJson(const LabResult& r) {
                                 {"remarks", r.remarks},
                                 {"seconds", r.seconds},
                                 {"interrupted", r.interrupted}};
-    return all.dump(2) + "\n";
+    return base::jsonText(all);
 }
 
 std::string labCsv(const LabResult& r) {

@@ -1,8 +1,10 @@
 // Writes the reports of a robustness test, and files that reproduce its failures.
 #include <fmt/format.h>
 
+#include <rayscope/diagnostics.h>
 #include <rayscope/lab.h>
 #include <filesystem>
+#include <optional>
 
 #include "base/atomic_file.h"
 #include "base/shell_quote.h"
@@ -33,14 +35,33 @@ const LabFailure* nearestFailure(const LabResult& result, LabMethod method) {
     return nearest;
 }
 
+/// Writes what can be written, although a file before it failed.
+class FileWriter {
+  public:
+    void write(const std::string& path, const std::string& bytes) {
+        try {
+            base::writeFileAtomically(path, bytes);
+        } catch (const InputError& error) {
+            if (!firstError_) firstError_ = error;
+        }
+    }
+    void throwFirstError() const {
+        if (firstError_) throw *firstError_;
+    }
+
+  private:
+    std::optional<InputError> firstError_;
+};
+
 }  // namespace
 
 std::vector<std::string> writeLab(const LabResult& result, const SceneDescription& scene,
                                   const std::string& folder) {
     const std::filesystem::path path(folder);
-    base::writeFileAtomically((path / "lab.json").string(), labJson(result));
-    base::writeFileAtomically((path / "lab.csv").string(), labCsv(result));
-    base::writeFileAtomically((path / "lab.html").string(), labHtml(result));
+    FileWriter files;
+    files.write((path / "lab.json").string(), labJson(result));
+    files.write((path / "lab.csv").string(), labCsv(result));
+    files.write((path / "lab.html").string(), labHtml(result));
     std::vector<std::string> commands;
     for (const LabMethod method : kLabMethods) {
         const LabFailure* first = nearestFailure(result, method);
@@ -50,12 +71,13 @@ std::vector<std::string> writeLab(const LabResult& result, const SceneDescriptio
         for (const LabFailure& failure : result.failures)
             if (failure.method == method && failure.testPoint == first->testPoint)
                 rays.append(reinterpret_cast<const char*>(&failure.ray), sizeof(Ray));
-        base::writeFileAtomically(name + ".obj",
-                                  objOf(meshAt(scene, result.testPoints[first->testPoint].transform)));
-        base::writeFileAtomically(name + ".rays", rays);
-        commands.push_back(fmt::format("rayscope cast {} --rays {} -o {}", base::shellQuote(name + ".obj"),
-                                       base::shellQuote(name + ".rays"), base::shellQuote(name + ".hits")));
+        files.write(name + ".obj", objOf(meshAt(scene, result.testPoints[first->testPoint].transform)));
+        files.write(name + ".rays", rays);
+        commands.push_back(
+            fmt::format("rayscope cast {} --rays {} -o {}", base::shellQuotePath(name + ".obj"),
+                        base::shellQuotePath(name + ".rays"), base::shellQuotePath(name + ".hits")));
     }
+    files.throwFirstError();
     return commands;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/printable_text.h"
+
 namespace rayscope::measure {
 
 namespace {
@@ -27,7 +29,7 @@ std::vector<double> ticksOf(const LogChart::Range& range) {
 
 std::string escaped(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : base::validUtf8(text)) {
         if (c == '<')
             result += "&lt;";
         else if (c == '>')
@@ -36,6 +38,8 @@ std::string escaped(std::string_view text) {
             result += "&amp;";
         else if (c == '"')
             result += "&quot;";
+        else if (c == '\'')
+            result += "&#39;";
         else
             result += c;
     }

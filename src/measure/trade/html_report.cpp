@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/shell_quote.h"
 #include "measure/report/report_template.h"
 #include "measure/statistics/svg_chart.h"
 
@@ -101,7 +102,7 @@ std::string recommendations(const TradeResult& r) {
                                                      {"seconds", withInterval(p.predictedSeconds)},
                                                      {"error", withInterval(p.predictedError)},
                                                      {"flip", withInterval(p.flip)},
-                                                     {"scene", escaped(r.scene)},
+                                                     {"scene", escaped(base::shellQuotePath(r.scene))},
                                                      {"arguments", escaped(renderArguments(r, p))}}) +
                 "\n";
     }

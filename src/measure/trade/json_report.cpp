@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.h"
+
 namespace rayscope {
 
 namespace {
@@ -115,7 +117,7 @@ std::string tradeJson(const TradeResult& result) {
                                 {"break_evens", evens},
                                 {"not_measured", result.notMeasured},
                                 {"remarks", result.remarks}};
-    return all.dump(1) + "\n";
+    return base::jsonText(all, 1);
 }
 
 std::string tradeCsv(const TradeResult& result) {

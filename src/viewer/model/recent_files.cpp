@@ -1,8 +1,12 @@
 #include "viewer/model/recent_files.h"
 
+#include <rayscope/diagnostics.h>
+
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
+
+#include "base/atomic_file.h"
+#include "base/user_folders.h"
 
 namespace rayscope::viewer {
 
@@ -21,16 +25,19 @@ void RecentFiles::add(const std::string& scene) {
     if (file_.empty()) return;
     std::error_code ignored;
     std::filesystem::create_directories(file_.parent_path(), ignored);
-    std::ofstream stream(file_);
-    for (const std::string& line : paths_) stream << line << '\n';
+    std::string text;
+    // A name with a line feed would be read as two.
+    for (const std::string& line : paths_)
+        if (line.find('\n') == std::string::npos) text += line + '\n';
+    try {
+        base::writeFileAtomically(file_.string(), text);
+    } catch (const InputError&) {  // then the list is not stored
+    }
 }
 
 std::filesystem::path recentFilesPath() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    if (config != nullptr && config[0] != '\0') return std::filesystem::path(config) / "rayscope" / "recent";
-    const char* home = std::getenv("HOME");
-    if (home == nullptr || home[0] == '\0') return {};
-    return std::filesystem::path(home) / ".config" / "rayscope" / "recent";
+    const std::filesystem::path folder = base::userConfigFolder();
+    return folder.empty() ? folder : folder / "recent";
 }
 
 }  // namespace rayscope::viewer

@@ -1,0 +1,91 @@
+#include "cli/failure.h"
+
+#include <rayscope/diagnostics.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/console.h"
+#include "base/temporary_files.h"
+#include "cli/commands.h"
+
+namespace rayscope::cli {
+
+namespace {
+
+void printError(std::string_view text) noexcept {
+    base::writeMessage("error: ");
+    try {
+        base::writeMessage(base::shortened(base::printable(text), 490));
+    } catch (...) {  // no memory even for that
+        base::writeMessage("out of memory");
+    }
+    base::writeMessage("\n");
+}
+
+// No allocation: there may be no memory left.
+void printOutOfMemory() noexcept {
+    base::writeMessage("error: out of memory; try a smaller --size or a smaller scene\n");
+}
+
+void printNoThread() noexcept {
+    base::writeMessage(
+        "error: the system does not start more threads or has no memory for them; try fewer with "
+        "--threads\n");
+}
+
+/// oneTBB reports a thread that cannot be created as a runtime_error with the name of the function.
+bool isAboutThreads(const std::exception& error) {
+    return std::strstr(error.what(), "pthread_create") != nullptr;
+}
+
+[[noreturn]] void onTerminate() {
+    if (!std::current_exception()) std::abort();
+    int code = kInputError;
+    try {
+        throw;
+    } catch (...) {
+        code = reportFailure();
+    }
+    base::removeTemporaryFiles();
+    _exit(code);
+}
+
+}  // namespace
+
+int reportFailure() noexcept {
+    try {
+        throw;
+    } catch (const InputError& error) {
+        base::writeMessage(error.what());
+        base::writeMessage("\n");
+    } catch (const std::bad_alloc&) {
+        printOutOfMemory();
+    } catch (const std::length_error&) {  // of a vector that no memory could hold
+        printOutOfMemory();
+    } catch (const Stopped&) {
+        return kInterrupted;
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::resource_unavailable_try_again)
+            printNoThread();
+        else
+            printError(error.what());
+    } catch (const std::exception& error) {
+        if (isAboutThreads(error))
+            printNoThread();
+        else
+            printError(error.what());
+    } catch (...) {
+        printError("unknown exception");
+    }
+    return kInputError;
+}
+
+void installTerminateHandler() { std::set_terminate(onTerminate); }
+
+}  // namespace rayscope::cli

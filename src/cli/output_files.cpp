@@ -1,0 +1,102 @@
+#include "cli/output_files.h"
+
+#include <fmt/format.h>
+
+#include <rayscope/diagnostics.h>
+#include <rayscope/image.h>
+#include <filesystem>
+#include <map>
+#include <new>
+
+#include "base/atomic_file.h"
+#include "base/console.h"
+#include "base/file_suffix.h"
+#include "cli/command_line.h"
+#include "cli/commands.h"
+
+namespace rayscope::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The paths that the option was set to.
+std::vector<std::string> pathsOf(const Option& option) {
+    if (const auto* const* path = std::get_if<std::string*>(&option.target))
+        return **path == "" ? std::vector<std::string>{} : std::vector{**path};
+    if (const auto* const* paths = std::get_if<std::vector<std::string>*>(&option.target)) return **paths;
+    return {};
+}
+
+void checkFolder(const std::string& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) throw InputError("the folder cannot be created: " + error.message(), {path});
+    base::checkFileDestination((fs::path(path) / "report").string());
+}
+
+void checkDestination(const Option& option, const std::string& path) {
+    if (path == "-" && option.output == Option::Output::ImageOrStandardOutput) return;
+    if (path == "/dev/stdout" && option.output == Option::Output::ImageOrStandardOutput)
+        throw UsageError(std::string(option.mainName()),
+                         "to write the image to the standard output, write '-' and --format");
+    if (path == "-")
+        throw UsageError(std::string(option.mainName()),
+                         "'-' does not mean the standard output here: write /dev/stdout for it, or ./- for a "
+                         "file of this name");
+    switch (option.output) {
+        case Option::Output::None:
+            return;
+        case Option::Output::Folder:
+            return checkFolder(path);
+        case Option::Output::Image:
+        case Option::Output::ImageOrStandardOutput:
+            return checkImageDestination(path);
+        case Option::Output::ImageOrTable:
+            if (base::hasSuffix(path, ".csv")) return base::checkFileDestination(path);
+            return checkImageDestination(path);
+        case Option::Output::File:
+            return base::checkFileDestination(path);
+    }
+}
+
+/// Equal for names of the same file.
+std::string identityOf(const std::string& path) {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(fs::absolute(path), error);
+    return error ? path : canonical.string();
+}
+
+}  // namespace
+
+void checkDestinations(const OptionList& list) {
+    std::map<std::string, const Option*> written;
+    for (const Option& option : list.options()) {
+        if (option.output == Option::Output::None) continue;
+        for (const std::string& path : pathsOf(option)) {
+            checkDestination(option, path);
+            std::error_code ignored;
+            const bool isDevice = fs::is_other(path, ignored);
+            const auto [place, isNew] = written.emplace(identityOf(path), &option);
+            if (!isNew && !isDevice)
+                throw UsageError(
+                    std::string(option.mainName()),
+                    fmt::format("{} is also written by {}", base::quoted(path), place->second->mainName()));
+        }
+    }
+}
+
+void OutputFiles::write(const std::string& name, const std::function<void()>& work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        base::printMessage("{}\n", error.what());
+    } catch (const std::bad_alloc&) {
+        base::printMessage("{}\n", toString({Severity::Error, "out of memory; cannot be written", {name}}));
+    }
+    failed_ = true;
+}
+
+int OutputFiles::exitCode(int code) const { return failed_ ? static_cast<int>(kInputError) : code; }
+
+}  // namespace rayscope::cli
