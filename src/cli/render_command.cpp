@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <thread>
 
 #include "base/atomic_file.h"
 #include "cli/command_line.h"
@@ -21,10 +20,10 @@
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
 #include "math/vectors.h"
-#include "probe/aov.h"
 #include "probe/non_finite.h"
 #include "render/film.h"
 #include "render/probe_command.h"
+#include "render/thread_arena.h"
 #include "trace/world.h"
 
 namespace rayscope::cli {
@@ -88,7 +87,7 @@ std::string aovPath(const std::string& output, std::string_view name) {
 
 void checkAovs(const RenderCommandOptions& options) {
     for (const std::string& name : options.aovs)
-        checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(probe::aovNamed(name)).name));
+        checkImageDestination(aovPath(options.outputs.front(), infoOf(aovNamed(name)).name));
     if (!options.aovs.empty() && options.target.wanted())
         throw UsageError("--aov", "needs a fixed number of samples: leave out --target-error");
 }
@@ -182,8 +181,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderCommandOp
 
 void writeStats(const RenderCommandOptions& options, const RenderedImage& image, double seconds) {
     if (options.statsFile.empty() || !image.world) return;
-    const int threads = options.scene.threads > 0 ? options.scene.threads
-                                                  : static_cast<int>(std::thread::hardware_concurrency());
+    const int threads = render::ThreadArena::countFor(options.scene.threads);
     base::writeFileAtomically(options.statsFile,
                               renderStatsJson(image.request, image.status, *image.world, threads, seconds));
 }

@@ -1,5 +1,6 @@
 #include <rayscope/display.h>
 
+#include "image/srgb.h"
 #include "post/display_transform.h"
 
 namespace rayscope {
@@ -12,6 +13,14 @@ void writeRenderedImage(const std::string& path, const RgbImage& mean, const Set
                         const ImageMetadata& metadata) {
     writeImage(path, post::applyDisplayTransform(mean, settings, post::isDisplayFormat(path)), metadata,
                settings.tone);
+}
+
+Rgb toDisplay(const Rgb& linear) {
+    return {image::linearToSrgb(linear.r), image::linearToSrgb(linear.g), image::linearToSrgb(linear.b)};
+}
+
+Rgb fromDisplay(const Rgb& shown) {
+    return {image::srgbToLinear(shown.r), image::srgbToLinear(shown.g), image::srgbToLinear(shown.b)};
 }
 
 }  // namespace rayscope

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include <rayscope/aov.h>
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
 #include "measure/statistics/deadline.h"
 #include "measure/trade/candidates.h"
 #include "measure/trade/content_hash.h"
-#include "probe/aov.h"
 #include "render/film.h"
 
 namespace rayscope::measure {
@@ -206,9 +206,9 @@ bool TradeStudy::measure(std::size_t index, int block, double maxSeconds) {
 
 /// Counts traversal steps in a separate, untimed pass.
 TradeWork TradeStudy::workOf(const TimedRender& timed) const {
-    constexpr probe::Aov kCounted[] = {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays};
-    const probe::AovRequest once{*timed.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
-    const std::vector<RgbImage> counts = probe::renderAovs(once, kCounted);
+    constexpr Aov kCounted[] = {Aov::Nodes, Aov::Triangles, Aov::Rays};
+    const AovRequest once{*timed.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
+    const std::vector<RgbImage> counts = renderAovs(once, kCounted);
     const auto sum = [](const RgbImage& image) {
         double total = 0.0;
         for (const Rgb& pixel : image.pixels) total += static_cast<double>(pixel.x);

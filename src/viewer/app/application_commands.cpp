@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
-#include "viewer/model/camera_text.h"
 
 namespace rayscope::viewer {
 
@@ -132,8 +130,8 @@ void Application::exportRays() {
     const float size = glm::distance(workspace_.edit.bounds.lower, workspace_.edit.bounds.upper);
     workspace_.saves.add({lines, json},
                          [lines, json, size, tree = recording->tree(), world = recording->world] {
-                             base::writeFileAtomically(lines, toObj(tree, size));
-                             base::writeFileAtomically(json, toJson(tree, *world));
+                             for (const std::string& path : {lines, json})
+                                 writeRayTree(path, tree, *world, size);
                          });
 }
 

@@ -1,7 +1,6 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include "viewer/model/camera_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
