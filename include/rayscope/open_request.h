@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rayscope {
@@ -26,6 +27,14 @@ struct RequestOverrides {
     int width = 800, height = 800;            ///< of the image, in pixels
     std::uint64_t seed = 0;
 };
+
+/// The camera as options of the command line: "--look-from 0,0,3 --look-at 0,0,0 --up 0,1,0 --fov 50". The
+/// numbers are the shortest that give the same float.
+std::string toOptions(const CameraDescription& camera);
+
+/// Sets the values that the options in `text` name and keeps the others. Throws InputError with the expected
+/// form.
+CameraDescription withOptions(const CameraDescription& camera, std::string_view text);
 
 /// Throws InputError if a setting or the preset is unknown, or a value is out of range.
 void checkOverrides(const RequestOverrides& overrides);

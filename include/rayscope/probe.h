@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rayscope {
@@ -39,6 +40,14 @@ struct ShadowRay {
     Visibility visibility = Visibility::Visible;
     RgbSum contribution{0.0};
 };
+
+/// "reflection", "depth limit", "occluded" …
+std::string_view nameOf(RayKind kind);
+std::string_view nameOf(RayEnd end);
+std::string_view nameOf(Visibility visibility);
+
+/// "mesh 0 'dragon'" or "sphere 2 'bulb'": the object with this number, see RayNode::object.
+std::string objectName(const trace::World& world, int object);
 
 /// All rays of one sample in tracing order.
 struct RayTree {
@@ -82,5 +91,9 @@ std::string toJson(const RayTree& tree, const trace::World& world);
 
 /// The rays as line segments of a Wavefront OBJ, one group per kind; rays that miss are `missLength` long.
 std::string toObj(const RayTree& tree, float missLength);
+
+/// Writes toJson() or toObj(), by the suffix .json or .obj. Replaces an existing file atomically. Throws
+/// InputError if the suffix is another or the file cannot be written.
+void writeRayTree(const std::string& path, const RayTree& tree, const trace::World& world, float missLength);
 
 }  // namespace rayscope

@@ -38,6 +38,9 @@ std::shared_ptr<const trace::World> compileScene(const RenderRequest& request);
 
 /// The mean of each pixel of a film, like RenderedImage::mean.
 RgbImage meanOf(const render::Film& film);
+/// The number of samples that every pixel of a film has, and that of one pixel of its region.
+int samplesOf(const render::Film& film);
+int samplesOf(const render::Film& film, int x, int y);
 
 /// The metadata for the image file of a render: program and version, name of the scene without its folder,
 /// settings, seed, samples per pixel.

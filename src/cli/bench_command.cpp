@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <thread>
-
 #include "base/atomic_file.h"
 #include "base/console.h"
 #include "base/json_text.h"
@@ -13,7 +11,7 @@
 #include "math/vectors.h"
 #include "measure/bench/bench.h"
 #include "measure/bench/embree_baseline.h"
-#include "scene/mesh_files/read_mesh_file.h"
+#include "render/thread_arena.h"
 #include "trace/compile.h"
 #include "trace/motion_group.h"
 
@@ -163,8 +161,7 @@ measure::BenchRow benchScene(const std::string& name, const BenchCommandOptions&
     const AccelInput input = geometries.empty() ? AccelInput{} : geometries[0]->input;
     measure::BenchOptions bench;
     bench.build = trace::buildSettingsOf(request.settings);
-    bench.threads =
-        options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+    bench.threads = render::ThreadArena::countFor(options.threads);
     bench.size = options.size;
     bench.rounds = options.rounds;
     return measure::runBench(name, input, request.camera, lightOf(*request.scene), bench,

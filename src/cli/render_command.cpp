@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <thread>
 
 #include "base/atomic_file.h"
 #include "base/console.h"
@@ -24,10 +23,10 @@
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
 #include "math/vectors.h"
-#include "probe/aov.h"
 #include "probe/non_finite.h"
 #include "render/film.h"
 #include "render/probe_command.h"
+#include "render/thread_arena.h"
 #include "trace/world.h"
 
 namespace rayscope::cli {
@@ -113,7 +112,7 @@ void checkOptions(const RenderCommandOptions& options) {
     if (options.outputs.front() == kStandardOutput)
         throw UsageError("--aov", "AOVs are named after the first output, which must be a file");
     for (const std::string& name : options.aovs)
-        checkImageDestination(aovPath(options.outputs.front(), probe::infoOf(probe::aovNamed(name)).name));
+        checkImageDestination(aovPath(options.outputs.front(), infoOf(aovNamed(name)).name));
 }
 
 void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
@@ -219,8 +218,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderCommandOp
 
 void writeStats(const RenderCommandOptions& options, const RenderedImage& image, double seconds) {
     if (options.statsFile.empty() || !image.world) return;
-    const int threads = options.scene.threads > 0 ? options.scene.threads
-                                                  : static_cast<int>(std::thread::hardware_concurrency());
+    const int threads = render::ThreadArena::countFor(options.scene.threads);
     base::writeFileAtomically(options.statsFile,
                               renderStatsJson(image.request, image.status, *image.world, threads, seconds));
 }

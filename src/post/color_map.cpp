@@ -1,10 +1,10 @@
-#include "post/color_map.h"
+#include <rayscope/display.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace rayscope::post {
+namespace rayscope {
 
 namespace {
 
@@ -60,4 +60,4 @@ Rgb mapColor(ColorMap map, double value) {
     return fitToGamut({lightness, 0.0, 0.0});
 }
 
-}  // namespace rayscope::post
+}  // namespace rayscope

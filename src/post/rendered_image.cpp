@@ -1,5 +1,6 @@
 #include <rayscope/display.h>
 
+#include "image/srgb.h"
 #include "post/display_transform.h"
 
 namespace rayscope {
@@ -19,6 +20,14 @@ std::string encodeRenderedImage(const std::string& suffix, const RgbImage& mean,
     const bool forDisplay = post::isDisplayFormat("image" + suffix);
     return encodeImage(suffix, post::applyDisplayTransform(mean, settings, forDisplay), metadata,
                        settings.tone);
+}
+
+Rgb toDisplay(const Rgb& linear) {
+    return {image::linearToSrgb(linear.r), image::linearToSrgb(linear.g), image::linearToSrgb(linear.b)};
+}
+
+Rgb fromDisplay(const Rgb& shown) {
+    return {image::srgbToLinear(shown.r), image::srgbToLinear(shown.g), image::srgbToLinear(shown.b)};
 }
 
 }  // namespace rayscope

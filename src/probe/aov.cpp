@@ -1,4 +1,4 @@
-#include "probe/aov.h"
+#include <rayscope/aov.h>
 
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -13,7 +13,7 @@
 #include "trace/interaction.h"
 #include "trace/world.h"
 
-namespace rayscope::probe {
+namespace rayscope {
 
 namespace {
 
@@ -73,7 +73,7 @@ Rgb filmValue(const render::Film* film, int x, int y, Aov aov) {
     return grey(aov == Aov::Variance ? variance : std::sqrt(variance / n));
 }
 
-Rgb costValue(const SampleCost& cost, Aov aov) {
+Rgb costValue(const probe::SampleCost& cost, Aov aov) {
     switch (aov) {
         case Aov::Nodes:
             return grey(cost.nodes);
@@ -119,8 +119,9 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
         for (int x = region.x0; x < region.x1; ++x) {
             if (request.stop.stop_requested()) return;
             const auto at = surface ? surfaceAt(world, x, y) : std::nullopt;
-            const SampleCost cost =
-                costs ? costAt(world, request.seed, x, y, request.samples, counted) : SampleCost{};
+            const probe::SampleCost cost =
+                costs ? probe::costAt(world, request.seed, x, y, request.samples, counted)
+                      : probe::SampleCost{};
             for (std::size_t i = 0; i < wanted.size(); ++i)
                 images[i].at(x, y) = isOfSurface(wanted[i]) ? surfaceValue(world, at, wanted[i])
                                      : isOfFilm(wanted[i])  ? filmValue(request.film, x, y, wanted[i])
@@ -133,4 +134,4 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
     return images;
 }
 
-}  // namespace rayscope::probe
+}  // namespace rayscope

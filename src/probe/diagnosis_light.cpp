@@ -6,7 +6,6 @@
 
 #include "math/vectors.h"
 #include "probe/diagnosis_parts.h"
-#include "probe/names.h"
 #include "render/film.h"
 
 namespace rayscope::probe {

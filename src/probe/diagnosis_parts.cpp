@@ -7,7 +7,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "probe/names.h"
 #include "probe/surface_report.h"
 #include "probe/traversal_log.h"
 #include "probe/tree_index.h"

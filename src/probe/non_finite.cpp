@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "math/vectors.h"
-#include "probe/names.h"
 
 namespace rayscope::probe {
 

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/atomic_file.h"
 #include "base/check_argument.h"
+#include "base/file_suffix.h"
 #include "base/json_text.h"
 #include "base/printable_text.h"
 #include "math/vectors.h"
-#include "probe/names.h"
 #include "trace/world.h"
 
 namespace rayscope {
@@ -25,36 +26,35 @@ nlohmann::json json(const V& v) {
 }
 
 std::string describe(const RayNode& node, const trace::World& world) {
-    std::string line = fmt::format("{} ray, throughput {}", probe::nameOf(node.kind), text(node.throughput));
-    if (!node.hit)
-        return line + fmt::format(": {}, adds {}", probe::nameOf(node.end), text(node.contribution));
+    std::string line = fmt::format("{} ray, throughput {}", nameOf(node.kind), text(node.throughput));
+    if (!node.hit) return line + fmt::format(": {}, adds {}", nameOf(node.end), text(node.contribution));
     const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     const std::string color =
         name.range->colors ? fmt::format(" with vertex colours, kd {}", text(node.kd)) : std::string{};
     return line +
            fmt::format(": t {:.9g} hits {} {} {}, u {:.6g} v {:.6g}, material '{}'{}, normal {}, adds {}, {}",
-                       node.primitiveHit.t, probe::objectName(world, node.object),
+                       node.primitiveHit.t, objectName(world, node.object),
                        name.range->mesh ? "triangle" : "number", name.inObject, node.primitiveHit.u,
                        node.primitiveHit.v,
                        world.description->materials[static_cast<std::size_t>(node.material)].name, color,
-                       text(node.normal), text(node.contribution), probe::nameOf(node.end));
+                       text(node.normal), text(node.contribution), nameOf(node.end));
 }
 
 nlohmann::json nodeJson(const RayNode& node, const trace::World& world) {
     nlohmann::json j = {{"parent", node.parent},
-                        {"kind", probe::nameOf(node.kind)},
+                        {"kind", nameOf(node.kind)},
                         {"depth", node.depth},
                         {"origin", json(node.ray.origin)},
                         {"direction", json(node.ray.direction)},
                         {"throughput", json(node.throughput)},
                         {"contribution", json(node.contribution)},
-                        {"end", probe::nameOf(node.end)},
+                        {"end", nameOf(node.end)},
                         {"hit", nullptr}};
     if (!node.hit) return j;
     const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
     j["hit"] = {{"t", node.primitiveHit.t},
                 {"primitive", node.primitiveHit.primitive},
-                {"object", probe::objectName(world, node.object)},
+                {"object", objectName(world, node.object)},
                 {"triangle", name.inObject},
                 {"u", node.primitiveHit.u},
                 {"v", node.primitiveHit.v},
@@ -119,7 +119,7 @@ std::string toText(const RayTree& tree, const trace::World& world) {
              ++shadow) {
             const ShadowRay& ray = tree.shadowRays[shadow];
             out += fmt::format("{}  light {} sample {} at {}: {}, adds {}\n", indent, ray.light, ray.sample,
-                               text(ray.to), probe::nameOf(ray.visibility), text(ray.contribution));
+                               text(ray.to), nameOf(ray.visibility), text(ray.contribution));
         }
     }
     return out;
@@ -140,7 +140,7 @@ std::string toJson(const RayTree& tree, const trace::World& world) {
                                     {"from", json(ray.from)},
                                     {"to", json(ray.to)},
                                     {"color", json(ray.color)},
-                                    {"visibility", probe::nameOf(ray.visibility)},
+                                    {"visibility", nameOf(ray.visibility)},
                                     {"contribution", json(ray.contribution)}});
     return base::jsonText(j);
 }
@@ -157,10 +157,18 @@ std::string toObj(const RayTree& tree, float missLength) {
         vertices += 2;
     };
     for (const RayNode& node : tree.nodes)
-        line(node.hit ? probe::nameOf(node.kind) : probe::nameOf(node.end), node.ray.origin,
-             endOf(node, missLength));
-    for (const ShadowRay& ray : tree.shadowRays) line(probe::nameOf(ray.visibility), ray.from, ray.to);
+        line(node.hit ? nameOf(node.kind) : nameOf(node.end), node.ray.origin, endOf(node, missLength));
+    for (const ShadowRay& ray : tree.shadowRays) line(nameOf(ray.visibility), ray.from, ray.to);
     return out;
+}
+
+void writeRayTree(const std::string& path, const RayTree& tree, const trace::World& world, float missLength) {
+    if (base::hasSuffix(path, ".json"))
+        base::writeFileAtomically(path, toJson(tree, world));
+    else if (base::hasSuffix(path, ".obj"))
+        base::writeFileAtomically(path, toObj(tree, missLength));
+    else
+        throw InputError("unknown format of a ray tree; expected .json or .obj", {path});
 }
 
 }  // namespace rayscope

@@ -2,26 +2,25 @@
 #include <algorithm>
 
 #include "base/check_argument.h"
-#include "probe/aov.h"
 #include "render/film.h"
 
 namespace rayscope {
 
 std::vector<std::string_view> aovNames() {
     std::vector<std::string_view> names;
-    for (const probe::AovInfo& info : probe::aovTable()) names.push_back(info.name);
+    for (const AovInfo& info : aovTable()) names.push_back(info.name);
     return names;
 }
 
 std::vector<RgbImage> renderAovs(const RenderedImage& image, std::span<const std::string> names,
                                  const AovOptions& options) {
     base::checkArgument(image.world != nullptr, "image: world is null");
-    std::vector<probe::Aov> aovs;
-    for (const std::string& name : names) aovs.push_back(probe::aovNamed(name));
+    std::vector<Aov> aovs;
+    for (const std::string& name : names) aovs.push_back(aovNamed(name));
     const int samples = image.film ? std::max(1, image.film->completeSamples()) : 1;
-    const probe::AovRequest request{*image.world,         image.film.get(), image.request.seed, samples,
-                                    image.request.region, options.threads,  options.stop};
-    return probe::renderAovs(request, aovs);
+    const AovRequest request{*image.world,         image.film.get(), image.request.seed, samples,
+                             image.request.region, options.threads,  options.stop};
+    return renderAovs(request, aovs);
 }
 
 }  // namespace rayscope

@@ -54,6 +54,14 @@ std::shared_ptr<const trace::World> compileScene(const RenderRequest& request) {
 
 RgbImage meanOf(const render::Film& film) { return film.mean(); }
 
+int samplesOf(const render::Film& film) { return film.completeSamples(); }
+
+int samplesOf(const render::Film& film, int x, int y) {
+    int samples = 0;
+    film.sums(x, y, samples);
+    return samples;
+}
+
 ImageMetadata metadataOf(const RenderRequest& request, int samples) {
     return render::imageMetadata(*request.scene, request.settings, request.seed, samples);
 }

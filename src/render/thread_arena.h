@@ -17,12 +17,16 @@ class ThreadArena {
   public:
     /// 0 takes one thread per core. Throws std::invalid_argument unless 0 <= threads <= kMaxThreads.
     explicit ThreadArena(int threads = 0)
-        : count_(checkedCount(threads)),
+        : count_(countFor(threads)),
           parallelism_(oneapi::tbb::global_control::max_allowed_parallelism,
                        static_cast<std::size_t>(std::max(count_, oneapi::tbb::info::default_concurrency()))),
           arena_(count_) {}
 
     int count() const { return count_; }
+    /// The count() of an arena with this argument.
+    static int countFor(int threads) {
+        return threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+    }
 
     /// Runs `work` within the arena: parallel algorithms in it use these threads.
     template <class Work>

@@ -1,4 +1,4 @@
-#include "post/color_map.h"
+#include <rayscope/display.h>
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace rayscope {
 namespace {
 
-constexpr post::ColorMap kMaps[] = {post::ColorMap::Spectrum, post::ColorMap::BlueGold, post::ColorMap::Grey};
+constexpr ColorMap kMaps[] = {ColorMap::Spectrum, ColorMap::BlueGold, ColorMap::Grey};
 
 double luminance(const Rgb& c) {
     return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
@@ -16,15 +16,15 @@ double luminance(const Rgb& c) {
 }
 
 TEST(ColorMap, LuminanceIsMonotonicAndColoursAreInGamut) {
-    for (const post::ColorMap map : kMaps) {
+    for (const ColorMap map : kMaps) {
         double before = -1.0;
         for (int i = 0; i <= 1000; ++i) {
-            const Rgb color = post::mapColor(map, i / 1000.0);
+            const Rgb color = mapColor(map, i / 1000.0);
             for (int channel = 0; channel < 3; ++channel) {
                 EXPECT_GE(color[channel], 0.0f);
                 EXPECT_LE(color[channel], 1.0f);
             }
-            EXPECT_GT(luminance(color), before) << post::kColorMapNames[static_cast<int>(map)] << " " << i;
+            EXPECT_GT(luminance(color), before) << kColorMapNames[static_cast<int>(map)] << " " << i;
             before = luminance(color);
         }
     }
@@ -38,27 +38,26 @@ Rgb simulateDeuteranopia(const Rgb& c) {
 }
 
 TEST(ColorMap, KeepsTheOrderWithDeuteranopia) {
-    for (const post::ColorMap map : kMaps) {
+    for (const ColorMap map : kMaps) {
         double before = -1.0;
         for (int i = 0; i <= 100; ++i) {
-            const double seen = luminance(simulateDeuteranopia(post::mapColor(map, i / 100.0)));
-            EXPECT_GT(seen, before) << post::kColorMapNames[static_cast<int>(map)] << " " << i;
+            const double seen = luminance(simulateDeuteranopia(mapColor(map, i / 100.0)));
+            EXPECT_GT(seen, before) << kColorMapNames[static_cast<int>(map)] << " " << i;
             before = seen;
         }
     }
 }
 
 TEST(ColorMap, ClampsToTheRangeAndMapsNanToMagenta) {
-    for (const post::ColorMap map : kMaps) {
-        EXPECT_EQ(post::mapColor(map, -5.0), post::mapColor(map, 0.0));
-        EXPECT_EQ(post::mapColor(map, std::numeric_limits<double>::infinity()), post::mapColor(map, 1.0));
-        EXPECT_EQ(post::mapColor(map, std::nan("")), Rgb(1.0f, 0.0f, 1.0f));
+    for (const ColorMap map : kMaps) {
+        EXPECT_EQ(mapColor(map, -5.0), mapColor(map, 0.0));
+        EXPECT_EQ(mapColor(map, std::numeric_limits<double>::infinity()), mapColor(map, 1.0));
+        EXPECT_EQ(mapColor(map, std::nan("")), Rgb(1.0f, 0.0f, 1.0f));
     }
 }
 
 TEST(ColorMap, BlueAndGoldAvoidsRedAndGreen) {
-    const Rgb low = post::mapColor(post::ColorMap::BlueGold, 0.0),
-              high = post::mapColor(post::ColorMap::BlueGold, 1.0);
+    const Rgb low = mapColor(ColorMap::BlueGold, 0.0), high = mapColor(ColorMap::BlueGold, 1.0);
     EXPECT_GT(low.b, 2.0f * low.r);
     EXPECT_GT(high.r, 1.5f * high.b);
 }

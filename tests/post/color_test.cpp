@@ -1,5 +1,6 @@
 // Exposure and the two encodings against known pairs.
 #include <gtest/gtest.h>
+#include <rayscope/display.h>
 
 #include <cmath>
 #include <limits>
@@ -23,6 +24,15 @@ TEST(Encoding, SrgbMatchesKnownPairs) {
         EXPECT_NEAR(static_cast<double>(image::decodeByte(static_cast<std::uint8_t>(code))), exact, 1e-6);
         EXPECT_EQ(int{image::encodeByte(image::decodeByte(static_cast<std::uint8_t>(code)), Encoding::Srgb)},
                   code);
+    }
+}
+
+TEST(Encoding, ColoursOfTheDisplayAreThoseOfFiles) {
+    for (int code = 0; code < 256; ++code) {
+        const float shown = static_cast<float>(code) / 255.0f;
+        const Rgb linear = fromDisplay(Rgb(shown, 0.0f, 1.0f));
+        EXPECT_EQ(linear, Rgb(image::decodeByte(static_cast<std::uint8_t>(code)), 0.0f, 1.0f));
+        EXPECT_NEAR(static_cast<double>(toDisplay(linear).r), static_cast<double>(shown), 1e-6);
     }
 }
 

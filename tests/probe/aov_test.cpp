@@ -1,4 +1,4 @@
-#include "probe/aov.h"
+#include <rayscope/aov.h>
 #include "math/vectors.h"
 
 #include <gtest/gtest.h>
@@ -16,19 +16,18 @@
 namespace rayscope {
 namespace {
 
-std::vector<RgbImage> render(const trace::World& world, std::vector<probe::Aov> wanted, int samples = 2,
+std::vector<RgbImage> render(const trace::World& world, std::vector<Aov> wanted, int samples = 2,
                              int threads = 0) {
-    probe::AovRequest request{world};
+    AovRequest request{world};
     request.samples = samples;
     request.threads = threads;
     request.seed = 3;
-    return probe::renderAovs(request, wanted);
+    return renderAovs(request, wanted);
 }
 
 TEST(Aov, SurfaceValuesMatchTheFirstHit) {
     const auto world = test::compileBuiltin("cornell", 20);
-    const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Depth, probe::Aov::Uv,
-                                        probe::Aov::Primitive, probe::Aov::Material});
+    const auto images = render(*world, {Aov::Normal, Aov::Depth, Aov::Uv, Aov::Primitive, Aov::Material});
     int hits = 0;
     for (int y = 0; y < 20; ++y)
         for (int x = 0; x < 20; ++x) {
@@ -75,8 +74,7 @@ TEST(Aov, CountsAgreeWithTraversalLogs) {
             Settings settings;
             settings.bvhLayout = layout;
             const auto world = test::compileBuiltin(name, 8, settings);
-            const auto images =
-                render(*world, {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays}, 2);
+            const auto images = render(*world, {Aov::Nodes, Aov::Triangles, Aov::Rays}, 2);
             for (int y = 0; y < 8; ++y)
                 for (int x = 0; x < 8; ++x) {
                     std::size_t nodes = 0, tests = 0, rays = 0;
@@ -114,7 +112,7 @@ TEST(Aov, CountsNeedNoBinaryTree) {
     request.keepBinaryTrees = false;
     const auto world = trace::compile(request);
     ASSERT_EQ(world->motionGroups[0].accel->binaryTree(), nullptr);
-    const auto images = render(*world, {probe::Aov::Nodes, probe::Aov::Triangles});
+    const auto images = render(*world, {Aov::Nodes, Aov::Triangles});
     double nodes = 0.0, tests = 0.0;
     for (const Rgb& pixel : images[0].pixels) nodes += static_cast<double>(pixel.x);
     for (const Rgb& pixel : images[1].pixels) tests += static_cast<double>(pixel.x);
@@ -124,8 +122,7 @@ TEST(Aov, CountsNeedNoBinaryTree) {
 
 TEST(Aov, EqualForAnyNumberOfThreads) {
     const auto world = test::compileBuiltin("teapot", 20);
-    const std::vector<probe::Aov> wanted{probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Triangles,
-                                         probe::Aov::Rays, probe::Aov::NonFinite};
+    const std::vector<Aov> wanted{Aov::Normal, Aov::Nodes, Aov::Triangles, Aov::Rays, Aov::NonFinite};
     const auto one = render(*world, wanted, 2, 1), many = render(*world, wanted, 2, 7);
     for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(one[i].pixels, many[i].pixels);
 }
@@ -140,11 +137,11 @@ TEST(Aov, FilmValuesAreItsMoments) {
     RenderSession session(1);
     session.submit(request);
     ASSERT_EQ(session.wait(60.0), RenderState::Done);
-    probe::AovRequest aovs{*session.world()};
+    AovRequest aovs{*session.world()};
     const auto film = session.film();
     aovs.film = film.get();
-    const std::vector<probe::Aov> wanted{probe::Aov::Samples, probe::Aov::Variance, probe::Aov::Error};
-    const auto images = probe::renderAovs(aovs, wanted);
+    const std::vector<Aov> wanted{Aov::Samples, Aov::Variance, Aov::Error};
+    const auto images = renderAovs(aovs, wanted);
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 16; ++x) {
             double mean = 0.0, squares = 0.0;
@@ -160,10 +157,10 @@ TEST(Aov, FilmValuesAreItsMoments) {
 }
 
 TEST(Aov, UnknownNameSuggestsTheNearest) {
-    EXPECT_EQ(probe::aovNamed("nodes"), probe::Aov::Nodes);
-    for (const probe::AovInfo& info : probe::aovTable()) EXPECT_EQ(&probe::infoOf(info.aov), &info);
+    EXPECT_EQ(aovNamed("nodes"), Aov::Nodes);
+    for (const AovInfo& info : aovTable()) EXPECT_EQ(&infoOf(info.aov), &info);
     try {
-        probe::aovNamed("nodess");
+        aovNamed("nodess");
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("'nodes'"), std::string::npos) << error.what();
@@ -172,15 +169,15 @@ TEST(Aov, UnknownNameSuggestsTheNearest) {
 
 TEST(Aov, EmptySceneAndStop) {
     const auto world = test::compileScene({}, {}, 5, 5);
-    const auto images = render(*world, {probe::Aov::Normal, probe::Aov::Nodes, probe::Aov::Rays});
+    const auto images = render(*world, {Aov::Normal, Aov::Nodes, Aov::Rays});
     EXPECT_EQ(images[1].at(2, 2).x, 0.0f);
     EXPECT_EQ(images[2].at(2, 2).x, 1.0f);
     std::stop_source stop;
     stop.request_stop();
-    probe::AovRequest request{*world};
+    AovRequest request{*world};
     request.stop = stop.get_token();
-    const std::vector<probe::Aov> wanted{probe::Aov::Depth};
-    EXPECT_THROW(probe::renderAovs(request, wanted), Stopped);
+    const std::vector<Aov> wanted{Aov::Depth};
+    EXPECT_THROW(renderAovs(request, wanted), Stopped);
 }
 
 }  // namespace

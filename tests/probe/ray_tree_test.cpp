@@ -6,6 +6,7 @@
 #include <rayscope/probe.h>
 #include <nlohmann/json.hpp>
 
+#include "support/temporary_folder.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {
@@ -90,6 +91,19 @@ TEST(RayTree, ExportsObjLines) {
     EXPECT_EQ(lines, tree.nodes.size() + tree.shadowRays.size());
     EXPECT_EQ(vertices, 2 * lines);
     EXPECT_GE(groups, 3u);
+}
+
+TEST(RayTree, IsWrittenInTheFormatOfTheSuffix) {
+    const test::TemporaryFolder folder;
+    const auto world = paneAndMirror();
+    const RayTree tree = probeSample(*world, 0, {5, 5, 0});
+    for (const char* name : {"rays.json", "rays.obj", "rays.OBJ"})
+        writeRayTree(folder.file(name), tree, *world, 10.0f);
+    EXPECT_EQ(test::readText(folder / "rays.json"), toJson(tree, *world));
+    EXPECT_EQ(test::readText(folder / "rays.obj"), toObj(tree, 10.0f));
+    EXPECT_EQ(test::readText(folder / "rays.OBJ"), toObj(tree, 10.0f));
+    EXPECT_THROW(writeRayTree(folder.file("rays.txt"), tree, *world, 10.0f), InputError);
+    EXPECT_THROW(writeRayTree(folder.file("nowhere/rays.obj"), tree, *world, 10.0f), InputError);
 }
 
 TEST(RayTree, MissIsOneNode) {

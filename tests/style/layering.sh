@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Modules and the folders of a module include each other in one direction only, and the check detects planted violations.
+# Modules and the folders of a module include each other in one direction only, modules declare only what they include,
+# and the check detects planted violations.
 set -euo pipefail
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
@@ -23,6 +24,16 @@ refuses() {
 }
 
 check "$SOURCE"
+
+# A module that declares another which none of its files includes.
+sed 's/^sampling|/sampling|base,/' "$BUILD/modules.txt" >"$copy/modules.txt"
+if said=$("$CMAKE" "-DMODULES=$copy/modules.txt" "-DSOURCE=$SOURCE" -P "$SOURCE/cmake/check_layering.cmake" 2>&1); then
+    echo "the check accepted an unused module"
+    exit 1
+fi
+said=$(tr -s '\n ' ' ' <<<"$said")
+[[ $said == *"module 'sampling' declares 'base' in USES"* ]] || { echo "another message: $said"; exit 1; }
+
 refuses src/base/diagnostics.cpp '"scene/anything.h"' "module 'base' includes module 'scene'"
 refuses src/bvh/binary_tree.h '"trace/anything.h"' "module 'bvh' includes module 'trace'"
 refuses src/base/nearest_name.h '<rayscope/accel.h>' "module 'base' includes module 'bvh'"

@@ -1,6 +1,10 @@
 #include "viewer/jobs/background_job.h"
 
 #include <gtest/gtest.h>
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 #include <thread>
 
@@ -37,6 +41,19 @@ TEST(BackgroundJob, deliversItsResultOnce) {
     EXPECT_FALSE(job.busy());
     EXPECT_EQ(job.poll(), std::nullopt);
 }
+
+#ifdef __linux__
+TEST(BackgroundJob, runsWithALowerPriority) {
+    const int own = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+    if (own >= 19) GTEST_SKIP() << "the test has the lowest priority itself";
+    IntJob job;
+    job.start([](const std::stop_token&, JobProgress&) {
+        return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+    });
+    EXPECT_GT(wait(job).value(), own);
+    EXPECT_EQ(getpriority(PRIO_PROCESS, static_cast<id_t>(gettid())), own);
+}
+#endif
 
 TEST(BackgroundJob, reportsExceptionsExceptStopped) {
     IntJob job;

@@ -168,10 +168,10 @@ TEST(HeatPanel, ChoosesQuantityColoursAndRange) {
     EXPECT_TRUE(heat.shown);
     EXPECT_TRUE(driver.workspace.view.traced) << "the map is shown in place of the traced picture";
     driver.choose("Quantity", "depth");
-    EXPECT_EQ(probe::infoOf(heat.aov).name, "depth");
-    const std::string other(post::kColorMapNames[heat.map == post::ColorMap{0} ? 1 : 0]);
+    EXPECT_EQ(infoOf(heat.aov).name, "depth");
+    const std::string other(kColorMapNames[heat.map == ColorMap{0} ? 1 : 0]);
     driver.choose("Colour map", other);
-    EXPECT_EQ(post::kColorMapNames[static_cast<int>(heat.map)], other);
+    EXPECT_EQ(kColorMapNames[static_cast<int>(heat.map)], other);
     driver.type("Samples", "4");
     EXPECT_EQ(heat.samples, 4);
     driver.waitFor("map", [&] { return heat.values() != nullptr && !heat.busy(); });

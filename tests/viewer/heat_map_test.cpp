@@ -40,16 +40,15 @@ TEST(HeatStatistics, IgnoreNonFiniteValues) {
 TEST(HeatColors, SpanTheRange) {
     RgbImage values = ramp(101);
     values.at(50, 0) = Rgb(std::numeric_limits<float>::quiet_NaN());
-    const RgbImage image = applyColorMap(values, post::ColorMap::BlueGold, 20.0, 80.0);
-    EXPECT_EQ(image.at(0, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
-    EXPECT_EQ(image.at(20, 0), post::mapColor(post::ColorMap::BlueGold, 0.0));
-    EXPECT_EQ(image.at(80, 0), post::mapColor(post::ColorMap::BlueGold, 1.0));
-    EXPECT_EQ(image.at(100, 0), post::mapColor(post::ColorMap::BlueGold, 1.0));
+    const RgbImage image = applyColorMap(values, ColorMap::BlueGold, 20.0, 80.0);
+    EXPECT_EQ(image.at(0, 0), mapColor(ColorMap::BlueGold, 0.0));
+    EXPECT_EQ(image.at(20, 0), mapColor(ColorMap::BlueGold, 0.0));
+    EXPECT_EQ(image.at(80, 0), mapColor(ColorMap::BlueGold, 1.0));
+    EXPECT_EQ(image.at(100, 0), mapColor(ColorMap::BlueGold, 1.0));
     EXPECT_EQ(image.at(50, 0), Rgb(1.0f, 0.0f, 1.0f));
-    EXPECT_LT(glm::distance(image.at(49, 0), post::mapColor(post::ColorMap::BlueGold, 29.0 / 60.0)), 2e-3f);
+    EXPECT_LT(glm::distance(image.at(49, 0), mapColor(ColorMap::BlueGold, 29.0 / 60.0)), 2e-3f);
     // A range without extent has two colours.
-    EXPECT_EQ(applyColorMap(ramp(3), post::ColorMap::Grey, 1.0, 1.0).at(2, 0),
-              post::mapColor(post::ColorMap::Grey, 1.0));
+    EXPECT_EQ(applyColorMap(ramp(3), ColorMap::Grey, 1.0, 1.0).at(2, 0), mapColor(ColorMap::Grey, 1.0));
 }
 
 TEST(HeatMap, ComputesTheSelectedQuantityInTheBackground) {
@@ -74,7 +73,7 @@ TEST(HeatMap, ComputesTheSelectedQuantityInTheBackground) {
     const int version = heat.version();
     finish();
     EXPECT_EQ(heat.version(), version) << "nothing changed";
-    heat.aov = probe::Aov::Depth;
+    heat.aov = Aov::Depth;
     finish();
     EXPECT_GT(heat.version(), version);
     EXPECT_LT(heat.statistics().highest, 10.0);

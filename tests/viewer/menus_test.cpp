@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "panel_driver.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope::viewer {
 namespace {
@@ -99,6 +100,28 @@ TEST(Dialogs, OpenAFileByItsPath) {
     driver.frame();
     driver.pressEnter();
     EXPECT_EQ(driver.workspace.loader.path(), "builtin:cube");
+}
+
+TEST(Dialogs, ListFoldersAndSceneFiles) {
+    const test::TemporaryFolder folder;
+    for (const char* name : {"a.toml", "b.OBJ", "c.txt", ".hidden.toml"}) folder.write(name, "");
+    std::filesystem::create_directory(folder / "more");
+    folder.write("more/d.obj", "");
+    PanelDriver driver("cornell");
+    driver.openDialog.request();
+    driver.frame();
+    driver.frame();
+    ImGui::GetIO().AddInputCharactersUTF8(folder.path().c_str());
+    driver.frame();
+    driver.pressEnter();
+    driver.waitFor("list", [&] { return driver.has("Open a scene/a.toml"); });
+    EXPECT_TRUE(driver.has("Open a scene/b.OBJ"));
+    EXPECT_TRUE(driver.has("Open a scene/more/"));
+    EXPECT_FALSE(driver.has("Open a scene/c.txt"));
+    EXPECT_FALSE(driver.has("Open a scene/.hidden.toml"));
+    driver.click("Open a scene/more/");
+    driver.waitFor("the other list", [&] { return driver.has("Open a scene/d.obj"); });
+    EXPECT_FALSE(driver.has("Open a scene/a.toml"));
 }
 
 TEST(Dialogs, RenderToAFile) {

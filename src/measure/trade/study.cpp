@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numeric>
 
+#include <rayscope/aov.h>
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
 #include "base/check_argument.h"
 #include "measure/statistics/deadline.h"
 #include "measure/trade/candidates.h"
 #include "measure/trade/content_hash.h"
-#include "probe/aov.h"
 #include "render/check_request.h"
 #include "render/film.h"
 
@@ -209,9 +209,9 @@ bool TradeStudy::measure(std::size_t index, int block, double maxSeconds) {
 
 /// Counts traversal steps in a separate, untimed pass.
 TradeWork TradeStudy::workOf(const TimedRender& timed) const {
-    constexpr probe::Aov kCounted[] = {probe::Aov::Nodes, probe::Aov::Triangles, probe::Aov::Rays};
-    const probe::AovRequest once{*timed.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
-    const std::vector<RgbImage> counts = probe::renderAovs(once, kCounted);
+    constexpr Aov kCounted[] = {Aov::Nodes, Aov::Triangles, Aov::Rays};
+    const AovRequest once{*timed.world, nullptr, kFirstSeed, 1, std::nullopt, workers_.count()};
+    const std::vector<RgbImage> counts = renderAovs(once, kCounted);
     const auto sum = [](const RgbImage& image) {
         double total = 0.0;
         for (const Rgb& pixel : image.pixels) total += static_cast<double>(pixel.x);

@@ -71,11 +71,11 @@ MeshData generate(const TerrainShape& shape, const LoadControl& control) {
                rows = static_cast<std::size_t>(shape.cellsZ);
     const glm::dvec2 size(shape.size);
     const auto height = static_cast<double>(shape.height);
+    LoadStep step(control, "generating a terrain", 2 * rows);
     MeshData mesh;
     mesh.positions.resize((columns + 1) * (rows + 1));
     mesh.normals.resize(mesh.positions.size());
     mesh.triangles.resize(2 * columns * rows);
-    LoadStep step(control, "generating a terrain", 2 * rows);
     forEachRow(rows + 1, step, 0, [&](std::size_t k) {
         for (std::size_t i = 0; i <= columns; ++i) {
             // Noise coordinates in units of the longer side, for isotropic noise.

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <thread>
 
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

@@ -6,11 +6,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/atomic_file.h"
 #include "math/vectors.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
-#include "viewer/model/camera_text.h"
 
 namespace rayscope::viewer {
 
@@ -134,8 +132,8 @@ void Application::exportRays() {
     const auto size = static_cast<float>(math::distance(bounds.lower, bounds.upper));
     workspace_.saves.add({lines, json},
                          [lines, json, size, tree = recording->tree(), world = recording->world] {
-                             base::writeFileAtomically(lines, toObj(tree, size));
-                             base::writeFileAtomically(json, toJson(tree, *world));
+                             for (const std::string& path : {lines, json})
+                                 writeRayTree(path, tree, *world, size);
                          });
 }
 

@@ -1,8 +1,8 @@
 #include "viewer/gl/render_target.h"
 
+#include <rayscope/display.h>
+#include <array>
 #include <stdexcept>
-
-#include "image/srgb.h"
 
 namespace rayscope::viewer {
 
@@ -115,12 +115,14 @@ FramebufferPixels readFramebuffer(int x, int y, int width, int height) {
 }
 
 RgbImage linearImage(const FramebufferPixels& pixels) {
+    std::array<float, 256> linear;
+    for (std::size_t code = 0; code < linear.size(); ++code)
+        linear[code] = fromDisplay(Rgb(static_cast<float>(code) / 255.0f)).r;
     RgbImage image(pixels.width, pixels.height);
     for (int row = 0; row < image.height; ++row)
         for (int column = 0; column < image.width; ++column) {
             const std::uint8_t* pixel = &pixels.bytes[3 * image.index(column, image.height - 1 - row)];
-            image.at(column, row) = {image::decodeByte(pixel[0]), image::decodeByte(pixel[1]),
-                                     image::decodeByte(pixel[2])};
+            image.at(column, row) = {linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]};
         }
     return image;
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "math/vectors.h"
-#include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/overlay/debug_rays_overlay.h"
@@ -177,7 +176,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
             const trace::PrimitiveLocation name = world->locatePrimitive(surface->hit.primitive);
             info.primitive = surface->hit.primitive;
-            info.object = probe::objectName(*world, static_cast<int>(name.range->object));
+            info.object = objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
         }
     }

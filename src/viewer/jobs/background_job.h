@@ -11,13 +11,16 @@
 #include <string>
 #include <utility>
 
+#include "viewer/jobs/thread_priority.h"
+
 namespace rayscope::viewer {
 
 /// 0 … 1; written by the thread of a job and read by the window's.
 using JobProgress = std::atomic<double>;
 
-/// A computation on a thread of its own, so that the window stays responsive. All members are called from the
-/// window's thread and none of them blocks; only the destructor waits for the computation to stop.
+/// A computation on a thread of its own with a lower priority, so that the window stays responsive. All
+/// members are called from the window's thread and none of them blocks; only the destructor waits for the
+/// computation to stop.
 template <class Result>
 class BackgroundJob {
   public:
@@ -80,6 +83,7 @@ class BackgroundJob {
         error_.clear();
         running_ = std::async(std::launch::async, [work = std::move(work), stop = stop_.get_token(),
                                                    progress = progress_]() mutable {
+            lowerThreadPriority();
             // What the work owns is destroyed here, not on the window's thread.
             const Work once = std::move(work);
             return once(stop, *progress);

@@ -1,10 +1,9 @@
 #include "viewer/jobs/debug_rays.h"
 
+#include <rayscope/render_image.h>
 #include <algorithm>
 #include <utility>
 
-#include "probe/names.h"
-#include "render/film.h"
 #include "sampling/sample_stream.h"
 #include "trace/world.h"
 #include "viewer/model/viewer_seed.h"
@@ -33,12 +32,6 @@ class SampleCounter {
     JobProgress* progress_;
     int samples_, done_ = 0;
 };
-
-int samplesOf(const render::Film& film, SampleId id) {
-    int samples = 0;
-    film.sums(id.x, id.y, samples);
-    return samples;
-}
 
 /// Samples 0 … `samples` - 1 of the pixel of `id`, until they take `budget` bytes.
 std::vector<RayTree> recordTrees(const trace::World& world, SampleId id, int samples, std::size_t budget,
@@ -81,7 +74,7 @@ void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> fil
     const int samples = std::min(recording_->samples, maxSamples);
     replay_.start([world = recording_->world, film = std::move(film), id, samples](
                       const std::stop_token& stop, JobProgress& progress) {
-        const int verified = film ? samplesOf(*film, id) : 0;
+        const int verified = film ? samplesOf(*film, id.x, id.y) : 0;
         SampleCounter counter(stop, progress, verified + samples);
         const auto beforeSample = [&counter] { counter(); };
         Replay replay;
@@ -175,7 +168,7 @@ void DebugRays::showAllSamples(bool all) {
 void DebugRays::verifyAgain(std::shared_ptr<const render::Film> film) {
     if (!recording_ || !recording_->replayResult || replay_.busy() || verification_.busy()) return;
     const SampleId id = recording_->tree().name;
-    const int samples = samplesOf(*film, id);
+    const int samples = samplesOf(*film, id.x, id.y);
     if (samples == recording_->replayResult->samples) return;
     verification_.start([world = recording_->world, film = std::move(film), id, samples](
                             const std::stop_token& stop, JobProgress& progress) {
@@ -215,7 +208,7 @@ void DebugRays::pin() {
     double rays = 0.0;
     for (const std::uint32_t count : recording_->pixel.rays) rays += count;
     pins.push_back({{tree.name.x, tree.name.y},
-                    first.hit ? probe::objectName(*recording_->world, first.object) : "nothing",
+                    first.hit ? objectName(*recording_->world, first.object) : "nothing",
                     recording_->statistics.mean,
                     recording_->statistics.errorOfMean(),
                     rays / static_cast<double>(std::max<std::size_t>(recording_->pixel.rays.size(), 1))});

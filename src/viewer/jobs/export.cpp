@@ -3,14 +3,10 @@
 #include <rayscope/display.h>
 #include <rayscope/render_image.h>
 
-#include "render/image_metadata.h"
-#include "viewer/model/camera_text.h"
-#include "viewer/model/viewer_seed.h"
-
 namespace rayscope::viewer {
 
 ImageMetadata metadataOf(const EditState& state, int samples) {
-    ImageMetadata metadata = render::imageMetadata(*state.scene, state.settings, kViewerSeed, samples);
+    ImageMetadata metadata = rayscope::metadataOf(requestOf(state, 1, 1), samples);
     metadata["camera"] = toOptions(state.camera);
     return metadata;
 }
@@ -18,13 +14,7 @@ ImageMetadata metadataOf(const EditState& state, int samples) {
 RenderJob::RenderJob(const EditState& state, int width, int height, std::string path, int threads)
     : state_(state), path_(std::move(path)), session_(threads) {
     checkImageDestination(path_);
-    RenderRequest request;
-    request.scene = state.scene;
-    request.settings = state.settings;
-    request.camera = state.camera;
-    request.width = width;
-    request.height = height;
-    request.seed = kViewerSeed;
+    RenderRequest request = requestOf(state, width, height);
     request.progressive = false;
     session_.submit(std::move(request));
 }

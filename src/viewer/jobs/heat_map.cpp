@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/film.h"
 #include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
@@ -29,28 +28,28 @@ HeatStatistics heatStatistics(const RgbImage& values) {
     return s;
 }
 
-RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to) {
+RgbImage applyColorMap(const RgbImage& values, ColorMap map, double from, double to) {
     // Colour maps interpolate in Oklab, which is too slow for a million pixels, so the map is tabulated.
     constexpr int kSteps = 1024;
     std::vector<Rgb> table;
-    for (int i = 0; i <= kSteps; ++i) table.push_back(post::mapColor(map, static_cast<double>(i) / kSteps));
+    for (int i = 0; i <= kSteps; ++i) table.push_back(mapColor(map, static_cast<double>(i) / kSteps));
     RgbImage image(values.width, values.height);
     for (std::size_t i = 0; i < values.pixels.size(); ++i) {
         const double value = static_cast<double>(values.pixels[i].x);
         const double fraction = to > from ? (value - from) / (to - from) : (value > to ? 1.0 : 0.0);
         image.pixels[i] =
             std::isnan(fraction)
-                ? post::mapColor(map, fraction)
+                ? mapColor(map, fraction)
                 : table[static_cast<std::size_t>(std::lround(std::clamp(fraction, 0.0, 1.0) * kSteps))];
     }
     return image;
 }
 
 HeatMap::Computed HeatMap::compute(const Source& source, int threads, const std::stop_token& stop) {
-    const probe::AovRequest request{*source.world, source.film.get(), kViewerSeed, source.samples,
-                                    std::nullopt,  threads,           stop};
-    const probe::Aov aovs[] = {source.aov};
-    Computed computed{source, std::move(probe::renderAovs(request, aovs).front()), {}};
+    const AovRequest request{*source.world, source.film.get(), kViewerSeed, source.samples,
+                             std::nullopt,  threads,           stop};
+    const Aov aovs[] = {source.aov};
+    Computed computed{source, std::move(renderAovs(request, aovs).front()), {}};
     computed.statistics = heatStatistics(computed.values);
     return computed;
 }
@@ -67,9 +66,9 @@ void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<
         recolor();
     }
     if (!shown || !world) return;
-    const bool ofFilm = aov >= probe::Aov::Samples;
+    const bool ofFilm = infoOf(aov).isOfFilm();
     const Source wanted{std::move(world), ofFilm ? film : nullptr, aov, samples,
-                        ofFilm && film ? film->completeSamples() : 0};
+                        ofFilm && film ? samplesOf(*film) : 0};
     if (wanted == requested_) return;
     // A film that has more samples by now is evaluated after the running job: otherwise no job would finish.
     const bool sameImage = wanted.world == requested_.world && wanted.aov == requested_.aov;

@@ -1,9 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "post/color_map.h"
-#include "probe/aov.h"
-#include "trace/world.h"
+#include <rayscope/aov.h>
+#include <rayscope/display.h>
 #include "viewer/jobs/background_job.h"
 
 namespace rayscope::viewer {
@@ -18,14 +17,14 @@ struct HeatStatistics {
 HeatStatistics heatStatistics(const RgbImage& values);
 
 /// The image as colours: `from` and below has the first, `to` and above the last.
-RgbImage applyColorMap(const RgbImage& values, post::ColorMap map, double from, double to);
+RgbImage applyColorMap(const RgbImage& values, ColorMap map, double from, double to);
 
 /// A per-pixel quantity (an AOV) in false colour, shown instead of the traced picture.
 class HeatMap {
   public:
     bool shown = false;
-    probe::Aov aov = probe::Aov::Nodes;
-    post::ColorMap map = post::ColorMap::Spectrum;
+    Aov aov = Aov::Nodes;
+    ColorMap map = ColorMap::Spectrum;
     float from = 0.0f, to = 1.0f;  ///< values at the ends of the colours
     bool fitRange = true;          ///< fit `from` and `to` to the values of each new image
     int samples = 1;               ///< per pixel, over which costs are averaged
@@ -47,7 +46,7 @@ class HeatMap {
     struct Source {
         std::shared_ptr<const trace::World> world;
         std::shared_ptr<const render::Film> film;
-        probe::Aov aov = probe::Aov::Nodes;
+        Aov aov = Aov::Nodes;
         int samples = 0, filmSamples = 0;
         bool operator==(const Source&) const = default;
     };

@@ -4,7 +4,6 @@
 #include <thread>
 
 #include "sampling/sample_stream.h"
-#include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
 
@@ -36,13 +35,8 @@ bool sameImage(const RenderRequest& a, const RenderRequest& b) {
 constexpr int kMaxSamples = 1 << 16;
 
 RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divisor) {
-    RenderRequest request;
-    request.scene = viewRequest.state.scene;
-    request.settings = viewRequest.state.settings;
-    request.camera = viewRequest.state.camera;
-    request.seed = kViewerSeed;
-    request.width = std::max(1, viewRequest.width / divisor);
-    request.height = std::max(1, viewRequest.height / divisor);
+    RenderRequest request = requestOf(viewRequest.state, std::max(1, viewRequest.width / divisor),
+                                      std::max(1, viewRequest.height / divisor));
     if (viewRequest.stopCriteria.byError && !sampling::dependsOnSampleCount(request.settings.sampler))
         request.settings.spp = kMaxSamples;
     if (divisor > 1 || viewRequest.moving || !viewRequest.traced) request.settings.spp = 1;

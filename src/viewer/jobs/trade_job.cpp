@@ -14,11 +14,9 @@ constexpr int kLongerSide = 96;
 void TradeJob::start(const EditState& state, glm::ivec2 shown, int threads) {
     const int longer = std::max({shown.x, shown.y, 1});
     TradeRequest request;
-    request.render.scene = state.scene;
-    request.render.settings = state.settings;
-    request.render.camera = camera_ = state.camera;
-    request.render.width = std::max(1, kLongerSide * shown.x / longer);
-    request.render.height = std::max(1, kLongerSide * shown.y / longer);
+    request.render = requestOf(state, std::max(1, kLongerSide * shown.x / longer),
+                               std::max(1, kLongerSide * shown.y / longer));
+    camera_ = state.camera;
     request.budgetSeconds = static_cast<double>(budget);
     request.threads = threads;
     request.cacheFolder = referenceCacheFolder();

@@ -23,6 +23,9 @@ struct EditState {
 EditState initialState(SceneDescription scene, const RequestOverrides& overrides = {},
                        const std::optional<SceneBounds>& bounds = std::nullopt);
 
+/// The request that renders the state, with the seed of the window.
+RenderRequest requestOf(const EditState& state, int width, int height);
+
 /// The same scene with other lights.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);
 

@@ -1,8 +1,7 @@
 #include "viewer/overlay/overlay.h"
 
+#include <rayscope/display.h>
 #include <algorithm>
-
-#include "image/srgb.h"
 
 namespace rayscope::viewer {
 
@@ -19,10 +18,7 @@ void appendBox(OverlayLines& lines, glm::vec3 lower, glm::vec3 upper, glm::vec4 
 
 glm::vec3 displayColor(Rgb linear) {
     const float largest = std::max({linear.r, linear.g, linear.b, 1.0f});
-    glm::vec3 shown;
-    for (int channel = 0; channel < 3; ++channel)
-        shown[channel] = std::min(1.0f, image::linearToSrgb(std::max(linear[channel], 0.0f) / largest));
-    return shown;
+    return glm::min(toDisplay(glm::max(linear, Rgb(0.0f)) / largest), Rgb(1.0f));
 }
 
 }  // namespace rayscope::viewer

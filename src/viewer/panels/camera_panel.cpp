@@ -2,7 +2,6 @@
 #include <imgui_stdlib.h>
 
 #include "math/vectors.h"
-#include "viewer/model/camera_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"

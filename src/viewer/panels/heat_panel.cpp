@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "image/srgb.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
@@ -12,9 +10,9 @@ namespace rayscope::viewer {
 namespace {
 
 void drawChoices(HeatMap& heat) {
-    labelledRow("Quantity", false, probe::infoOf(heat.aov).help);
+    labelledRow("Quantity", false, infoOf(heat.aov).help);
     const auto drawQuantities = [&] {
-        for (const probe::AovInfo& info : probe::aovTable()) {
+        for (const AovInfo& info : aovTable()) {
             if (info.isColor) continue;
             if (ui::selectable(std::string(info.name).c_str(), info.aov == heat.aov)) {
                 heat.aov = info.aov;
@@ -23,13 +21,13 @@ void drawChoices(HeatMap& heat) {
             tooltip(info.help);
         }
     };
-    ui::combo("##aov", std::string(probe::infoOf(heat.aov).name).c_str(), drawQuantities,
+    ui::combo("##aov", std::string(infoOf(heat.aov).name).c_str(), drawQuantities,
               ImGuiComboFlags_HeightLarge);
     labelledRow("Colour map", false, "All are uniform in lightness and safe for colour-blind readers.");
-    ui::combo("##map", post::kColorMapNames[static_cast<int>(heat.map)].data(), [&] {
+    ui::combo("##map", kColorMapNames[static_cast<int>(heat.map)].data(), [&] {
         for (int i = 0; i < 3; ++i)
-            if (ui::selectable(post::kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
-                heat.map = static_cast<post::ColorMap>(i);
+            if (ui::selectable(kColorMapNames[i].data(), static_cast<int>(heat.map) == i)) {
+                heat.map = static_cast<ColorMap>(i);
                 heat.recolor();
             }
     });
@@ -52,14 +50,12 @@ void drawHistogram(HeatMap& heat) {
         const double value = s.lowest + (s.highest - s.lowest) * (static_cast<double>(i) + 0.5) /
                                             static_cast<double>(s.counts.size());
         const double range = static_cast<double>(heat.to) - static_cast<double>(heat.from);
-        const Rgb c =
-            post::mapColor(heat.map, range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0);
-        const ImU32 color =
-            toU32({image::linearToSrgb(c.r), image::linearToSrgb(c.g), image::linearToSrgb(c.b), 1.0f});
+        const double fraction = range > 0.0 ? (value - static_cast<double>(heat.from)) / range : 0.0;
+        const ImU32 color = toU32(toDisplay(mapColor(heat.map, fraction)));
         // The square root keeps rare values visible beside common ones.
-        const float fraction = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
+        const float filled = std::sqrt(static_cast<float>(s.counts[i]) / static_cast<float>(most));
         const float x = at.x + width * static_cast<float>(i) / bars;
-        draw.AddRectFilled({x, at.y + height * (1.0f - fraction)}, {x + width / bars, at.y + height}, color);
+        draw.AddRectFilled({x, at.y + height * (1.0f - filled)}, {x + width / bars, at.y + height}, color);
     }
     if (ImGui::IsItemActive() && s.highest > s.lowest) {
         const float fraction = std::clamp((ImGui::GetIO().MousePos.x - at.x) / width, 0.0f, 1.0f);

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

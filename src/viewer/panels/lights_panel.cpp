@@ -5,7 +5,6 @@
 #include "math/vectors.h"
 #include "viewer/model/light_handles.h"
 #include "viewer/panels/panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

@@ -6,7 +6,6 @@
 
 #include "viewer/overlay/overlay.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

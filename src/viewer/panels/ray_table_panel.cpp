@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/panels/ray_panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
@@ -30,15 +28,14 @@ Row rowOf(const trace::World& world, const RayTree& tree, RaySelection ray) {
         const ShadowRay& shadow = tree.shadowRays[static_cast<std::size_t>(ray.shadow)];
         const int level = levelOf(tree, shadow.node) + 1;
         return {std::string(static_cast<std::size_t>(level), ' ') + fmt::format("light {}", shadow.light),
-                fmt::format("#{} {}", shadow.sample, probe::nameOf(shadow.visibility)),
+                fmt::format("#{} {}", shadow.sample, nameOf(shadow.visibility)),
                 fmt::format("{:.2g}", largest(shadow.contribution))};
     }
     const RayNode& node = tree.nodes[static_cast<std::size_t>(ray.node)];
-    std::string where(probe::nameOf(node.end));
-    if (node.hit)
-        where = fmt::format("{:.4g} {}", node.primitiveHit.t, probe::objectName(world, node.object));
+    std::string where(nameOf(node.end));
+    if (node.hit) where = fmt::format("{:.4g} {}", node.primitiveHit.t, objectName(world, node.object));
     return {std::string(static_cast<std::size_t>(levelOf(tree, ray.node)), ' ') +
-                fmt::format("{} {}", probe::nameOf(node.kind), node.depth),
+                fmt::format("{} {}", nameOf(node.kind), node.depth),
             where, fmt::format("{:.2g}", largest(node.contribution))};
 }
 
@@ -47,7 +44,7 @@ void drawNode(const trace::World& world, const RayNode& node) {
     valueRow("Direction", vectorText(node.ray.direction));
     if (node.hit) {
         const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
-        valueRow("Hit", probe::objectName(world, node.object));
+        valueRow("Hit", objectName(world, node.object));
         valueRow(name.range->mesh ? "Triangle" : "Sphere", fmt::format("{}", name.inObject));
         valueRow("t", fmt::format("{:.9g}", node.primitiveHit.t));
         valueRow("u, v", fmt::format("{:.6g}, {:.6g}", node.primitiveHit.u, node.primitiveHit.v));
@@ -56,14 +53,14 @@ void drawNode(const trace::World& world, const RayNode& node) {
     }
     valueRow("Throughput", vectorText(node.throughput));
     valueRow("Contribution", vectorText(node.contribution));
-    valueRow("End", std::string(probe::nameOf(node.end)));
+    valueRow("End", std::string(nameOf(node.end)));
 }
 
 void drawShadowRay(const ShadowRay& ray) {
     valueRow("From", vectorText(ray.from));
     valueRow("To", vectorText(ray.to));
     valueRow("Light", fmt::format("{}, sample {}", ray.light, ray.sample));
-    valueRow("Visibility", std::string(probe::nameOf(ray.visibility)));
+    valueRow("Visibility", std::string(nameOf(ray.visibility)));
     valueRow("Colour", vectorText(RgbSum(ray.color)));
     valueRow("Contribution", vectorText(ray.contribution));
 }

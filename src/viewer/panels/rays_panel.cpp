@@ -1,7 +1,6 @@
 // The recorded rays of a pixel: replay check, samples, diagnosis, legend and filters.
 #include <fmt/format.h>
 
-#include "probe/names.h"
 #include "viewer/overlay/debug_rays_overlay.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/ray_panels.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "viewer/panels/bvh_panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

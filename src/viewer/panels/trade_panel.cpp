@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "viewer/panels/panels.h"
-#include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {

@@ -1,10 +1,9 @@
 #include "viewer/view/traced_view.h"
 
+#include <rayscope/display.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "post/bloom.h"
 
 namespace rayscope::viewer {
 
@@ -73,7 +72,9 @@ bool TracedView::updateBloom(const Settings& settings) {
         bloomSettings_ = settings;
         bloomOutdated_ = false;
         bloom_.start([image = image_, settings](const std::stop_token&, JobProgress&) {
-            return post::applyBloom(image, settings);
+            Settings bloomOnly = settings;  // the shader applies the exposure
+            bloomOnly.exposure = 0.0f;
+            return applyDisplayTransform(image, bloomOnly);
         });
     }
     return arrived;

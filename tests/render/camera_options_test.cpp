@@ -1,11 +1,10 @@
-#include "viewer/model/camera_text.h"
-
 #include <gtest/gtest.h>
+#include <rayscope/open_request.h>
 
-namespace rayscope::viewer {
+namespace rayscope {
 namespace {
 
-TEST(CameraText, survivesPrintingAndParsing) {
+TEST(CameraOptions, survivesPrintingAndParsing) {
     CameraDescription camera;
     camera.lookFrom = {0.1f, -3.3333333f, 1e-20f};
     camera.lookAt = {1e7f, 2.0f, -0.7f};
@@ -13,7 +12,7 @@ TEST(CameraText, survivesPrintingAndParsing) {
     EXPECT_EQ(withOptions(CameraDescription{}, toOptions(camera)), camera);
 }
 
-TEST(CameraText, changesOnlyWhatItNames) {
+TEST(CameraOptions, changesOnlyWhatItNames) {
     CameraDescription camera;
     camera.up = {1.0f, 0.0f, 0.0f};
     const CameraDescription changed = withOptions(camera, "  --fov=20 ");
@@ -21,7 +20,7 @@ TEST(CameraText, changesOnlyWhatItNames) {
     EXPECT_EQ(changed.up, camera.up);
 }
 
-TEST(CameraText, errorsNameTheExpectedForm) {
+TEST(CameraOptions, errorsNameTheExpectedForm) {
     const auto messageOf = [](const char* text) {
         try {
             withOptions(CameraDescription{}, text);
@@ -42,4 +41,4 @@ TEST(CameraText, errorsNameTheExpectedForm) {
 }
 
 }  // namespace
-}  // namespace rayscope::viewer
+}  // namespace rayscope

@@ -1,6 +1,5 @@
-#include "viewer/model/camera_text.h"
-
 #include <fmt/format.h>
+#include <rayscope/open_request.h>
 
 #include <array>
 #include <vector>
@@ -9,7 +8,7 @@
 #include "base/number_list.h"
 #include "render/scene_defaults.h"
 
-namespace rayscope::viewer {
+namespace rayscope {
 
 namespace {
 
@@ -69,4 +68,4 @@ CameraDescription withOptions(const CameraDescription& camera, std::string_view 
     return changed;
 }
 
-}  // namespace rayscope::viewer
+}  // namespace rayscope
