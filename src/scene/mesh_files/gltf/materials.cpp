@@ -112,7 +112,7 @@ GltfMaterialConverter::SharedTexture GltfMaterialConverter::load(std::uint32_t i
     const GltfImageSource source = resources_.image(image);
     if (!source.path.empty()) return textures_.open(source.path, wrap);
     const std::string name = fmt::format("{}: images[{}]", path_, image);
-    return std::make_shared<Texture>(Texture{name, decodeImage(source.bytes, name), wrap});
+    return std::make_shared<Texture>(Texture{name, decodeImage(source.bytes, name, &notes_), wrap});
 }
 
 GltfMaterialConverter::SharedTexture GltfMaterialConverter::tinted(const SharedTexture& texture,
