@@ -29,12 +29,13 @@ function(rayscope_precompiled_headers name)
 endfunction()
 
 # rayscope_precompile(TARGET NAME [headers…]): compiles a target with the headers of that name or, if further headers are
-# given, with a precompiled header of its own that holds the common ones and these.
+# given, with a precompiled header of its own that holds the common ones and these. Batches (RAYSCOPE_UNITY) are too few for
+# one to save what it takes.
 function(rayscope_precompile target name)
   if(NOT RAYSCOPE_PRECOMPILE)
     return()
   endif()
-  if(ARGN)
+  if(ARGN AND NOT RAYSCOPE_UNITY)
     target_precompile_headers(${target} PRIVATE ${RAYSCOPE_COMMON_HEADERS} ${ARGN})
   else()
     target_precompile_headers(${target} REUSE_FROM ${name})

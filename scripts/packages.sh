@@ -5,7 +5,7 @@ build_packages=(
     build-essential cmake ninja-build pkg-config
     libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
     libtomlplusplus-dev libtinyobjloader-dev                       # scenes, meshes
-    libpng-dev libjpeg-dev libopenexr-dev                          # images
+    libpng-dev libjpeg-dev libopenexr-dev zlib1g-dev               # images
     libcli11-dev nlohmann-json3-dev                                # command line
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
 )

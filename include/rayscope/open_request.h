@@ -32,7 +32,8 @@ void checkOverrides(const RequestOverrides& overrides);
 
 /// The request that renders the scene. Sources of settings, of which later ones override earlier ones: the
 /// defaults, the scene, the preset, `overrides.settings`, `overrides.spp`. Throws InputError like
-/// checkOverrides(), for an unknown camera, and if the position of the camera equals its look-at point.
+/// checkOverrides(), for an unknown camera, and if the position of the camera equals its look-at point or its
+/// `up` is zero or parallel to the view.
 RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene,
                          const RequestOverrides& overrides = {});
 

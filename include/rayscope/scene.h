@@ -226,7 +226,8 @@ inline bool blursPixels(const SceneRequirements& scene, const CameraDescription&
 std::string_view inactiveReason(const SceneRequirements& scene, std::string_view setting);
 
 /// Probable mistakes in the scene: materials that do not conserve energy, degenerate triangles, unused
-/// materials, sizes beyond the range of accurate hits … Throws Stopped.
-Diagnostics lint(const SceneDescription& scene, const LoadControl& control = {});
+/// materials, sizes beyond the range of accurate hits … Those that `known`, the notes of loadScene(), has
+/// already are left out. Throws Stopped.
+Diagnostics lint(const SceneDescription& scene, const Diagnostics& known = {}, const LoadControl& control = {});
 
 }  // namespace rayscope

@@ -27,12 +27,28 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return last[b.size()];
 }
 
+/// Names of files may be of any length; the distance takes the product of two lengths.
+constexpr std::size_t kLongestName = 64;
+/// As many as the longest list of the program itself, that of the built-in scenes.
+constexpr std::size_t kMostChoices = 18;
+
+std::string shortened(std::string_view name) {
+    if (name.size() <= kLongestName) return std::string(name);
+    std::size_t end = kLongestName;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;  // within a character
+    return std::string(name.substr(0, end)) + "…";
+}
+
 }  // namespace
 
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates) {
     std::string_view best;
+    if (name.size() > kLongestName) return best;
     std::size_t bestDistance = std::max<std::size_t>(2, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
+        // The distance is at least the difference of the lengths.
+        if (candidate.size() >= name.size() + bestDistance || name.size() >= candidate.size() + bestDistance)
+            continue;
         const std::size_t distance = editDistance(name, candidate);
         if (distance < bestDistance) {
             bestDistance = distance;
@@ -48,11 +64,13 @@ std::string didYouMean(std::string_view name, std::span<const std::string_view> 
 }
 
 std::string joinChoices(std::span<const std::string_view> names) {
+    const std::size_t shown = std::min(names.size(), kMostChoices);
     std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < shown; ++i) {
         if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += names[i];
+        text += shortened(names[i]);
     }
+    if (shown < names.size()) text += fmt::format(" or {} more", names.size() - shown);
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"
+#include "math/vectors.h"
 #include "measure/bench/bench.h"
 #include "measure/bench/embree_baseline.h"
 #include "scene/mesh_files/read_mesh_file.h"
@@ -141,7 +142,7 @@ glm::vec3 lightOf(const SceneDescription& scene) {
     if (scene.lights.empty()) {
         const SceneBounds bounds = boundsOf(scene);
         return 0.5f * (bounds.lower + bounds.upper) +
-               glm::length(bounds.upper - bounds.lower) * glm::vec3(0.8f, 1.6f, 0.4f);
+               static_cast<float>(math::distance(bounds.lower, bounds.upper)) * glm::vec3(0.8f, 1.6f, 0.4f);
     }
     const auto& shape = scene.lights[0].shape;
     if (const auto* point = std::get_if<PointLight>(&shape)) return point->position;

@@ -135,7 +135,8 @@ std::function<int()> setUpCast(OptionList& list) {
     list.setDetails(
         "A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, tMax. A result is 16 "
         "bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for a miss), float32 "
-        "u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0.");
+        "u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0. A negative tMin "
+        "counts as 0.");
     return [options] { return runCast(*options); };
 }
 

@@ -100,7 +100,7 @@ int runInfo(const InfoOptions& options) {
         const LoadProgress progress(progressStyle("", false));
         opened.scene = loadScene(options.scene, opened.findings, progress.control());
         opened.bounds = boundsOf(opened.scene, progress.control());
-        for (Diagnostic& finding : lint(opened.scene, progress.control()))
+        for (Diagnostic& finding : lint(opened.scene, opened.findings, progress.control()))
             opened.findings.push_back(std::move(finding));
     }
     opened.needs = requirementsOf(opened.scene);

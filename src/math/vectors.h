@@ -12,6 +12,13 @@ bool isFinite(const glm::vec<3, T>& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+/// The length of a vector and the distance of two points, in double, whose squares neither overflow nor
+/// underflow for any floats.
+inline double length(const glm::vec3& v) { return glm::length(glm::dvec3(v)); }
+inline double distance(const glm::vec3& a, const glm::vec3& b) {
+    return glm::distance(glm::dvec3(a), glm::dvec3(b));
+}
+
 /// Luminance of a linear colour (ITU-R BT.709).
 template <class T>
 T luminance(const glm::vec<3, T>& c) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check_argument.h"
+#include "math/vectors.h"
 #include "probe/names.h"
 #include "trace/world.h"
 
@@ -92,8 +93,10 @@ void checkTree(const RayTree& tree, const trace::World& world) {
 
 glm::vec3 endOf(const RayNode& node, float missLength) {
     if (node.hit) return node.position;
-    const float length = glm::length(node.ray.direction);
-    return node.ray.origin + (length > 0.0f ? node.ray.direction * (missLength / length) : glm::vec3(0.0f));
+    const double length = math::length(node.ray.direction);
+    if (!(length > 0.0)) return node.ray.origin;
+    return node.ray.origin +
+           glm::vec3(glm::dvec3(node.ray.direction) * (static_cast<double>(missLength) / length));
 }
 
 }  // namespace

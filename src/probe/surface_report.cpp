@@ -62,7 +62,7 @@ std::optional<TexelQuad> texelsOf(const trace::World& world, const RayNode& node
     if (!node.hit) return std::nullopt;
     const shading::MipTexture* texture = world.materials[static_cast<std::size_t>(node.material)].texture;
     const trace::PrimitiveLocation name = world.locatePrimitive(node.primitiveHit.primitive);
-    if (texture == nullptr || name.range->mesh == nullptr || name.range->mesh->texCoords.empty())
+    if (texture == nullptr || (name.range->mesh != nullptr && name.range->mesh->texCoords.empty()))
         return std::nullopt;
     const RgbImage& image = texture->source()->image;
     const shading::BilinearTap tap =

@@ -2,8 +2,11 @@
 
 #include <rayscope/open_request.h>
 
+#include <algorithm>
+
 #include "base/nearest_name.h"
 #include "render/scene_defaults.h"
+#include "shading/light_sample.h"
 
 namespace rayscope {
 
@@ -36,6 +39,24 @@ void assignOverrides(Settings& settings, const RequestOverrides& overrides) {
     if (overrides.spp) assign(settings, "spp", std::to_string(*overrides.spp));
 }
 
+/// Notes lights that are so long in the units of the scene that their number of samples is capped.
+void noteCappedLights(const RenderRequest& request, Diagnostics& notes) {
+    const std::vector<Light>& lights = request.scene->lights;
+    const auto isCapped = [&](const Light& light) { return shading::isCapped(light, request.settings); };
+    const auto first = std::find_if(lights.begin(), lights.end(), isCapped);
+    if (first == lights.end()) return;
+    notes.push_back(
+        {Severity::Note,
+         fmt::format(
+             "light_sample_count=per_length: {} of {} lights take the most samples, {} along a segment "
+             "or {} x {} over a parallelogram; the first is light {}; scale the scene down or lower the "
+             "samples per length",
+             std::count_if(first, lights.end(), isCapped), lights.size(), shading::kMostSegmentSamples,
+             shading::kMostParallelogramSamples, shading::kMostParallelogramSamples,
+             first - lights.begin() + 1),
+         {request.scene->path}});
+}
+
 }  // namespace
 
 void checkOverrides(const RequestOverrides& overrides) {
@@ -62,7 +83,10 @@ RenderRequest requestFor(std::shared_ptr<const SceneDescription> scene, const Re
 RenderRequest openRequest(const std::string& scene, const RequestOverrides& overrides, Diagnostics& notes,
                           const LoadControl& control) {
     checkOverrides(overrides);  // before the scene is read, which may take long
-    return requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes, control)), overrides);
+    RenderRequest request =
+        requestFor(std::make_shared<const SceneDescription>(loadScene(scene, notes, control)), overrides);
+    noteCappedLights(request, notes);
+    return request;
 }
 
 }  // namespace rayscope

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <rayscope/diagnostics.h>
 
+#include "scene/check_camera.h"
+
 namespace rayscope::render {
 
 CameraDescription defaultCamera(const SceneDescription& scene) {
@@ -26,8 +28,8 @@ void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignm
 }
 
 void checkCamera(const CameraDescription& camera) {
-    if (camera.lookFrom == camera.lookAt)
-        throw InputError("--look-from and --look-at of the camera are the same point; move one of them");
+    if (const std::string_view problem = scene::problemOf(camera); !problem.empty())
+        throw InputError(fmt::format("camera: {}", problem));
 }
 
 std::string optionText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }

@@ -15,7 +15,7 @@ Settings settingsOf(const SceneDescription& scene);
 /// Overrides settings in order. Throws InputError with the position of a wrong one.
 void assignAll(Settings& settings, const std::vector<SettingAssignment>& assignments);
 
-/// Throws InputError if the camera is at the point that it looks at.
+/// Throws InputError if the camera is at the point that it looks at, or `up` is zero or parallel to the view.
 void checkCamera(const CameraDescription& camera);
 
 /// "x,y,z", as --look-from and the like take it; reads back as the same floats.

@@ -7,6 +7,7 @@
 #include "math/vectors.h"
 #include "scene/lint_range.h"
 #include "scene/load_step.h"
+#include "scene/missing_content.h"
 
 namespace rayscope {
 
@@ -21,8 +22,7 @@ class Linter {
         lintMaterials();
         for (std::size_t i = 0; i < scene_.lights.size(); ++i) lintLight(scene_.lights[i], i);
         for (const CameraDescription& camera : scene_.cameras) lintCamera(camera);
-        if (scene_.lights.empty()) warn("no light: surfaces are black unless shading is off");
-        if (scene_.meshes.empty() && scene_.spheres.empty()) warn("no geometry: neither meshes nor spheres");
+        for (Diagnostic& found : scene::missingContent(scene_)) found_.push_back(std::move(found));
         for (Diagnostic& found : scene::lintRange(scene_, control_)) found_.push_back(std::move(found));
         return std::move(found_);
     }
@@ -70,11 +70,12 @@ class Linter {
         std::size_t flipped = 0;
         for (const glm::uvec3& t : data.triangles) {
             step.advance();
-            const glm::vec3 a = data.positions[t.x], b = data.positions[t.y], c = data.positions[t.z];
-            const glm::vec3 area = glm::cross(b - a, c - a);
-            const glm::vec3* n = data.normals.data();
-            flipped += glm::dot(n[t.x], area) < 0.0f && glm::dot(n[t.y], area) < 0.0f &&
-                       glm::dot(n[t.z], area) < 0.0f;
+            const glm::dvec3 a(data.positions[t.x]), b(data.positions[t.y]), c(data.positions[t.z]);
+            const glm::dvec3 area = glm::cross(b - a, c - a);
+            const auto opposes = [&](std::uint32_t i) {
+                return glm::dot(glm::dvec3(data.normals[i]), area) < 0.0;
+            };
+            flipped += opposes(t.x) && opposes(t.y) && opposes(t.z);
         }
         if (flipped > 0)
             note(fmt::format("mesh '{}': {} of {} triangles are oriented against their vertex normals",
@@ -159,7 +160,8 @@ class Linter {
 
     void lintCamera(const CameraDescription& camera) {
         for (const SphereInstance& instance : scene_.spheres)
-            if (glm::distance(camera.lookFrom, instance.sphere.center) < instance.sphere.radius)
+            if (math::distance(camera.lookFrom, instance.sphere.center) <
+                static_cast<double>(instance.sphere.radius))
                 note(fmt::format("camera '{}' is inside '{}'", camera.name, instance.name));
         if (camera.lens && camera.lens->focusDistance <= camera.lens->focalLength)
             warn(fmt::format(
@@ -174,9 +176,28 @@ class Linter {
 
 }  // namespace
 
-Diagnostics lint(const SceneDescription& scene, const LoadControl& control) {
+Diagnostics scene::missingContent(const SceneDescription& scene) {
+    Diagnostics found;
+    const auto warn = [&](std::string message) {
+        found.push_back({Severity::Warning, std::move(message), {scene.path}});
+    };
+    if (scene.lights.empty())
+        warn(
+            "no light: surfaces are black unless shading is off; add [[light]] with type = \"point\" and a "
+            "position");
+    if (scene.meshes.empty() && scene.spheres.empty()) warn("no geometry: add [[mesh]] or [[sphere]]");
+    return found;
+}
+
+Diagnostics lint(const SceneDescription& scene, const Diagnostics& known, const LoadControl& control) {
     checkDescription(scene);
-    return Linter(scene, control).run();
+    Diagnostics found = Linter(scene, control).run();
+    std::erase_if(found, [&](const Diagnostic& one) {
+        return std::any_of(known.begin(), known.end(), [&](const Diagnostic& other) {
+            return one.message == other.message && one.position.file == other.position.file;
+        });
+    });
+    return found;
 }
 
 }  // namespace rayscope

@@ -40,12 +40,12 @@ constexpr std::array<std::string_view, 18> kBuiltinNames{"cornell",
 /// A point light to the upper left of the camera and slightly behind it, for visible shading and shadows that
 /// fall away from the viewer.
 Light lightBeside(const CameraDescription& camera) {
-    const glm::vec3 view = camera.lookAt - camera.lookFrom;
-    const float distance = glm::length(view);
-    const glm::vec3 forward = view / distance;
-    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::vec3 up = glm::cross(right, forward);
-    return {PointLight{camera.lookFrom + distance * (0.6f * up - 0.5f * right - 0.1f * forward)}};
+    const glm::dvec3 from(camera.lookFrom), view = glm::dvec3(camera.lookAt) - from;
+    const double distance = glm::length(view);
+    const glm::dvec3 forward = view / distance;
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    return {PointLight{glm::vec3(from + distance * (0.6 * up - 0.5 * right - 0.1 * forward))}};
 }
 
 SceneDescription loadBareMesh(const std::string& path, Diagnostics& notes, const LoadControl& control) {

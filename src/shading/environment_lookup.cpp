@@ -8,13 +8,13 @@ namespace rayscope::shading {
 
 namespace {
 
-/// Axes of a face as seen in its image, and outwards.
+/// Axes of a face as seen in its image, and outwards; right = down × out, for a viewer inside.
 struct FaceAxes {
     glm::dvec3 right, down, out;
 };
-const FaceAxes kFaces[6] = {{{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}, {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}},
-                            {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}},   {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-                            {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
+const FaceAxes kFaces[6] = {{{0, 0, 1}, {0, -1, 0}, {1, 0, 0}},  {{0, 0, -1}, {0, -1, 0}, {-1, 0, 0}},
+                            {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},  {{-1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+                            {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
 
 glm::dvec3 texel(const RgbImage& image, int x, int y) {
     return glm::dvec3(image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)));

@@ -4,8 +4,9 @@
 namespace rayscope::shading {
 
 /// Intersection of a direction with the cube: the face, in the order +x −x +y −y +z −z, and the position on
-/// it, both coordinates in [0, 1] with (0, 0) at the upper left corner of the face's image. Faces are
-/// oriented like cube maps in OpenGL (specification 4.6, table 8.19).
+/// it, both coordinates in [0, 1] with (0, 0) at the upper left corner of the face's image. Images are seen
+/// from inside the cube: those at the sides with y up, that of +y with +z down, that of −y with +z up. Cube
+/// maps of OpenGL and DirectX are seen from outside: the same images, mirrored.
 struct CubePoint {
     int face;
     double s, t;

@@ -22,6 +22,13 @@ struct LightSampleGrid {
 };
 LightSampleGrid sampleGrid(const Light& light, const Settings& settings);
 
+/// The most samples of a light, which the settings also have as their upper ends: along a segment, and along
+/// each side of a parallelogram. A light in small units, long as it is in them, has no more.
+inline constexpr int kMostSegmentSamples = 4096, kMostParallelogramSamples = 100;
+
+/// Whether a number of samples per length exceeds those.
+bool isCapped(const Light& light, const Settings& settings);
+
 /// Number of coordinates of `u` that sampleLight() uses: 0 for a point, 1 for a segment, 2 for a
 /// parallelogram.
 int dimensionsOf(const Light& light);

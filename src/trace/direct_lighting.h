@@ -115,8 +115,11 @@ void Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, 
         if (distance > 0.0)
             reflected = sample.color * shading::phong({at.kd, material.ks, material.shininess}, at.normal,
                                                       toLight * (1.0 / distance), at.toViewer);
-        if (compiled.light.falloff == Falloff::InverseSquare)
-            reflected /= std::max(distance * distance, 0x1p-126);
+        if (compiled.light.falloff == Falloff::InverseSquare) {
+            // On the light itself the quotient diverges; the bound is the largest that images hold as float.
+            constexpr double kSmallest = 0x1p-1000, kLargest = 0x1p126;
+            reflected = glm::min(reflected / std::max(distance * distance, kSmallest), glm::dvec3(kLargest));
+        }
     } else {
         reflected = at.kd / static_cast<double>(world_.lights.size());
     }

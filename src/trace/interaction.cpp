@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "bvh/intersect/intersect_sphere.h"
 #include "bvh/intersect/intersect_triangle.h"
 #include "math/spawn.h"
 #include "math/vectors.h"
+#include "shading/sphere_texture.h"
 
 namespace rayscope::trace {
 
@@ -70,22 +72,38 @@ double textureDensity(const Triangle& triangle, const std::vector<glm::vec2>& uv
     return onSurface > 0.0 ? inTexture / onSurface : 0.0;
 }
 
-void lookUpTexture(Interaction& at, const World& world, const PrimitiveLocation& location,
-                   const Triangle& triangle, const glm::dvec3& weights) {
-    const SurfaceMaterial& material = world.materials[at.material];
-    const std::vector<glm::vec2>& uv = location.range->mesh->texCoords;
-    if (!material.texture || uv.empty()) return;
-    glm::dvec2 sum(0.0);
-    for (int i = 0; i < 3; ++i) sum += weights[i] * glm::dvec2(uv[triangle.index[i]]);
-    at.uv = glm::vec2(sum);
+/// Replaces kd by the texture at at.uv. `density` computes the area in texture space per area of the surface.
+template <class Density>
+void lookUpTexture(Interaction& at, const World& world, const Density& density) {
     double footprint = 0.0;
     if (world.settings.textureFilter == TextureFilter::Mipmap) {
         // The cone's footprint on the surface is an ellipse; its long axis, larger by the inverse cosine,
         // is used to avoid aliasing.
         const double cosine = std::abs(glm::dot(at.geometricNormal, at.toViewer));
-        footprint = at.coneWidth / std::max(cosine, 1e-9) * std::sqrt(textureDensity(triangle, uv));
+        footprint = at.coneWidth / std::max(cosine, 1e-9) * std::sqrt(density());
     }
-    at.kd = material.texture->lookup(at.uv, footprint, world.settings.textureFilter);
+    at.kd = world.materials[at.material].texture->lookup(at.uv, footprint, world.settings.textureFilter);
+}
+
+void textureTriangle(Interaction& at, const World& world, const PrimitiveLocation& location,
+                     const Triangle& triangle, const glm::dvec3& weights) {
+    const std::vector<glm::vec2>& uv = location.range->mesh->texCoords;
+    if (!world.materials[at.material].texture || uv.empty()) return;
+    glm::dvec2 sum(0.0);
+    for (int i = 0; i < 3; ++i) sum += weights[i] * glm::dvec2(uv[triangle.index[i]]);
+    at.uv = glm::vec2(sum);
+    lookUpTexture(at, world, [&] { return textureDensity(triangle, uv); });
+}
+
+/// `outward` is the unit normal at the hit.
+void textureSphere(Interaction& at, const World& world, const glm::dvec3& outward, double radius) {
+    if (!world.materials[at.material].texture) return;
+    at.uv = glm::vec2(shading::sphereTexCoords(outward));
+    lookUpTexture(at, world, [&] {
+        // du dv = dφ / 2π · dθ / π, and the area is r² cos θ dφ dθ at the latitude θ.
+        const double ring = std::max(std::hypot(outward.x, outward.z), 1e-9);
+        return 1.0 / (2.0 * std::numbers::pi * std::numbers::pi * radius * radius * ring);
+    });
 }
 
 /// Replaces kd by the interpolated vertex colour, or multiplies the texel by it.
@@ -116,11 +134,11 @@ void fillTriangle(Interaction& at, const World& world, const Ray& ray, const Pri
         normalizeOfFloats(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]));
     at.normal = at.geometricNormal;
     if (world.settings.normalInterpolation) interpolateNormal(at, location, triangle, weights);
-    lookUpTexture(at, world, location, triangle, weights);
+    textureTriangle(at, world, location, triangle, weights);
     if (location.range->colors) showVertexColors(at, world, location, triangle.index, weights);
 }
 
-void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
+void fillSphere(Interaction& at, const World& world, const Ray& ray, const Sphere& sphere) {
     double t = static_cast<double>(at.hit.t);
     bvh::intersectSphere(ray, sphere, ray.tMin, ray.tMax, t);
     const glm::dvec3 center(sphere.center);
@@ -131,6 +149,7 @@ void fillSphere(Interaction& at, const Ray& ray, const Sphere& sphere) {
     at.position = center + radius * fromCenter;
     at.magnitude = glm::abs(center) + radius;
     at.geometricNormal = at.normal = fromCenter;
+    textureSphere(at, world, fromCenter, radius);
 }
 
 /// Turns the geometric normal to the viewer's side and the shading normal to the side of the geometric one.
@@ -166,7 +185,8 @@ Interaction interactionAt(const World& world, const Ray& ray, float time, const 
     if (location.range->mesh)
         fillTriangle(at, world, atRest, location);
     else
-        fillSphere(at, atRest, geometry.input.spheres[location.inGroup - geometry.input.triangles.size()]);
+        fillSphere(at, world, atRest,
+                   geometry.input.spheres[location.inGroup - geometry.input.triangles.size()]);
     if (world.moves) {
         const glm::dvec3 moved = geometry.displacement(time);
         at.position += moved;

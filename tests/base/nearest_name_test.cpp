@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace rayscope {
 namespace {
@@ -34,6 +36,19 @@ TEST(NearestName, JoinsChoices) {
     EXPECT_EQ(base::joinChoices(std::span(kNames).first(1)), "max_depth");
     EXPECT_EQ(base::joinChoices({}), "");
     EXPECT_EQ(base::didYouMean("sp", kNames), " (did you mean 'spp'?)");
+}
+
+TEST(NearestName, LongNamesAndListsAreCheapAndShort) {
+    const std::string name(1'000'000, 'm'), other(1'000'000, 'n');
+    const std::vector<std::string_view> one{other};
+    EXPECT_EQ(base::nearestName(name, one), "");
+    EXPECT_EQ(base::nearestName("spp", one), "");
+    EXPECT_EQ(base::joinChoices(one), std::string(64, 'n') + "…");
+    // Cut between characters, not within one.
+    const std::string accents = std::string(63, 'e') + "é and more";
+    EXPECT_EQ(base::joinChoices(std::vector<std::string_view>{accents}), std::string(63, 'e') + "…");
+    const std::vector<std::string_view> many(1000, "spp");
+    EXPECT_EQ(base::joinChoices(many).substr(17 * 5), "spp or 982 more");
 }
 
 }  // namespace

@@ -39,6 +39,15 @@ TEST(CompareCommand, ReadsEveryFormatAndPrintsEveryMetric) {
         EXPECT_THAT(text.out, HasSubstr(name));
 }
 
+TEST(CompareCommand, PrintsWhatTheReadersIgnored) {
+    const TemporaryFolder folder;
+    folder.write("a.pgm", "P5\n1 1\n255\na...");
+    folder.write("b.pgm", "P5\n1 1\n255\na");
+    const ProgramResult result = run(folder, "rayscope compare a.pgm b.pgm --metric max --fail-above 0");
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.err, "a.pgm: warning: 3 bytes behind the pixels are ignored\n");
+}
+
 TEST(CompareCommand, FailsAboveTheLimitOnly) {
     const TemporaryFolder folder;
     writePair(folder);

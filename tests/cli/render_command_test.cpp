@@ -18,8 +18,10 @@ using testing::Not;
 
 TEST(Render, WritesEveryFormatFromOneRun) {
     const TemporaryFolder folder;
-    const ProgramResult result = run(
-        folder, "rayscope render builtin:cornell --size 40x30 --spp 2 -o a.png -o a.exr -o a.pfm -o a.hdr");
+    const ProgramResult result = run(folder,
+                                     "rayscope render builtin:cornell --size 40x30 --spp 2 --set exposure=1 "
+                                     "-o a.png -o a.exr -o a.pfm -o a.hdr "
+                                     "-o a.ppm -o a.pgm");
     ASSERT_EQ(result.exitCode, 0) << result.err;
     EXPECT_EQ(result.out, "");
     const RgbImage exr = readImage(folder / "a.exr"), pfm = readImage(folder / "a.pfm");
@@ -27,6 +29,8 @@ TEST(Render, WritesEveryFormatFromOneRun) {
     EXPECT_EQ(exr.height, 30);
     EXPECT_EQ(exr.pixels, pfm.pixels);
     EXPECT_EQ(readImage(folder / "a.png").width, 40);
+    EXPECT_EQ(readImage(folder / "a.ppm").pixels, readImage(folder / "a.png").pixels);
+    EXPECT_EQ(readImage(folder / "a.pgm").width, 40);
     EXPECT_EQ(readImage(folder / "a.hdr").height, 30);
 }
 

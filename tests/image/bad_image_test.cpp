@@ -48,6 +48,7 @@ TEST(BadImage, UnreadableFilesAreNamed) {
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.file("none.png")); }),
                 AllOf(HasSubstr("none.png"), HasSubstr("No such file")));
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.path().string()); }), HasSubstr("is a folder"));
+    EXPECT_THAT(inputErrorOf([] { readImage("/dev/zero"); }), HasSubstr("is a device"));
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.write("empty.png", "")); }),
                 AllOf(HasSubstr("empty.png"), HasSubstr("0 bytes")));
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.write("text.png", "plain text\n")); }),

@@ -178,6 +178,8 @@ TEST(Jpeg, CodingsThatAreNotReadAreNamed) {
     EXPECT_THAT(errorOf(file), HasSubstr("DNL"));
     file.replace(frame + 5, 4, "\xff\xff\xff\xff");
     EXPECT_THAT(errorOf(file), HasSubstr("65535 x 65535 pixels, the limit"));
+    file.replace(frame + 5, 4, "\x20\x01\x20\x01");
+    EXPECT_THAT(errorOf(file), HasSubstr("8193 x 8193 pixels in a file of"));
     EXPECT_THAT(errorOf(bytesOf({0xff, 0xd8, 0xff, 0xf7, 0, 4, 8, 0})), HasSubstr("JPEG-LS"));
     // Sampling factors of 3 and 2.
     std::string fractional = jpegFile(3);

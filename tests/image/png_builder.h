@@ -68,7 +68,10 @@ inline std::string pngRows(const PngSpec& png, int x0, int y0, int dx, int dy) {
                 }
                 pending = pending << png.depth | sample;
                 bits += png.depth;
-                if (bits == 8) row += static_cast<char>(std::exchange(pending, 0u)), bits = 0;
+                if (bits < 8) continue;
+                row += static_cast<char>(pending);
+                pending = 0;
+                bits = 0;
             }
         if (bits > 0) row += static_cast<char>(pending << (8 - bits));
         if (!row.empty()) rows += '\0' + row;  // filter type 0

@@ -25,7 +25,7 @@ RgbImage noisy(int size, double sigma, std::uint64_t seed) {
     return image;
 }
 
-ErrorTargetRequest requestFor(const std::string& name, int size, double error) {
+ErrorTargetRequest targetRequest(const std::string& name, int size, double error) {
     Diagnostics notes;
     ErrorTargetRequest request;
     request.render.scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
@@ -169,7 +169,7 @@ TEST(ErrorTarget, HoldsTheConfidenceLevelOnScenes) {
     for (const bool adaptive : {false, true}) {
         for (const auto& [scene, error] :
              {std::pair{"builtin:cornell", 0.01}, std::pair{"builtin:cornell-area", 0.004}}) {
-            ErrorTargetRequest request = requestFor(scene, 32, error / 8.0);
+            ErrorTargetRequest request = targetRequest(scene, 32, error / 8.0);
             request.render.seed = 1000;
             const RgbImage reference = renderToTarget(request).mean;
             request.target.error = error;
@@ -190,7 +190,7 @@ TEST(ErrorTarget, HoldsTheConfidenceLevelOnScenes) {
 }
 
 TEST(ErrorTarget, AdaptiveSamplingIsUnbiased) {
-    ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.0008);
+    ErrorTargetRequest request = targetRequest("builtin:cornell-area", 32, 0.0008);
     request.render.seed = 5000;
     const RgbImage reference = renderToTarget(request).mean;
     request.adaptive = true;
@@ -215,7 +215,7 @@ TEST(ErrorTarget, AdaptiveSamplingIsUnbiased) {
 }
 
 TEST(ErrorTarget, DependsOnlyOnTheRequest) {
-    ErrorTargetRequest request = requestFor("builtin:cornell-area", 40, 0.004);
+    ErrorTargetRequest request = targetRequest("builtin:cornell-area", 40, 0.004);
     request.threads = 1;
     const ErrorTargetResult one = renderToTarget(request);
     request.threads = 3;
@@ -227,7 +227,7 @@ TEST(ErrorTarget, DependsOnlyOnTheRequest) {
 }
 
 TEST(ErrorTarget, ReportsTheStopReason) {
-    ErrorTargetRequest request = requestFor("builtin:cornell-area", 32, 0.01);
+    ErrorTargetRequest request = targetRequest("builtin:cornell-area", 32, 0.01);
     EXPECT_THAT(renderToTarget(request).text, HasSubstr("target error reached at rmse"));
     request.target.error = 1e-9;
     request.maxSamples = 24;
@@ -250,7 +250,7 @@ TEST(ErrorTarget, ReportsTheStopReason) {
 }
 
 TEST(ErrorTarget, ForecastsRemainingTimeAndErrorAtTheTimeLimit) {
-    ErrorTargetRequest request = requestFor("builtin:cornell-area", 48, 0.0008);
+    ErrorTargetRequest request = targetRequest("builtin:cornell-area", 48, 0.0008);
     request.timeLimit = 1000.0;
     const ErrorTargetResult result = renderToTarget(request);
     ASSERT_GE(result.history.size(), 4u);
@@ -271,7 +271,7 @@ TEST(ErrorTarget, ForecastsAtHalfOfTheSamplesAreWithin25Percent) {
     for (const auto& [scene, error] :
          {std::pair{"builtin:cornell", 0.003}, std::pair{"builtin:cornell-area", 0.0009},
           std::pair{"builtin:teapot", 0.002}}) {
-        ErrorTargetRequest request = requestFor(scene, 32, error);
+        ErrorTargetRequest request = targetRequest(scene, 32, error);
         int right = 0;
         constexpr int kSeeds = 16;
         for (int seed = 0; seed < kSeeds; ++seed) {
@@ -284,9 +284,9 @@ TEST(ErrorTarget, ForecastsAtHalfOfTheSamplesAreWithin25Percent) {
 }
 
 TEST(ErrorTarget, RejectsUnsupportedRequests) {
-    ErrorTargetRequest request = requestFor("builtin:cornell", 8, 0.01);
+    ErrorTargetRequest request = targetRequest("builtin:cornell", 8, 0.01);
     EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("at least 256 pixels, not 64"));
-    request = requestFor("builtin:cornell", 32, 0.01);
+    request = targetRequest("builtin:cornell", 32, 0.01);
     request.target.metric = ErrorMetric::Flip;
     EXPECT_THAT(inputErrorOf([&] { renderToTarget(request); }), HasSubstr("supports only rmse and relmse"));
     request.target.metric = ErrorMetric::Rmse;

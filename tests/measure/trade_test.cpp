@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TradeRequest requestFor(const std::string& name, int size, double seconds) {
+TradeRequest tradeRequest(const std::string& name, int size, double seconds) {
     Diagnostics notes;
     TradeRequest request;
     request.render.scene = std::make_shared<const SceneDescription>(loadScene(name, notes));
@@ -43,7 +43,7 @@ TradeResult measuredInBlocks(TradeRequest request, int fewestBlocks) {
 }
 
 TEST(Trade, FindsPlantedBiasAndPlantedDominatedSettings) {
-    TradeRequest request = requestFor("builtin:cornell", 32, 4.0);
+    TradeRequest request = tradeRequest("builtin:cornell", 32, 4.0);
     Settings shallow = request.render.settings, wasteful = request.render.settings;
     shallow.maxDepth = 0;   // the mirror shows nothing
     wasteful.maxDepth = 0;  // biased as well, with many samples and without a BVH
@@ -62,12 +62,12 @@ TEST(Trade, FindsPlantedBiasAndPlantedDominatedSettings) {
 }
 
 TEST(Trade, RecommendationsAreReproducible) {
-    const TradeResult result = measureTrade(requestFor("builtin:cornell-area", 24, 4.0));
+    const TradeResult result = measureTrade(tradeRequest("builtin:cornell-area", 24, 4.0));
     ASSERT_FALSE(result.advice.empty());
     const TradePoint& advised = result.points[result.advice.front().point];
 
     // The same settings once more, with other seeds: a fresh measurement, in which they are the base.
-    TradeRequest again = requestFor("builtin:cornell-area", 24, 2.0);
+    TradeRequest again = tradeRequest("builtin:cornell-area", 24, 2.0);
     again.extra = {{"advised", advised.settings}};
     const TradeResult second = measureTrade(again);
     const TradePoint& repeated = named(second, "advised");
@@ -80,7 +80,7 @@ TEST(Trade, RecommendationsAreReproducible) {
 }
 
 TEST(Trade, EffectsExcludedByTheSceneGiveIdenticalPictures) {
-    const TradeResult result = measureTrade(requestFor("builtin:cornell", 8, 6.0));
+    const TradeResult result = measureTrade(tradeRequest("builtin:cornell", 8, 6.0));
     ASSERT_TRUE(result.complete);
     int excluded = 0;
     for (const TradeEffect& effect : result.effects) {
@@ -93,7 +93,7 @@ TEST(Trade, EffectsExcludedByTheSceneGiveIdenticalPictures) {
 }
 
 TEST(Trade, CountsTheWorkOfEachCandidate) {
-    TradeRequest request = requestFor("builtin:cornell", 16, 2.0);
+    TradeRequest request = tradeRequest("builtin:cornell", 16, 2.0);
     Settings plain = request.render.settings;
     plain.bvh = false;
     request.extra = {{"no tree", plain}};
@@ -112,7 +112,7 @@ TEST(Trade, CountsTheWorkOfEachCandidate) {
 }
 
 TEST(Trade, TooShortBudgetIsReported) {
-    const TradeResult result = measureTrade(requestFor("builtin:cornell-area", 400, 0.1));
+    const TradeResult result = measureTrade(tradeRequest("builtin:cornell-area", 400, 0.1));
     EXPECT_FALSE(result.complete);
     ASSERT_FALSE(result.remarks.empty());
     EXPECT_THAT(result.remarks.front(), HasSubstr("too short"));
@@ -121,7 +121,7 @@ TEST(Trade, TooShortBudgetIsReported) {
 }
 
 TEST(Trade, KeepsResultsAfterAStop) {
-    TradeRequest request = requestFor("builtin:cornell", 24, 1000.0);
+    TradeRequest request = tradeRequest("builtin:cornell", 24, 1000.0);
     std::stop_source stop;
     request.stop = stop.get_token();
     int reports = 0;
@@ -137,7 +137,7 @@ TEST(Trade, KeepsResultsAfterAStop) {
 
 TEST(Trade, ReferencesAreCachedAndExtended) {
     const test::TemporaryFolder folder;
-    TradeRequest request = requestFor("builtin:cornell", 24, 1.0);
+    TradeRequest request = tradeRequest("builtin:cornell", 24, 1.0);
     request.cacheFolder = folder.file("cache");
     const TradeResult first = measureTrade(request), second = measureTrade(request);
     EXPECT_FALSE(first.reference.fromCache);
@@ -151,7 +151,7 @@ TEST(Trade, ReferencesAreCachedAndExtended) {
 }
 
 TEST(Trade, ReportsAreComplete) {
-    const TradeResult result = measureTrade(requestFor("builtin:cornell", 24, 2.0));
+    const TradeResult result = measureTrade(tradeRequest("builtin:cornell", 24, 2.0));
     const nlohmann::json json = nlohmann::json::parse(tradeJson(result));
     EXPECT_EQ(json["points"][0]["role"], "base");
     for (const char* key : {"seconds", "rmse", "noise", "bias", "time_ratio", "efficiency_ratio"})

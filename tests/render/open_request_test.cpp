@@ -71,6 +71,19 @@ TEST(OpenRequest, RefusesACameraAtThePointThatItLooksAt) {
     EXPECT_NE(errorOf(overrides).find("same point"), std::string::npos);
 }
 
+TEST(OpenRequest, RefusesAnUndefinedRotation) {
+    RequestOverrides overrides;
+    overrides.camera.up = glm::vec3(0.0f);
+    EXPECT_EQ(errorOf(overrides), "error: camera: up must not be zero");
+    for (const float length : {-1.0f, 1e-30f, 1.0f, 1e30f}) {
+        overrides.camera.up = glm::vec3(0.0f, 0.0f, length);  // the camera is on the z axis
+        EXPECT_NE(errorOf(overrides).find("camera: up is parallel to the viewing direction"),
+                  std::string::npos);
+    }
+    overrides.camera.up = glm::vec3(0.0f, 1e-30f, 1e-30f);
+    EXPECT_EQ(errorOf(overrides), "");
+}
+
 TEST(OpenRequest, ReportsWhereAWrongSettingIs) {
     RequestOverrides overrides;
     overrides.settings = {{"max_dept", "2", {"x.toml", 3, 1}}};

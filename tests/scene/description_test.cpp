@@ -153,5 +153,30 @@ TEST(Lint, FindsInvalidLightsAndCameras) {
     EXPECT_THAT(lintText({}), HasSubstr("no geometry"));
 }
 
+TEST(Lint, LeavesOutWhatIsKnown) {
+    const SceneDescription empty;
+    const Diagnostics found = lint(empty);
+    EXPECT_EQ(found.size(), 2u);
+    EXPECT_TRUE(lint(empty, found).empty());
+    EXPECT_EQ(lint(empty, {found[0]}).size(), 1u);
+}
+
+TEST(Lint, WorksAtEveryScale) {
+    for (const float size : {1e-30f, 1.0f, 1e30f}) {
+        SceneDescription scene = sphereScene();
+        auto mesh = std::make_shared<MeshData>();
+        mesh->positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}};
+        mesh->normals.assign(3, {0, 0, -1});
+        mesh->triangles = {{0, 1, 2}};
+        scene.meshes = {{"m", mesh, {}, {0}}};
+        scene.spheres[0].sphere = {{size, 0, 0}, size};
+        scene.cameras[0].lookFrom = {1.5f * size, 0, 0};
+        EXPECT_THAT(lintText(scene), HasSubstr("1 of 1 triangles are oriented against their vertex normals"));
+        EXPECT_THAT(lintText(scene), HasSubstr("is inside"));
+        scene.cameras[0].lookFrom = {2.5f * size, 0, 0};
+        EXPECT_THAT(lintText(scene), ::testing::Not(HasSubstr("is inside")));
+    }
+}
+
 }  // namespace
 }  // namespace rayscope::test

@@ -110,7 +110,8 @@ TEST_F(Ply, LinesAndRows) {
                 HasSubstr("mesh.ply:10: warning: lines with more values than the header announces; the "
                           "rest of them is ignored (4 times, first here)"));
     // Rows that are not lines.
-    for (const std::string body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0\n0\n1 0\n0\n0 1\n0\n3\n0\n1 2\n"}) {
+    for (const std::string body : {"0 0 0 1 0 0 0 1 0 3 0 1 2", "0 0 0 1 0 0\n0 1 0 3\n0\n1\n2\n",
+                                   "0 0\n0\n1 0\n0\n0 1\n0\n3\n0\n1 2\n"}) {
         const auto scene = read(header(3, kXyz, 1) + body);
         EXPECT_EQ(meshOf(scene).positions[2], glm::vec3(0, 1, 0));
         EXPECT_THAT(notesText(), HasSubstr("warning: the rows are not one per line"));
@@ -141,6 +142,25 @@ TEST_F(Ply, CutFilesAndWrongCounts) {
         EXPECT_THAT(notesText(), HasSubstr(format == PlyFile::Format::Ascii
                                                ? "text behind the last element is ignored"
                                                : "3 bytes behind the last element are ignored"));
+    }
+}
+
+TEST_F(Ply, FilesOfSeveralMegabytes) {
+    constexpr int kVertices = 150000;
+    for (const PlyFile::Format format : PlyFile::kFormats) {
+        PlyFile file(format);
+        file.element("face", kVertices - 2, {"list uchar int vertex_indices"});
+        file.element("vertex", kVertices, {"float x", "float y", "double z"});
+        for (int i = 0; i + 2 < kVertices; ++i) file.row({{3, i * 1.0, i + 1.0, i + 2.0}});
+        for (int i = 0; i < kVertices; ++i) file.row({{i * 0.25}, {i % 7 * 1.0}, {-i * 1.0}});
+        const auto scene = read(file.bytes());
+        ASSERT_EQ(meshOf(scene).positions.size(), std::size_t{kVertices});
+        for (std::uint32_t i = 0; i < kVertices; ++i) {
+            const float x = static_cast<float>(i);
+            ASSERT_EQ(meshOf(scene).positions[i], glm::vec3(0.25f * x, static_cast<float>(i % 7), -x));
+            const glm::uvec3 next(i, i + 1, i + 2);
+            ASSERT_TRUE(next.z >= kVertices || meshOf(scene).triangles[i] == next) << i;
+        }
     }
 }
 

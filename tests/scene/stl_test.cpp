@@ -162,6 +162,8 @@ TEST_F(Stl, OddAsciiFiles) {
     const Case cases[] = {
         {"solid x\n" + facets, "mesh.stl:9: warning: the file ends without 'endsolid'"},
         {kAscii + kAscii, "mesh.stl:10: note: several solids are read as one mesh"},
+        {"solid x\n" + facets + "solid y\nendsolid y\n",
+         "mesh.stl:9: warning: a solid begins before the 'endsolid' of the last one"},
         {"solid x\nfacet\n" + kLoop + "endsolid\n", "mesh.stl:2: note: facets without a normal"},
         {"solid x\nfacet normal 0 0 -1\n" + kLoop + facets + "facet normal 0 0 -2\n" + kLoop + "endsolid\n",
          "mesh.stl:2: note: normals of facets that disagree with the order of the corners; the order is used "

@@ -58,20 +58,23 @@ TEST(EnvironmentLookup, OfAGradientIsTheGradient) {
 TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
     constexpr int kSize = 128;
     const auto cube = test::cubeOf(kSize, gradient);
-    const glm::dvec3 corner = glm::normalize(glm::dvec3(1.0));
     const auto jumpAt = [&](const glm::dvec3& d, const glm::dvec3& across) {
         const glm::dvec3 a = glm::normalize(d - 1e-9 * across), b = glm::normalize(d + 1e-9 * across);
         return std::abs(shading::lookup(*cube, a).x - shading::lookup(*cube, b).x);
     };
     const double lipschitz = 0.5;
     double worst = 0.0;
-    for (int i = 0; i <= 1000; ++i) {
-        const double y = 2.0 * i / 1000.0 - 1.0;
-        worst = std::max({worst, jumpAt({1, y, 1}, {1, 0, -1}), jumpAt({-1, y, 1}, {1, 0, 1}),
-                          jumpAt({1, 1, y}, {1, -1, 0}), jumpAt({y, -1, 1}, {0, 1, 1}),
-                          jumpAt({y, 1, -1}, {0, 1, 1})});
-    }
-    test::updateWorst(worst, jumpAt(corner, {1, -1, 0}));
+    for (int along = 0; along < 3; ++along)  // all twelve edges, with the corners at their ends
+        for (const double a : {-1.0, 1.0})
+            for (const double b : {-1.0, 1.0})
+                for (int i = 0; i <= 1000; ++i) {
+                    glm::dvec3 point, across(0.0);
+                    point[along] = 2.0 * i / 1000.0 - 1.0;
+                    point[(along + 1) % 3] = across[(along + 1) % 3] = a;
+                    point[(along + 2) % 3] = b;
+                    across[(along + 2) % 3] = -b;
+                    test::updateWorst(worst, jumpAt(point, across));
+                }
     EXPECT_LT(worst, 0.5 * 2.0 * lipschitz / kSize);
     test::reportDeviation("environment, jump over the edges of a cube of 128", worst, "absolute");
 
@@ -80,6 +83,31 @@ TEST(EnvironmentLookup, HasNoSeamsAtEdgesAndCorners) {
         const glm::dvec3 a = glm::normalize(d + glm::dvec3(1e-9, 0, 0)),
                          b = glm::normalize(d - glm::dvec3(1e-9, 0, 0));
         EXPECT_NEAR(shading::lookup(*equirect, a).x, shading::lookup(*equirect, b).x, 1e-6);
+    }
+}
+
+/// Each face lies on the axis of its name, and its image is upright and not mirrored for a viewer inside. The
+/// corners of the images are written out by hand: upper left, upper right, lower left, lower right.
+TEST(EnvironmentLookup, FacesAreSeenFromInside) {
+    const glm::dvec3 corners[6][4] = {{{1, 1, -1}, {1, 1, 1}, {1, -1, -1}, {1, -1, 1}},
+                                      {{-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}},
+                                      {{1, 1, -1}, {-1, 1, -1}, {1, 1, 1}, {-1, 1, 1}},
+                                      {{1, -1, 1}, {-1, -1, 1}, {1, -1, -1}, {-1, -1, -1}},
+                                      {{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {-1, -1, 1}},
+                                      {{-1, 1, -1}, {1, 1, -1}, {-1, -1, -1}, {1, -1, -1}}};
+    for (int face = 0; face < 6; ++face) {
+        auto environment = std::make_shared<Environment>();
+        for (auto& texture : environment->cube)
+            texture = std::make_shared<Texture>(Texture{"", RgbImage(2, 2), TextureWrap::Clamp});
+        auto marked = std::make_shared<Texture>(Texture{"", RgbImage(2, 2), TextureWrap::Clamp});
+        for (std::size_t i = 0; i < 4; ++i) marked->image.pixels[i] = Rgb(static_cast<float>(i + 1));
+        environment->cube[static_cast<std::size_t>(face)] = marked;
+        for (int i = 0; i < 4; ++i) {
+            glm::dvec3 center = corners[face][i];
+            for (int axis = 0; axis < 3; ++axis)
+                if (axis != face / 2) center[axis] *= 0.5;  // the centre of the texel
+            EXPECT_EQ(shading::lookup(*environment, center).x, i + 1) << face << ' ' << i;
+        }
     }
 }
 

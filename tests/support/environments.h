@@ -8,20 +8,21 @@
 
 namespace rayscope::test {
 
-/// A cube map whose texels hold f(unit direction). Faces follow OpenGL's cube maps; written from the table of
-/// its specification: major axis, sc and tc.
+/// A cube map whose texels hold f(unit direction): the pictures of a viewer inside the cube who looks along
+/// +x −x +y −y +z −z with these directions upwards.
 template <class F>
 std::shared_ptr<const Environment> cubeOf(int size, F&& f) {
     auto environment = std::make_shared<Environment>();
+    const glm::dvec3 forward[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    const glm::dvec3 upward[6] = {{0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}};
     for (int face = 0; face < 6; ++face) {
+        const glm::dvec3 right = glm::cross(forward[face], upward[face]);
         auto texture = std::make_shared<Texture>();
         texture->image = RgbImage(size, size);
         for (int j = 0; j < size; ++j)
             for (int i = 0; i < size; ++i) {
                 const double s = 2.0 * (i + 0.5) / size - 1.0, t = 2.0 * (j + 0.5) / size - 1.0;
-                const glm::dvec3 directions[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t},
-                                                  {s, -1, -t}, {s, -t, 1},  {-s, -t, -1}};
-                texture->image.at(i, j) = f(glm::normalize(directions[face]));
+                texture->image.at(i, j) = f(glm::normalize(forward[face] + s * right - t * upward[face]));
             }
         environment->cube[static_cast<std::size_t>(face)] = texture;
     }

@@ -28,6 +28,18 @@ TEST(Panels, DrawForEveryBuiltinScene) {
     }
 }
 
+TEST(Panels, DrawTextsOfAnyLength) {
+    PanelDriver driver("cornell");
+    SceneDescription scene = *driver.workspace.edit.scene;
+    scene.title = std::string(200'000, 't');
+    scene.materials[0].name = std::string(200'000, 'm');
+    scene.materials[0].ks = Rgb(0.5f);
+    driver.workspace.edit.scene = std::make_shared<const SceneDescription>(scene);
+    driver.workspace.sceneNotes = {{Severity::Warning, std::string(200'000, 'w'), {"x.toml", 1, 1}}};
+    for (const char* tab : kTabs) driver.click(tab);
+    driver.click("Scene");
+}
+
 TEST(Panels, ViewButtonsSwitchTheView) {
     PanelDriver driver("cornell");
     driver.click("Ray-traced");

@@ -83,5 +83,27 @@ TEST(Projection, depthRangeContainsTheScene) {
     }
 }
 
+TEST(Projection, worksAtEveryScale) {
+    CameraDescription camera;
+    const auto seenAt = [&](double scale) {
+        CameraDescription scaled = camera;
+        scaled.lookFrom = glm::vec3(scale * glm::dvec3(1.0, 2.0, 3.0));
+        scaled.lookAt = glm::vec3(scale * glm::dvec3(0.1, 0.2, 0.0));
+        const auto half = static_cast<float>(scale);
+        const glm::mat4 matrix =
+            viewProjection(viewFrame(scaled, 100, 100), {glm::vec3(-half), glm::vec3(half)});
+        const glm::vec4 clip = matrix * glm::vec4(glm::vec3(scale * glm::dvec3(0.5, -0.25, 0.75)), 1.0f);
+        EXPECT_TRUE(std::isnormal(clip.w)) << scale;
+        return glm::vec3(clip) / clip.w;
+    };
+    const glm::vec3 reference = seenAt(1.0);
+    for (int k = -35; k <= 30; ++k)
+        EXPECT_LT(glm::distance(seenAt(std::pow(10.0, k)), reference), 1e-5f) << k;
+    EXPECT_LT(glm::distance(seenAt(1e-40), reference), 1e-3f);
+    EXPECT_EQ(drawingUnit(3.0), 1.0);
+    EXPECT_EQ(drawingUnit(0.0), 1.0);
+    EXPECT_EQ(drawingUnit(0x1.8p100), 0x1p100);
+}
+
 }  // namespace
 }  // namespace rayscope::viewer

@@ -895,6 +895,25 @@ def test_drop(viewer):
     wait_for("the dropped scene", lambda: "dropped.obj" in viewer.title())
 
 
+def test_vertex_colors(viewer):
+    """A square whose vertices are green, of a red material, in both views."""
+    (viewer.folder / "square.ply").write_text(
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "-1 -1 0 0 200 0\n1 -1 0 0 200 0\n1 1 0 0 200 0\n-1 1 0 0 200 0\n4 0 1 2 3\n")
+    text = ('version = 1\n[[camera]]\nlook_from = [0, 0, 3]\n[[light]]\ntype = "point"\nposition = [0, 0, 3]\n'
+            '[material.red]\nkd = [1, 0, 0]\n[[mesh]]\nfile = "square.ply"\nmaterial = "red"\n')
+    for scene, key, channel in ("shown.toml", "vertex_colors = true\n", 1), ("hidden.toml", "", 0):
+        (viewer.folder / scene).write_text(text + key)
+        viewer.open_scene(scene)
+        for _ in "rasterised", "traced":
+            color = viewer.settled_picture().crop(450, 310, 40, 40).mean()
+            expect(color[channel] > 2 * color[1 - channel], f"the colour of {scene}: {color}")
+            viewer.point(*ASIDE)
+            viewer.key("Tab")
+
+
 BLOOM_STAGES = "thresholded", "filtered", "added"
 
 
@@ -1146,7 +1165,8 @@ TESTS = [
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_traversal, test_surfaces, test_normals_and_panes, test_bvh_boxes,
       test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_cancel_loading, test_missing_file, test_keys_window, test_render_to_file,
       test_wide_traversal]),
-    (["--set", "spp=4"], [test_compare, test_stop_criteria, test_trade, test_isolate_and_copy, test_fly, test_drop]),
+    (["--set", "spp=4"], [test_compare, test_stop_criteria, test_trade, test_isolate_and_copy, test_fly, test_drop,
+                          test_vertex_colors]),
     (["builtin:spheres-dof", "--set", "spp=16", "--set", "sharp_zone=0.5"], [test_lens]),
     (["--set", "spp=4"], [test_cube_map, test_light_samples, test_pins]),
     (["--set", "spp=4"], [test_replay, test_heat_quantities, test_node_tree, test_filters, test_parts_of_scenes]),

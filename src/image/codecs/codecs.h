@@ -1,5 +1,6 @@
 #pragma once
 // One encoder and one decoder per image format. All work on whole files in memory.
+#include <rayscope/diagnostics.h>
 #include <rayscope/image.h>
 #include <string>
 

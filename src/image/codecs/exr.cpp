@@ -1,19 +1,19 @@
-#include <ImfChannelList.h>
-#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
-#include <ImfOutputFile.h>
-#include <ImfStringAttribute.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfRgbaFile.h>
+#include <fmt/format.h>
 #include <rayscope/diagnostics.h>
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
-#include "image/codecs/codecs.h"
+#include "image/chromaticities.h"
+#include "image/codecs/exr_picture.h"
 
 namespace rayscope::image {
 
@@ -39,110 +39,125 @@ class MemoryInput : public Imf::IStream {
     std::size_t position_ = 0;
 };
 
-class MemoryOutput : public Imf::OStream {
-  public:
-    MemoryOutput() : OStream("memory") {}
+/// The address of pixel (0, 0) of an image whose first pixel is (left, top). It may lie outside the
+/// allocation; hence integer arithmetic instead of pointer arithmetic.
+template <class Pixel>
+std::intptr_t addressOfOrigin(Image<Pixel>& image, const ExrBox& window) {
+    const std::intptr_t first = static_cast<std::intptr_t>(window.top) * image.width + window.left;
+    return reinterpret_cast<std::intptr_t>(image.pixels.data()) -
+           first * static_cast<std::intptr_t>(sizeof(Pixel));
+}
 
-    void write(const char data[], int size) override {
-        const std::size_t end = position_ + static_cast<std::size_t>(size);
-        if (bytes.size() < end) bytes.resize(end);
-        std::memcpy(bytes.data() + position_, data, static_cast<std::size_t>(size));
-        position_ = end;
-    }
-    std::uint64_t tellp() override { return position_; }
-    void seekp(std::uint64_t position) override { position_ = static_cast<std::size_t>(position); }
-
-    std::string bytes;
-
-  private:
-    std::size_t position_ = 0;
-};
-
-using ChannelNames = std::array<const char*, 3>;
-constexpr ChannelNames kColour{"R", "G", "B"};
-constexpr ChannelNames kLuminance{"Y", "Y", "Y"};
-
-/// The memory layout of the pixels for OpenEXR. A slice starts at pixel (0, 0) of the data window's
-/// coordinates, which lies outside the allocation unless the first pixel (`left`, `top`) is (0, 0); hence
-/// integer arithmetic instead of pointer arithmetic.
-Imf::FrameBuffer describeMemory(const RgbImage& image, int left, int top, const ChannelNames& names) {
-    const std::intptr_t first = static_cast<std::intptr_t>(top) * image.width + left;
-    const std::intptr_t pixelSize = sizeof(Rgb);
-    const std::intptr_t origin = reinterpret_cast<std::intptr_t>(image.pixels.data()) - first * pixelSize;
+/// Reads channels of any type as float; tiles, mipmaps and all line orders are the library's business.
+void readChannels(MemoryInput& stream, const ExrPicture& picture, const ExrBox& window, RgbImage& image) {
+    Imf::MultiPartInputFile input(stream);
+    Imf::InputPart part(input, static_cast<int>(picture.part));
+    const std::intptr_t origin = addressOfOrigin(image, window);
     const std::size_t rowSize = sizeof(Rgb) * static_cast<std::size_t>(image.width);
     Imf::FrameBuffer buffer;
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; i < (picture.isLuminance ? 1 : picture.channels.size()); ++i) {
+        if (picture.channels[i].empty()) continue;
         char* base = reinterpret_cast<char*>(origin + static_cast<std::intptr_t>(i * sizeof(float)));
-        buffer.insert(names[i], Imf::Slice(Imf::FLOAT, base, sizeof(Rgb), rowSize));
+        buffer.insert(picture.channels[i], Imf::Slice(Imf::FLOAT, base, sizeof(Rgb), rowSize));
     }
-    return buffer;
+    part.setFrameBuffer(buffer);
+    part.readPixels(window.top, window.bottom);
+    if (picture.isLuminance)
+        for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.x);
 }
 
-struct Window {
-    int left, top, width, height;
-};
-
-/// The data window. Throws InputError if its size is invalid, see checkImageSize().
-Window checkedWindow(const Imf::Header& header, std::size_t fileSize, const std::string& name) {
-    const auto& window = header.dataWindow();
-    const long long width = static_cast<long long>(window.max.x) - window.min.x + 1;
-    const long long height = static_cast<long long>(window.max.y) - window.min.y + 1;
-    checkImageSize(width, height, fileSize, name);
-    return {window.min.x, window.min.y, static_cast<int>(width), static_cast<int>(height)};
+/// The library's conversion from luminance and chroma at half resolution.
+void readLuminanceChroma(MemoryInput& stream, const ExrPicture& picture, const ExrBox& window,
+                         RgbImage& image) {
+    Imf::RgbaInputFile input(stream, picture.layer);
+    Image<Imf::Rgba> pixels(image.width, image.height);
+    auto* origin = reinterpret_cast<Imf::Rgba*>(addressOfOrigin(pixels, window));
+    input.setFrameBuffer(origin, 1, static_cast<std::size_t>(image.width));
+    input.readPixels(window.top, window.bottom);
+    std::transform(pixels.pixels.begin(), pixels.pixels.end(), image.pixels.begin(),
+                   [](const Imf::Rgba& p) { return Rgb(float{p.r}, float{p.g}, float{p.b}); });
 }
 
-/// Reads the header only: Imf::InputFile also allocates a table for all lines that the header announces.
-Imf::Header readHeader(FileBytes file, const std::string& name) {
-    constexpr std::uint64_t kAfterMagicAndVersion = 8;
-    MemoryInput stream(file, name);
-    stream.seekg(kAfterMagicAndVersion);
-    int version = 2;  // the only version of the file format
-    Imf::Header header;
-    header.readFrom(stream, version);
-    return header;
-}
-
-RgbImage readPixels(Imf::InputFile& input, std::size_t fileSize, const std::string& name) {
-    const Window window = checkedWindow(input.header(), fileSize, name);
-    const Imf::ChannelList& channels = input.header().channels();
-    const bool coloured = channels.findChannel("R") || channels.findChannel("G") || channels.findChannel("B");
-    if (!coloured && !channels.findChannel("Y"))
-        throw InputError("EXR image without channels R, G, B or Y; export it with one of these", {name});
-
-    RgbImage image(window.width, window.height);
-    input.setFrameBuffer(describeMemory(image, window.left, window.top, coloured ? kColour : kLuminance));
-    input.readPixels(window.top, window.top + window.height - 1);
-    if (!coloured)
-        for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.z);
+/// The picture of the display window: black where the data window has no pixels.
+RgbImage fitToDisplay(RgbImage&& data, const ExrBox& from, const ExrBox& to) {
+    if (from == to) return std::move(data);
+    RgbImage image(static_cast<int>(to.width()), static_cast<int>(to.height()));
+    const int left = std::max(from.left, to.left), right = std::min(from.right, to.right);
+    for (int y = std::max(from.top, to.top); left <= right && y <= std::min(from.bottom, to.bottom); ++y)
+        std::copy_n(&data.at(left - from.left, y - from.top), right - left + 1,
+                    &image.at(left - to.left, y - to.top));
     return image;
 }
 
+class Reader {
+  public:
+    Reader(FileBytes file, const std::string& name, Diagnostics* notes)
+        : file_(file), name_(name), notes_(notes) {}
+
+    RgbImage read() {
+        const ExrFile headers = readExrHeaders(file_, name_);
+        const ExrPicture picture = choosePicture(headers, name_, notes_);
+        const ExrPart& part = headers.parts[picture.part];
+        const ExrBox &data = part.dataWindow, &display = part.displayWindow;
+        checkImageSize(data.width(), data.height(), file_.size(), name_);
+        checkImageSize(display.width(), display.height(), file_.size(), name_);
+        checkExrBlocks(file_, headers, picture.part, name_);
+
+        RgbImage image(static_cast<int>(data.width()), static_cast<int>(data.height()));
+        MemoryInput stream(file_, name_);
+        if (picture.hasChroma)
+            readLuminanceChroma(stream, picture, data, image);
+        else
+            readChannels(stream, picture, data, image);
+        if (!picture.isLuminance || picture.hasChroma) convertPrimaries(part, image);
+        noteOddities(part);
+        return fitToDisplay(std::move(image), data, display);
+    }
+
+  private:
+    void note(std::string message) const {
+        if (notes_) notes_->push_back({Severity::Note, std::move(message), {name_}});
+    }
+
+    void convertPrimaries(const ExrPart& part, RgbImage& image) const {
+        if (!part.chromaticities || isRec709(*part.chromaticities)) return;
+        const std::optional<glm::dmat3> matrix = toRec709(*part.chromaticities);
+        if (!matrix) return note("its chromaticities span no triangle and are ignored");
+        for (Rgb& pixel : image.pixels) pixel = Rgb(*matrix * glm::dvec3(pixel));
+        note("its colours have other primaries than sRGB and are converted");
+    }
+
+    void noteOddities(const ExrPart& part) const {
+        const ExrBox &data = part.dataWindow, &display = part.displayWindow;
+        if (data != display)
+            note(fmt::format(
+                "its data window, {} x {} pixels at ({}, {}), is not its display window, {} x {} at "
+                "({}, {}): the display window is shown, black where it has no data",
+                data.width(), data.height(), data.left, data.top, display.width(), display.height(),
+                display.left, display.top));
+        if (part.pixelAspectRatio.value_or(1.0f) != 1.0f)
+            note(fmt::format("its pixels have an aspect ratio of {:g}; read as square",
+                             *part.pixelAspectRatio));
+        if (part.whiteLuminance)
+            note(fmt::format("its white has a luminance of {:g} cd/m²; values are read without it",
+                             *part.whiteLuminance));
+    }
+
+    FileBytes file_;
+    const std::string& name_;
+    Diagnostics* notes_;
+};
+
 }  // namespace
 
-RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics*) try {
-    checkedWindow(readHeader(file, name), file.size(), name);
-    MemoryInput stream(file, name);
-    Imf::InputFile input(stream);
-    return readPixels(input, file.size(), name);
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes) try {
+    return Reader(file, name, notes).read();
 } catch (const InputError&) {
     throw;
+} catch (const std::bad_alloc&) {
+    throw InputError("not enough memory to read this EXR image", {name});
 } catch (const std::exception& error) {
     throwDamaged(name, error.what());
-}
-
-std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* channel : kColour) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
-    for (const auto& [key, value] : metadata) header.insert(metadataName(key), Imf::StringAttribute(value));
-
-    MemoryOutput stream;
-    {
-        Imf::OutputFile output(stream, header);
-        output.setFrameBuffer(describeMemory(image, 0, 0, kColour));
-        output.writePixels(image.height);
-    }  // the destructor of `output` writes the table of line offsets
-    return std::move(stream.bytes);
 }
 
 }  // namespace rayscope::image

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -121,7 +122,27 @@ class MarkerScan {
             file_.refuse(
                 "is a JPEG image whose height follows its pixels (DNL), which is not read; save it again");
         checkImageSize(layout_.width, layout_.height, bytes_.size(), file_.name);
+        const bool arithmetic = marker_ == 0xc9 || marker_ == 0xca;
+        if (!arithmetic && minimumBits(data) / 8 > static_cast<long long>(bytes_.size()))
+            file_.damaged(fmt::format("{} x {} pixels in a file of {} bytes", layout_.width, layout_.height,
+                                      bytes_.size()));
         layout_.progressive = marker_ == 0xc2 || marker_ == 0xca;
+    }
+
+    /// Huffman code has at least one bit for each block of 8 × 8 samples.
+    long long minimumBits(FileBytes frame) const {
+        std::uint32_t maxHorizontal = 1, maxVertical = 1;
+        const auto horizontal = [&](std::uint32_t i) { return byteAt(frame, 7 + 3 * i) >> 4; };
+        const auto vertical = [&](std::uint32_t i) { return byteAt(frame, 7 + 3 * i) & 15; };
+        for (std::uint32_t i = 0; i < components_; ++i) {
+            maxHorizontal = std::max(maxHorizontal, horizontal(i));
+            maxVertical = std::max(maxVertical, vertical(i));
+        }
+        long long blocks = 0;
+        for (std::uint32_t i = 0; i < components_; ++i)
+            blocks += (static_cast<long long>(layout_.width) * horizontal(i) / maxHorizontal / 8) *
+                      (static_cast<long long>(layout_.height) * vertical(i) / maxVertical / 8);
+        return blocks;
     }
 
     void readScan(FileBytes data) {

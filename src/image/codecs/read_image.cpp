@@ -1,5 +1,8 @@
 #include <rayscope/diagnostics.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "base/file_suffix.h"
 #include "base/read_file.h"
 #include "image/codecs/codecs.h"
@@ -34,6 +37,10 @@ RgbImage decode(image::Format format, const image::ImageFile& file) {
 }  // namespace
 
 RgbImage readImage(const std::string& path, Diagnostics* notes) {
+    std::error_code ignored;
+    const auto type = std::filesystem::status(path, ignored).type();
+    if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
+        throw InputError("is a device, not a file", {path});  // it might not end
     const std::string file = base::readFile(path);
     return decodeImage(std::as_bytes(std::span(file)), path, notes);
 }

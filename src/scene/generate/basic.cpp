@@ -8,7 +8,8 @@ namespace {
 /// Appends the rectangle with the given centre and half sides u, v; its normal is u × v.
 void addFace(MeshData& mesh, glm::vec3 center, glm::vec3 u, glm::vec3 v) {
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    const glm::vec3 normal = glm::normalize(glm::cross(u, v));
+    // In double: the product of two sides may leave the range of float.
+    const glm::vec3 normal(glm::normalize(glm::cross(glm::dvec3(u), glm::dvec3(v))));
     for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(1, 1), glm::vec2(0, 1)}) {
         mesh.positions.push_back(center + (2.0f * corner.x - 1.0f) * u + (2.0f * corner.y - 1.0f) * v);
         mesh.normals.push_back(normal);

@@ -20,6 +20,17 @@ class AsciiReader {
           words_(rows.path, rows.input, rows.plan.header.lines + 1) {}
 
     void read() {
+        try {
+            readElements();
+        } catch (const InputError& error) {
+            // Rows that share a line lead to any error further down.
+            if (hasExtraWords_) throw PlyLayoutError{error};
+            throw;
+        }
+    }
+
+  private:
+    void readElements() {
         const std::vector<PlyElement>& elements = plan_.header.elements;
         for (element_ = 0; element_ < elements.size(); ++element_) {
             if (elements[element_].properties.empty()) continue;
@@ -37,7 +48,6 @@ class AsciiReader {
         rows_.oddities.add(Severity::Warning, "text behind the last element is ignored", words_.line());
     }
 
-  private:
     const PlyElement& element() const { return plan_.header.elements[element_]; }
     const PlyProperty& property(std::size_t i) const { return element().properties[i]; }
     PlyRole roleOf(std::size_t i) const { return plan_.roles[element_][i]; }
@@ -76,9 +86,7 @@ class AsciiReader {
             throw PlyLayoutError{
                 InputError(fmt::format("the line of a row of '{}' has too few values", element().name),
                            words_.position())};
-        const InputError error(endsEarly(element(), row_), {rows_.path, words_.line()});
-        if (hasExtraWords_) throw PlyLayoutError{error};
-        throw error;
+        throw InputError(endsEarly(element(), row_), {rows_.path, words_.line()});
     }
 
     [[noreturn]] void failNumber(std::string_view word) const {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "scene/mesh_files/imported_mesh.h"
 #include "scene/mesh_files/word_reader.h"

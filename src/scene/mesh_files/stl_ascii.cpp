@@ -21,12 +21,9 @@ class AsciiReader {
     explicit AsciiReader(const StlInput& stl) : stl_(stl), words_(stl.path, stl.input, 1) {}
 
     void read() {
-        std::size_t solids = 0;
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
             if (!isWord(word, "solid")) failExpecting("'solid'", word);
-            if (++solids == 2)
-                stl_.oddities.add(Severity::Note, "several solids are read as one mesh", words_.line());
-            words_.skipLine();  // its name
+            beginSolid();
             readSolid();
         }
     }
@@ -41,6 +38,12 @@ class AsciiReader {
         if (!isWord(word, expected)) failExpecting(fmt::format("'{}'", expected), word);
     }
 
+    void beginSolid() {
+        if (++solids_ == 2)
+            stl_.oddities.add(Severity::Note, "several solids are read as one mesh", words_.line());
+        words_.skipLine();  // its name
+    }
+
     void readSolid() {
         for (;;) {
             const std::string_view word = words_.next();
@@ -48,6 +51,10 @@ class AsciiReader {
                 readFacet();
             } else if (isWord(word, "endsolid")) {
                 return words_.skipLine();
+            } else if (isWord(word, "solid")) {
+                stl_.oddities.add(Severity::Warning, "a solid begins before the 'endsolid' of the last one",
+                                  words_.line());
+                beginSolid();
             } else if (word.empty()) {
                 return stl_.oddities.add(Severity::Warning, "the file ends without 'endsolid'",
                                          words_.line());
@@ -97,6 +104,7 @@ class AsciiReader {
 
     const StlInput& stl_;
     WordReader words_;
+    std::size_t solids_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "scene/toml/entries.h"
 
+#include "scene/check_camera.h"
 #include "scene/toml/shapes.h"
 #include "scene/toml/textures.h"
 
@@ -38,18 +39,6 @@ const Record<CameraDescription>& cameraRecord() {
         table("lens", &C::lens, lensRecord()),
     };
     return record;
-}
-
-/// Throws if the view direction or the image's rotation about it is undefined.
-void checkView(const CameraDescription& camera, const TomlValue& value) {
-    const glm::dvec3 view = glm::dvec3(camera.lookAt) - glm::dvec3(camera.lookFrom);
-    if (glm::length(view) == 0.0) value.fail("look_from and look_at are the same point");
-    const glm::dvec3 up(camera.up);
-    if (glm::length(up) == 0.0) value.fail("up must not be zero");
-    // Below this sine of the angle the rounding of the float coordinates determines the rotation.
-    constexpr double kSine = 4.0 * 0x1p-24;
-    if (glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) <= kSine)
-        value.fail("up is parallel to the viewing direction; change one of them");
 }
 
 // ---------------------------------------------------------------- lights
@@ -219,7 +208,7 @@ CameraDescription readCamera(const TomlValue& value) {
     CameraDescription camera;
     camera.name.clear();
     readRecord(value.file, readTable(value), "a camera", cameraRecord(), camera);
-    checkView(camera, value);
+    if (const std::string_view problem = scene::problemOf(camera); !problem.empty()) value.fail(problem);
     return camera;
 }
 

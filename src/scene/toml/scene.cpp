@@ -7,13 +7,15 @@
 #include <map>
 #include <set>
 
+#include "scene/environment_shape.h"
 #include "scene/generate/generate.h"
 #include "scene/load_step.h"
 #include "scene/mesh_files/read_mesh_file.h"
-#include "scene/progress_stream.h"
+#include "scene/missing_content.h"
 #include "scene/source_files.h"
 #include "scene/textures.h"
 #include "scene/toml/entries.h"
+#include "scene/toml/parse.h"
 
 namespace rayscope::scene {
 
@@ -21,30 +23,6 @@ namespace {
 
 constexpr std::array<std::string_view, 9> kSceneKeys{"version",  "title", "camera",      "mesh",    "sphere",
                                                      "material", "light", "environment", "settings"};
-
-/// Whether the last character of a UTF-8 text is incomplete.
-bool endsWithinCharacter(std::string_view text) {
-    for (std::size_t length = 1; length <= std::min<std::size_t>(3, text.size()); ++length) {
-        const auto byte = static_cast<unsigned char>(text[text.size() - length]);
-        if (byte < 0x80) return false;
-        if (byte >= 0xc0) return length < (byte >= 0xf0 ? 4u : byte >= 0xe0 ? 3u : 2u);
-    }
-    return false;
-}
-
-toml::table parse(const std::string& path, std::string_view text, const LoadControl& control = {}) {
-    ProgressBuffer buffer(text, control, "parsing " + std::filesystem::path(path).filename().string());
-    std::istream stream(&buffer);
-    stream.exceptions(std::ios::badbit);
-    try {
-        // toml++ does not notice that a stream ends within a character.
-        if (endsWithinCharacter(text)) return toml::parse(text, path);
-        return toml::parse(stream, path);
-    } catch (const toml::parse_error& error) {
-        buffer.rethrowFailure();
-        throw InputError(std::string(error.description()), positionIn(path, error.source()));
-    }
-}
 
 /// Builds the description from the entries of one file: resolves names, loads files, collects notes.
 class SceneBuilder {
@@ -102,6 +80,9 @@ class SceneBuilder {
             TomlValue{path_, *node, "material"}.fail("expected a table; write [material.NAME]");
         for (auto&& [name, body] : *node->as_table()) {
             const TomlValue value{path_, body, name.str()};
+            if (name.str().empty())
+                throw InputError("a material needs a name; write [material.NAME]",
+                                 positionIn(path_, name.source()));
             if (!body.is_table()) value.fail("expected a table; write [material.NAME]");
             MaterialEntry entry = readMaterial(value);
             if (entry.texture) entry.material.kdTexture = textureOf(*entry.texture);
@@ -150,8 +131,8 @@ class SceneBuilder {
         if (camera.name.empty())
             camera.name =
                 scene_.cameras.empty() ? "main" : fmt::format("camera {}", scene_.cameras.size() + 1);
-        for (const CameraDescription& other : scene_.cameras)
-            if (other.name == camera.name) value.fail(fmt::format("duplicate camera name '{}'", camera.name));
+        if (!cameraNames_.insert(camera.name).second)
+            value.fail(fmt::format("duplicate camera name '{}'", camera.name));
         scene_.cameras.push_back(std::move(camera));
     }
 
@@ -242,6 +223,8 @@ class SceneBuilder {
         else
             for (std::size_t face = 0; face < environment->cube.size(); ++face)
                 environment->cube[face] = openTexture(entry.cube[face], TextureWrap::Clamp);
+        for (std::string& oddity : environmentOddities(*environment))
+            note(Severity::Warning, std::move(oddity), positionIn(path_, node->source()));
         scene_.environment = std::move(environment);
     }
 
@@ -249,10 +232,13 @@ class SceneBuilder {
         const toml::node* node = root_.get("settings");
         if (!node) return;
         Settings scratch;
+        const std::vector<SettingInfo> known = describeSettings();
         for (auto&& [key, body] : readTable({path_, *node, "settings"})) {
             const TomlValue value{path_, body, key.str()};
             const SourcePosition position = positionIn(path_, key.source());
-            const std::string text = settingText(value);
+            const auto info = std::find_if(known.begin(), known.end(),
+                                           [&](const SettingInfo& i) { return i.key == key.str(); });
+            const std::string text = settingText(value, info == known.end() ? nullptr : &*info);
             try {
                 assign(scratch, key.str(), text);
             } catch (const InputError& error) {
@@ -262,8 +248,14 @@ class SceneBuilder {
         }
     }
 
-    /// The value as written on the command line.
-    static std::string settingText(const TomlValue& value) {
+    /// The value as written on the command line. `info` is null for an unknown setting.
+    static std::string settingText(const TomlValue& value, const SettingInfo* info) {
+        const auto& node = value.node;
+        if (info && info->kind == "boolean" && !node.is_boolean()) value.failType("true or false");
+        if (info && info->kind == "integer" && !node.is_integer()) value.failType("an integer");
+        if (info && info->kind == "number" && !node.is_number()) value.failType("a number");
+        if (info && info->kind == "choice" && !node.is_string())
+            value.failType(base::joinChoices(info->choices));
         if (value.node.is_boolean()) return readBoolean(value) ? "true" : "false";
         if (value.node.is_integer()) return fmt::format("{}", value.node.as_integer()->get());
         if (value.node.is_floating_point()) return fmt::format("{}", value.node.as_floating_point()->get());
@@ -278,11 +270,7 @@ class SceneBuilder {
                  {path_});
             scene_.cameras.push_back(framingCamera(boundsOf(scene_, control_)));
         }
-        if (scene_.lights.empty())
-            note(Severity::Warning,
-                 "no light: surfaces are black; add [[light]] with type = \"point\" and a position", {path_});
-        if (scene_.meshes.empty() && scene_.spheres.empty())
-            note(Severity::Warning, "no geometry: add [[mesh]] or [[sphere]]", {path_});
+        for (Diagnostic& missing : missingContent(scene_)) notes_.push_back(std::move(missing));
     }
 
     const std::string& path_;
@@ -292,6 +280,7 @@ class SceneBuilder {
     SceneDescription scene_;
     TextureCache textures_{notes_, control_};
     std::map<std::string, std::uint32_t> materialIndices_;
+    std::set<std::string> cameraNames_;
     std::optional<std::uint32_t> default_;
     std::map<std::string, std::shared_ptr<ImportedMesh>> meshes_;
     std::set<std::string> coloredFiles_;  ///< mesh files whose vertex colours some instance shows
@@ -302,12 +291,12 @@ class SceneBuilder {
 
 SceneDescription readTomlScene(const std::string& path, std::string_view text, Diagnostics& notes,
                                const LoadControl& control) {
-    const toml::table root = parse(path, text, control);
+    const toml::table root = parseToml(path, text, control);
     return SceneBuilder(path, root, notes, control).build();
 }
 
 std::string titleOf(const std::string& path, std::string_view text) {
-    const toml::table root = parse(path, text);
+    const toml::table root = parseToml(path, text);
     const toml::node* title = root.get("title");
     return title ? readText({path, *title, "title"}) : std::string{};
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "math/vectors.h"
 #include "viewer/app/application.h"
 #include "viewer/model/camera_controller.h"
 #include "viewer/model/camera_text.h"
@@ -129,7 +130,8 @@ void Application::exportRays() {
     if (recording == nullptr) return;
     const std::string lines = workspace_.saves.nextFreeName(".obj"),
                       json = workspace_.saves.nextFreeName(".json");
-    const float size = glm::distance(workspace_.edit.bounds.lower, workspace_.edit.bounds.upper);
+    const SceneBounds& bounds = workspace_.edit.bounds;
+    const auto size = static_cast<float>(math::distance(bounds.lower, bounds.upper));
     workspace_.saves.add({lines, json},
                          [lines, json, size, tree = recording->tree(), world = recording->world] {
                              base::writeFileAtomically(lines, toObj(tree, size));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "viewer/model/projection.h"
+
 namespace rayscope::viewer {
 
 namespace {
@@ -18,6 +20,15 @@ void uploadAttribute(GLuint buffer, GLuint index, GLint components, const std::v
     glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
+/// Of the finite ones; 0 if there is none.
+double largestCoordinate(const std::vector<glm::vec3>& positions) {
+    float largest = 0.0f;
+    for (const glm::vec3& p : positions)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::isfinite(p[axis])) largest = std::max(largest, std::abs(p[axis]));
+    return static_cast<double>(largest);
+}
+
 }  // namespace
 
 MeshBuffer::MeshBuffer(const MeshData& mesh)
@@ -27,7 +38,15 @@ MeshBuffer::MeshBuffer(const MeshData& mesh)
     glGenVertexArrays(1, &vertexArray_);
     glGenBuffers(kBuffers, buffers_);
     glBindVertexArray(vertexArray_);
-    uploadAttribute(buffers_[0], 0, 3, mesh.positions);
+    unit_ = drawingUnit(largestCoordinate(mesh.positions));
+    if (unit_ == 1.0) {
+        uploadAttribute(buffers_[0], 0, 3, mesh.positions);
+    } else {
+        std::vector<glm::vec3> positions;
+        for (const glm::vec3& position : mesh.positions)
+            positions.emplace_back(glm::dvec3(position) * (1.0 / unit_));
+        uploadAttribute(buffers_[0], 0, 3, positions);
+    }
     uploadAttribute(buffers_[1], 1, 3, mesh.normals);
     uploadAttribute(buffers_[2], 2, 2, mesh.texCoords);
     uploadAttribute(buffers_[3], 3, 3, mesh.colors);
@@ -90,6 +109,10 @@ MeshData unitSphereMesh() {
             const float phi = 2.0f * std::numbers::pi_v<float> * static_cast<float>(sector) / kSectors;
             mesh.positions.push_back(
                 {std::sin(theta) * std::cos(phi), std::cos(theta), -std::sin(theta) * std::sin(phi)});
+            // As shading::sphereTexCoords(); at a pole that of the middle of its triangle.
+            const float middle = ring == 0 ? 0.5f : ring == kRings ? -0.5f : 0.0f;
+            mesh.texCoords.push_back(
+                {(static_cast<float>(sector) + middle) / kSectors, 1.0f - static_cast<float>(ring) / kRings});
         }
     mesh.normals = mesh.positions;
     for (std::uint32_t ring = 0; ring < kRings; ++ring)

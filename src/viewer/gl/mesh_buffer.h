@@ -26,6 +26,9 @@ class MeshBuffer {
     std::size_t draw(std::uint32_t slot) const;
     std::size_t trianglesOf(std::uint32_t slot) const;
 
+    /// What the positions in the buffer are multiples of; see drawingUnit().
+    double unit() const { return unit_; }
+
     bool hasNormals() const { return hasNormals_; }
     bool hasTexCoords() const { return hasTexCoords_; }
     bool hasColors() const { return hasColors_; }
@@ -37,6 +40,7 @@ class MeshBuffer {
     static constexpr GLsizei kBuffers = 5;
     GLuint buffers_[kBuffers] = {};  // positions, normals, texture coordinates, colours, indices
     std::vector<Range> ranges_;
+    double unit_ = 1.0;
     bool hasNormals_ = false, hasTexCoords_ = false, hasColors_ = false;
 };
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "math/vectors.h"
 #include "probe/names.h"
 #include "trace/world.h"
 #include "viewer/model/camera_controller.h"
@@ -128,7 +129,7 @@ void ViewInput::pickDebugRay(Workspace& workspace, const ViewFrame& frame) {
     const SceneBounds& bounds = workspace.edit.bounds;
     const double reach = kReach * static_cast<double>(workspace.view.scale);
     workspace.rays.select(pickRay(recording->tree(), workspace.rays.filter, frame, cursor_, reach,
-                                  glm::distance(bounds.lower, bounds.upper)));
+                                  static_cast<float>(math::distance(bounds.lower, bounds.upper))));
 }
 
 void ViewInput::wheel(Workspace& workspace, const ViewFrame& frame, double notches) {

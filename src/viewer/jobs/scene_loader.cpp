@@ -8,7 +8,7 @@ LoadedScene loadWithNotes(const std::string& path, bool reload, const LoadContro
     try {
         loaded.scene = loadScene(path, loaded.notes, control);
         loaded.bounds = boundsOf(*loaded.scene, control);
-        const Diagnostics odd = lint(*loaded.scene, control);
+        const Diagnostics odd = lint(*loaded.scene, loaded.notes, control);
         loaded.notes.insert(loaded.notes.end(), odd.begin(), odd.end());
     } catch (const Stopped&) {
         throw;

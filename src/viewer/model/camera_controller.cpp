@@ -56,11 +56,11 @@ void zoomToward(CameraDescription& camera, glm::dvec3 anchor, double factor) {
     const glm::dvec3 newEye = anchor + (eye - anchor) * factor;
     const glm::dvec3 newTarget = anchor + (target - anchor) * factor;
     // Eye and target are stored as float32: a thousand steps between them leave three digits to the
-    // direction, and the squares of distances must stay finite.
+    // direction.
     const double magnitude = std::max(glm::length(newEye), glm::length(newTarget));
     const double resolution = magnitude * std::numeric_limits<float>::epsilon();
     const double distance = glm::length(newEye - newTarget);
-    const double farthest = 0.1 * std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
+    const double farthest = 0.1 * static_cast<double>(std::numeric_limits<float>::max());
     if (distance < 1000.0 * resolution || !(magnitude < farthest)) return;
     camera.lookFrom = glm::vec3(newEye);
     camera.lookAt = glm::vec3(newTarget);

@@ -60,6 +60,11 @@ double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b) {
     return glm::distance(point, a + t * along);
 }
 
+double drawingUnit(double size) {
+    if (!(size > 0.0) || (size > 0x1p-40 && size < 0x1p40)) return 1.0;
+    return std::exp2(std::clamp(std::floor(std::log2(size)), -120.0, 120.0));
+}
+
 glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds) {
     const glm::dvec3 center = (glm::dvec3(bounds.lower) + glm::dvec3(bounds.upper)) * 0.5;
     const double radius = glm::length(glm::dvec3(bounds.upper) - center);
@@ -76,7 +81,7 @@ glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds) {
     const glm::dmat4 view(glm::dvec4(r.x, u.x, b.x, 0), glm::dvec4(r.y, u.y, b.y, 0),
                           glm::dvec4(r.z, u.z, b.z, 0),
                           glm::dvec4(-glm::dot(r, e), -glm::dot(u, e), -glm::dot(b, e), 1));
-    return glm::mat4(projection * view);
+    return glm::mat4(projection * view * (1.0 / drawingUnit(radius)));
 }
 
 }  // namespace rayscope::viewer

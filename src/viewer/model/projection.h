@@ -33,7 +33,12 @@ ViewFrame viewFrame(const CameraDescription& camera, int width, int height);
 /// From a point to the nearest point of the segment a b, for instance in pixels.
 double distanceToSegment(glm::dvec2 point, glm::dvec2 a, glm::dvec2 b);
 
-/// OpenGL clip coordinates with the near and far plane fitted to `bounds`.
+/// The unit in which lengths about as large as `size` are drawn: 1 for ordinary ones, else a power of two
+/// near them, because graphics hardware treats floats below 2^-126 as 0 and squares lengths in float.
+double drawingUnit(double size);
+
+/// OpenGL clip coordinates, up to a factor common to all four, with the near and far plane fitted to
+/// `bounds`.
 glm::mat4 viewProjection(const ViewFrame& frame, const SceneBounds& bounds);
 
 }  // namespace rayscope::viewer

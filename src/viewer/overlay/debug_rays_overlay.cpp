@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "math/vectors.h"
 #include "viewer/overlay/palette.h"
 
 namespace rayscope::viewer {
@@ -73,8 +74,10 @@ bool belongsToSelected(const RayTree& tree, RaySelection ray, RaySelection selec
 /// The end of the line of a segment.
 glm::vec3 endOf(const RayNode& node, float sceneSize) {
     if (node.hit) return node.position;
-    const float length = glm::length(node.ray.direction);
-    return node.ray.origin + (length > 0.0f ? node.ray.direction / length : node.ray.direction) * sceneSize;
+    const double length = math::length(node.ray.direction);
+    if (!(length > 0.0)) return node.ray.origin;
+    return node.ray.origin +
+           glm::vec3(glm::dvec3(node.ray.direction) * (static_cast<double>(sceneSize) / length));
 }
 
 OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {

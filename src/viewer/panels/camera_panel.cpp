@@ -1,6 +1,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include "math/vectors.h"
 #include "viewer/model/camera_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
@@ -28,7 +29,7 @@ void drawLens(CameraDescription& camera) {
         camera.lens.reset();
         // Wide enough for a visible blur, focused at the point that the camera looks at.
         if (hasLens) {
-            const float distance = glm::distance(camera.lookFrom, camera.lookAt);
+            const auto distance = static_cast<float>(math::distance(camera.lookFrom, camera.lookAt));
             camera.lens = Lens{1.4f, 0.05f * distance, distance};
         }
     }
@@ -80,7 +81,7 @@ void drawCameraText(Workspace& workspace) {
 
 void drawCameraPanel(Workspace& workspace) {
     CameraDescription& camera = workspace.edit.camera;
-    const float distance = glm::distance(camera.lookFrom, camera.lookAt);
+    const auto distance = static_cast<float>(math::distance(camera.lookFrom, camera.lookAt));
     drawCameraChoice(workspace);
     CameraDescription changed = camera;
     vectorRow("Position", changed.lookFrom, 0.005f * distance);
@@ -90,7 +91,7 @@ void drawCameraPanel(Workspace& workspace) {
     ui::sliderFloat("##fov", &changed.fov, 1.0f, 170.0f, "%.1f deg", ImGuiSliderFlags_AlwaysClamp);
     tooltip("Vertical field of view (--fov).");
     drawLens(changed);
-    if (changed.lookFrom != changed.lookAt && glm::length(changed.up) > 0.0f) camera = changed;
+    if (changed.lookFrom != changed.lookAt && math::length(changed.up) > 0.0) camera = changed;
     drawCameraText(workspace);
     ImGui::Spacing();
 }

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <numbers>
+
+#include "math/vectors.h"
 #include "viewer/model/light_handles.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
@@ -43,7 +46,7 @@ bool drawShape(ParallelogramLight& light, float speed) {
 Light newLight(int kind, const SceneBounds& bounds) {
     const glm::vec3 center = (bounds.lower + bounds.upper) * 0.5f, size = bounds.upper - bounds.lower;
     const glm::vec3 position(center.x, bounds.upper.y - 0.1f * size.y, center.z);
-    const float half = 0.15f * glm::length(size) / 1.7320508f;
+    const auto half = static_cast<float>(0.15 * math::length(size) / std::numbers::sqrt3);
     if (kind == 0) return {PointLight{position, Rgb(1.0f)}};
     if (kind == 1)
         return {SegmentLight{{position - glm::vec3(half, 0, 0), position + glm::vec3(half, 0, 0)},
@@ -85,7 +88,7 @@ void drawSelected(Workspace& workspace) {
     std::vector<Light> lights = workspace.edit.scene->lights;
     Light& light = lights[index];
     const SceneBounds& bounds = workspace.edit.bounds;
-    const float speed = 0.002f * glm::distance(bounds.lower, bounds.upper);
+    const auto speed = static_cast<float>(0.002 * math::distance(bounds.lower, bounds.upper));
 
     labelledRow("Handle");
     ui::combo("##handle", handleName(light, workspace.view.selectedHandle), [&] {

@@ -100,7 +100,7 @@ void OpenDialog::draw(Workspace& workspace) {
     if (std::exchange(requested_, false)) {
         std::error_code ignored;
         enter(listed_.folder.empty() ? std::filesystem::current_path(ignored) : listed_.folder);
-        ImGui::OpenPopup(kTitle);
+        ImGui::OpenPopup(kOpenTitle);
     }
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({display.x * 0.5f, display.y * 0.5f}, ImGuiCond_Appearing, {0.5f, 0.5f});

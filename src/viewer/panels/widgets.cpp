@@ -14,6 +14,19 @@ ImU32 toU32(const glm::vec4& color) {
 
 std::string vectorText(const glm::dvec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); }
 
+void text(std::string_view content) {
+    constexpr std::size_t kMostShown = 4000;
+    if (content.size() <= kMostShown) {
+        ImGui::TextUnformatted(content.data(), content.data() + content.size());
+    } else {
+        std::size_t end = kMostShown;
+        while (end > 0 && (static_cast<unsigned char>(content[end]) & 0xc0) == 0x80) --end;
+        const std::string shown = std::string(content.substr(0, end)) + " ...";
+        ImGui::TextUnformatted(shown.c_str());
+    }
+    ui::noteText(content);
+}
+
 void coloredText(const ImVec4& color, std::string_view content) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     text(content);

@@ -21,10 +21,9 @@ inline ImU32 toU32(const glm::vec3& color) { return toU32(glm::vec4(color, 1.0f)
 /// The components with four digits each.
 std::string vectorText(const glm::dvec3& v);
 
-inline void text(std::string_view content) {
-    ImGui::TextUnformatted(content.data(), content.data() + content.size());
-    ui::noteText(content);
-}
+/// Shows a text, cut after some thousand characters: texts of files may have any length, and Dear ImGui's
+/// vertices of one wrapped text have 16-bit indices.
+void text(std::string_view content);
 void dimText(std::string_view content);
 void coloredText(const ImVec4& color, std::string_view content);
 void wrappedText(std::string_view content);

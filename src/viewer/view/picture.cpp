@@ -1,5 +1,6 @@
 #include "viewer/view/picture.h"
 
+#include "math/vectors.h"
 #include "viewer/overlay/light_overlay.h"
 
 namespace rayscope::viewer {
@@ -89,7 +90,7 @@ void Picture::redraw(const Workspace& workspace, const Inputs& inputs) {
 }
 
 void Picture::drawOverlays(const Workspace& workspace, const Inputs& inputs, const ViewFrame& frame) {
-    const float size = glm::distance(raster_.bounds().lower, raster_.bounds().upper);
+    const auto size = static_cast<float>(math::distance(raster_.bounds().lower, raster_.bounds().upper));
     SceneOverlays::Drawing drawing =
         overlays_.draw(workspace, frame, size, drawingBudget(software_, inputs.moving));
     counts_.boxes = drawing.counts.boxes;

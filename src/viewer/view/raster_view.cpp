@@ -1,7 +1,12 @@
 #include "viewer/view/raster_view.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "math/vectors.h"
 
 namespace rayscope::viewer {
 
@@ -23,16 +28,24 @@ LightSpot spotOf(const ParallelogramLight& light) {
     return {light.corner + (light.edges[0] + light.edges[1]) * 0.5f, (c[0] + c[1] + c[2] + c[3]) * 0.25f};
 }
 
-glm::mat4 sphereModel(const Sphere& sphere) {
-    glm::mat4 model(sphere.radius);
-    model[3] = glm::vec4(sphere.center, 1.0f);
+glm::dmat4 sphereModel(const Sphere& sphere) {
+    glm::dmat4 model(static_cast<double>(sphere.radius));
+    model[3] = glm::dvec4(glm::dvec3(sphere.center), 1.0);
     return model;
 }
 
-glm::vec3 meanOf(const std::vector<glm::vec3>& positions) {
-    glm::vec3 sum(0.0f);
-    for (const glm::vec3& position : positions) sum += position;
-    return sum / static_cast<float>(std::max<std::size_t>(positions.size(), 1));
+glm::dvec3 meanOf(const std::vector<glm::vec3>& positions) {
+    glm::dvec3 sum(0.0);
+    for (const glm::vec3& position : positions) sum += glm::dvec3(position);
+    return sum / static_cast<double>(std::max<std::size_t>(positions.size(), 1));
+}
+
+/// The linear map of normals, up to a positive factor.
+glm::mat3 normalMatrix(const glm::dmat4& model) {
+    const glm::dmat3 m = glm::transpose(glm::inverse(glm::dmat3(model)));
+    double largest = 0.0;
+    for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(m[i / 3][i % 3]));
+    return glm::mat3(largest > 0.0 ? m * (1.0 / largest) : m);
 }
 
 }  // namespace
@@ -47,6 +60,7 @@ RasterView::~RasterView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
 void RasterView::setScene(std::shared_ptr<const SceneDescription> scene, const SceneBounds& bounds) {
     scene_ = std::move(scene);
     bounds_ = bounds;
+    scale_ = 1.0 / drawingUnit(math::distance(bounds_.lower, bounds_.upper));
 
     std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes;
     for (const MeshInstance& instance : scene_->meshes) {
@@ -80,8 +94,8 @@ void RasterView::collectItems() {
     };
     for (const MeshInstance& instance : scene_->meshes) {
         DrawableMesh& mesh = *meshes_.at(instance.data);
-        const glm::mat4 model(matrixOf(instance.transform));
-        std::optional<glm::vec3> center;  // of large meshes takes long
+        const glm::dmat4 model = matrixOf(instance.transform);
+        std::optional<glm::dvec3> center;  // of large meshes takes long
         for (const MeshBuffer::Range& range : mesh.whole().ranges()) {
             const std::size_t slot = std::min<std::size_t>(range.slot, instance.materials.size() - 1);
             const std::size_t material = instance.materials.empty() ? 0 : instance.materials[slot];
@@ -89,13 +103,13 @@ void RasterView::collectItems() {
                 opaque_.push_back({&mesh, range.slot, model, material, {}, instance.vertexColors});
                 continue;
             }
-            if (!center) center = glm::vec3(model * glm::vec4(meanOf(instance.data->positions), 1.0f));
+            if (!center) center = glm::dvec3(model * glm::dvec4(meanOf(instance.data->positions), 1.0));
             transparent_.push_back({&mesh, range.slot, model, material, *center, instance.vertexColors});
         }
     }
     for (const SphereInstance& sphere : scene_->spheres)
         (isTransparent(sphere.material) ? transparent_ : opaque_)
-            .push_back({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, sphere.sphere.center});
+            .push_back({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, glm::dvec3(sphere.sphere.center)});
 }
 
 /// While something moves, the triangle limit is distributed over the meshes in proportion to their sizes.
@@ -132,7 +146,7 @@ void RasterView::setLights() {
     for (int i = 0; i < count; ++i) {
         const LightSpot spot = std::visit([](const auto& shape) { return spotOf(shape); },
                                           scene_->lights[static_cast<std::size_t>(i)].shape);
-        positions[i] = spot.position;
+        positions[i] = glm::vec3(scale_ * glm::dvec3(spot.position));
         // Colours far above 1 assume a distance falloff, which this view does not have.
         colors[i] = spot.color / std::max({spot.color.r, spot.color.g, spot.color.b, 1.0f});
     }
@@ -148,8 +162,9 @@ void RasterView::drawItem(const Item& item, const RasterStyle& style, bool movin
         item.material < scene_->materials.size() ? scene_->materials[item.material] : kNoMaterial;
     const auto texture = textures_.find(material.kdTexture);
     const bool textured = style.textures && texture != textures_.end() && mesh.hasTexCoords();
-    surface_.set("model", item.model);
-    surface_.set("normalMatrix", glm::transpose(glm::inverse(glm::mat3(item.model))));
+    const glm::dmat4 toDrawn = glm::scale(glm::dmat4(1.0), glm::dvec3(scale_)) * item.model;
+    surface_.set("model", glm::mat4(glm::scale(toDrawn, glm::dvec3(mesh.unit()))));
+    surface_.set("normalMatrix", normalMatrix(item.model));
     surface_.set("useNormals", style.smoothNormals && mesh.hasNormals() ? 1 : 0);
     surface_.set("useTexture", textured ? 1 : 0);
     surface_.set("useColors", item.showsColors && mesh.hasColors() ? 1 : 0);
@@ -173,13 +188,17 @@ DrawnCounts RasterView::draw(const RenderTarget& target, const ViewFrame& frame,
     glEnable(GL_DEPTH_TEST);
     glPolygonMode(GL_FRONT_AND_BACK, style.wireframe ? GL_LINE : GL_FILL);
     surface_.use();
-    surface_.set("viewProjection", viewProjection(frame, bounds_));
-    surface_.set("eye", glm::vec3(frame.eye));
+    ViewFrame drawn = frame;
+    drawn.eye *= scale_;
+    const SceneBounds bounds{glm::vec3(scale_ * glm::dvec3(bounds_.lower)),
+                             glm::vec3(scale_ * glm::dvec3(bounds_.upper))};
+    surface_.set("viewProjection", viewProjection(drawn, bounds));
+    surface_.set("eye", glm::vec3(drawn.eye));
     surface_.set("kdTexture", 0);
     setLights();
     for (const Item& item : opaque_) drawItem(item, style, moving);
 
-    const auto distance = [&](const Item& item) { return glm::length(glm::dvec3(item.center) - frame.eye); };
+    const auto distance = [&](const Item& item) { return glm::length(item.center - frame.eye); };
     std::sort(transparent_.begin(), transparent_.end(),
               [&](const Item& a, const Item& b) { return distance(a) > distance(b); });
     glEnable(GL_BLEND);

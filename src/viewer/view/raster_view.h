@@ -37,9 +37,9 @@ class RasterView {
     struct Item {
         DrawableMesh* mesh;
         std::uint32_t slot;
-        glm::mat4 model;
+        glm::dmat4 model;
         std::size_t material;
-        glm::vec3 center;          ///< of transparent items, which are sorted by distance
+        glm::dvec3 center;         ///< of transparent items, which are sorted by distance
         bool showsColors = false;  ///< the vertex colours of the mesh
     };
     void drawBackground(const RenderTarget& target);
@@ -51,6 +51,7 @@ class RasterView {
     Shader surface_{"surface"}, background_{"background"};
     std::shared_ptr<const SceneDescription> scene_;
     SceneBounds bounds_;
+    double scale_ = 1.0;  ///< from scene units to those that are drawn, see drawingUnit()
     std::map<std::shared_ptr<const MeshData>, std::unique_ptr<DrawableMesh>> meshes_;
     std::map<std::shared_ptr<const Texture>, GlTexture> textures_;
     DrawableMesh sphere_;
