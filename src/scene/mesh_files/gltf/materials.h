@@ -49,6 +49,7 @@ class GltfMaterialConverter {
     Oddities& oddities_;
     std::map<std::pair<std::uint32_t, TextureWrap>, SharedTexture> loaded_{};
     std::map<std::tuple<const Texture*, float, float, float>, SharedTexture> tinted_{};
+    std::size_t tintedTexels_ = 0;
 };
 
 }  // namespace rayscope::scene
