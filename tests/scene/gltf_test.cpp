@@ -143,9 +143,28 @@ TEST_F(Gltf, ReadsAttributes) {
     EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1));
     EXPECT_THAT(mesh.texCoords, ElementsAre(glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(0, 0)))
         << "the origin is below";
-    EXPECT_THAT(mesh.colors, ElementsAre(Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1)));
-    EXPECT_THAT(notesText(), HasSubstr("note: vertex colours; read"));
+    EXPECT_TRUE(mesh.colors.empty());
+    EXPECT_THAT(notesText(), HasSubstr("note: vertex colours are not shown"));
     EXPECT_EQ(notes_.size(), 1u) << notesText();
+}
+
+TEST_F(Gltf, VertexColorsMultiplyBaseColors) {
+    GltfBuilder file = triangle();
+    file.accessor(std::vector<std::uint8_t>{255, 0, 0, 0, 0, 255, 0, 0, 0, 0, 255, 0}, "VEC4",
+                  R"(,"normalized":true)");
+    write(
+        "m.glb",
+        file.glb(fmt::format(
+            R"("materials":[{{"pbrMetallicRoughness":{{"baseColorFactor":[0.5,0.25,1,1]}}}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"COLOR_0":1}},"material":0}},{{{},"material":0}}]}}],{})",
+            kPositions, kNode)));
+    const auto scene =
+        load(write("s.toml",
+                   "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\n[[light]]\ntype = \"point\"\nposition = "
+                   "[0, 1, 2]\n[[mesh]]\nfile = \"m.glb\"\nvertex_colors = true\n"));
+    EXPECT_THAT(meshOf(scene).colors,
+                ElementsAre(Rgb(0.5f, 0, 0), Rgb(0, 0.25f, 0), Rgb(0, 0, 1), Rgb(0.5f, 0.25f, 1),
+                            Rgb(0.5f, 0.25f, 1), Rgb(0.5f, 0.25f, 1)));
+    EXPECT_TRUE(notes_.empty()) << notesText();
 }
 
 TEST_F(Gltf, PrimitivesWithoutNormalsAreFlatBesideOthers) {

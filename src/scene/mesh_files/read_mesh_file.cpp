@@ -51,4 +51,13 @@ ImportedMesh readMeshFile(const std::string& path, const ImportContext& context)
     return format->read(path, context);
 }
 
+void noteCamerasAndLights(const ImportedMesh& mesh, const std::string& path, Diagnostics& notes) {
+    if (mesh.cameras.empty() && mesh.lights.empty()) return;
+    notes.push_back(
+        {Severity::Note,
+         fmt::format("the cameras ({}) and lights ({}) of the file are ignored; a scene has its own",
+                     mesh.cameras.size(), mesh.lights.size()),
+         {path}});
+}
+
 }  // namespace rayscope::scene

@@ -13,4 +13,7 @@ std::vector<std::string_view> meshFileSuffixes();
 /// format has lines, and Stopped. Notes and warnings are appended to `context.notes`.
 ImportedMesh readMeshFile(const std::string& path, const ImportContext& context);
 
+/// Appends a note if the file has cameras or lights, which a scene that uses its mesh does not have.
+void noteCamerasAndLights(const ImportedMesh& mesh, const std::string& path, Diagnostics& notes);
+
 }  // namespace rayscope::scene

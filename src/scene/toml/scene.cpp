@@ -175,7 +175,7 @@ class SceneBuilder {
         if (!loaded) {
             loaded = std::make_shared<ImportedMesh>(
                 readMeshFile(resolved, {textures_, notes_, control, coloredFiles_.contains(resolved)}));
-            noteIgnored(*loaded, resolved);
+            noteCamerasAndLights(*loaded, resolved, notes_);
         }
         MeshInstance& mesh = entry.instance;
         mesh.data = loaded->data;
@@ -192,15 +192,6 @@ class SceneBuilder {
         }
         for (std::size_t slot = 0; slot < loaded->materials.size(); ++slot)
             mesh.materials.push_back(*first + static_cast<std::uint32_t>(slot));
-    }
-
-    void noteIgnored(const ImportedMesh& mesh, const std::string& file) {
-        if (mesh.cameras.empty() && mesh.lights.empty()) return;
-        notes_.push_back(
-            {Severity::Note,
-             fmt::format("the cameras ({}) and lights ({}) of the file are ignored; a scene has its own",
-                         mesh.cameras.size(), mesh.lights.size()),
-             {file}});
     }
 
     void addSphere(const TomlValue& value) {

@@ -48,7 +48,7 @@ std::vector<float> gathered(const std::vector<float>& values, std::size_t compon
 
 GltfGeometry::GltfGeometry(const std::string& path, const GltfDocument& document,
                            GltfAccessorReader& accessors, const std::vector<GltfPlacement>& placed,
-                           Oddities& oddities)
+                           bool withColors, Oddities& oddities)
     : path_(path),
       document_(document),
       accessors_(accessors),
@@ -61,6 +61,8 @@ GltfGeometry::GltfGeometry(const std::string& path, const GltfDocument& document
             hasTexCoords_ |= reader_.texCoordsOf(primitive).has_value();
             hasColors_ |= primitive.attributes.contains("COLOR_0");
         }
+    if (hasColors_ && !withColors) oddities_.add(Severity::Note, kColorsNotShown);
+    hasColors_ &= withColors;
 }
 
 std::vector<glm::uvec3> GltfGeometry::readTriangles(const GltfPrimitive& primitive, std::size_t vertices) {
@@ -103,7 +105,7 @@ void GltfGeometry::add(const GltfPrimitive& primitive, const std::vector<double>
         oddities_.add(Severity::Note, "primitives without positions; ignored");
         return;
     }
-    GltfVertices vertices = reader_.read(primitive, weights);
+    GltfVertices vertices = reader_.read(primitive, weights, hasColors_);
     std::vector<glm::uvec3> triangles = readTriangles(primitive, vertices.count);
     const bool isSkinned = !joints.empty() && reader_.applySkin(vertices, primitive, joints);
     if (isSkinned && mirrors(glm::dmat3(joints.front())))
@@ -151,7 +153,13 @@ void GltfGeometry::appendVertices(const GltfPrimitive& primitive, const GltfVert
         mesh_.colors.resize(end, Rgb(1.0f));
         for (std::size_t i = 0; i < vertices.colors.size() / vertices.colorComponents; ++i) {
             const float* color = &vertices.colors[i * vertices.colorComponents];
-            mesh_.colors[end - vertices.count + i] = Rgb(color[0], color[1], color[2]);
+            const Rgb stored(color[0], color[1], color[2]);
+            // Written so that NaN becomes 0.
+            const Rgb clamped(
+                glm::mix(Rgb(0.0f), glm::min(stored, Rgb(1.0f)), glm::greaterThan(stored, Rgb(0.0f))));
+            if (stored != clamped)
+                oddities_.add(Severity::Warning, "vertex colours outside of their range; clamped");
+            mesh_.colors[end - vertices.count + i] = clamped;
         }
     }
 }
@@ -216,6 +224,19 @@ void GltfGeometry::appendSlot(GltfIndex material, std::size_t count) {
         slots_.push_back(material);
     }
     mesh_.materialSlots.insert(mesh_.materialSlots.end(), count, entry->second);
+}
+
+void GltfGeometry::multiplyColors(const std::vector<Material>& materials) {
+    if (!hasColors_) return;
+    std::vector<bool> isDone(mesh_.positions.size(), false);
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+        const Material& material = materials[mesh_.materialSlots[i]];
+        const glm::uvec3& t = mesh_.triangles[i];
+        for (const std::uint32_t vertex : {t.x, t.y, t.z}) {
+            if (!material.kdTexture && !isDone[vertex]) mesh_.colors[vertex] *= material.kd;
+            isDone[vertex] = true;
+        }
+    }
 }
 
 MeshData GltfGeometry::take() {

@@ -13,9 +13,9 @@ namespace rayscope::scene {
 class GltfGeometry {
   public:
     /// The arguments must outlive the object. `placed`: all meshes that will be added; decides which vertex
-    /// attributes the mesh has.
+    /// attributes the mesh has; colours only if `withColors`.
     GltfGeometry(const std::string& path, const GltfDocument& document, GltfAccessorReader& accessors,
-                 const std::vector<GltfPlacement>& placed, Oddities& oddities);
+                 const std::vector<GltfPlacement>& placed, bool withColors, Oddities& oddities);
 
     /// Adds a primitive once per matrix; those without triangles are noted. `weights` are those of its morph
     /// targets. `joints`: matrices of the joints of its skin, empty if it has none. Throws InputError if its
@@ -23,8 +23,12 @@ class GltfGeometry {
     void add(const GltfPrimitive& primitive, const std::vector<double>& weights,
              const std::vector<glm::dmat4>& joints, const std::vector<glm::dmat4>& toScene);
 
+    bool isEmpty() const { return mesh_.triangles.empty(); }
     /// The material of each slot; nothing: that of primitives without one.
     const std::vector<GltfIndex>& slots() const { return slots_; }
+    /// Multiplies the vertex colours by the colours of the materials of the slots: the format multiplies
+    /// them, a mesh that shows vertex colours replaces kd by them. Textures already have that factor.
+    void multiplyColors(const std::vector<Material>& materials);
     /// To be called once, at the end.
     MeshData take();
 

@@ -15,9 +15,8 @@ namespace {
 
 std::string stepName(const std::string& path) { return "reading " + path.substr(path.find_last_of('/') + 1); }
 
-std::shared_ptr<const MeshData> readMesh(const GltfDocument& document, const GltfPlacements& placements,
-                                         GltfAccessorReader& accessors, LoadStep& step,
-                                         GltfGeometry& geometry) {
+void readMeshes(const GltfDocument& document, const GltfPlacements& placements, GltfAccessorReader& accessors,
+                LoadStep& step, GltfGeometry& geometry) {
     std::size_t done = 0;
     for (const GltfPlacement& placement : placements.meshes) {
         step.advanceTo(done++);
@@ -29,36 +28,37 @@ std::shared_ptr<const MeshData> readMesh(const GltfDocument& document, const Glt
         for (const GltfPrimitive& primitive : mesh.primitives)
             geometry.add(primitive, node.weights.empty() ? mesh.weights : node.weights, joints, instances);
     }
-    return std::make_shared<MeshData>(geometry.take());
 }
 
 }  // namespace
 
 ImportedMesh readGltf(const std::string& path, const ImportContext& context) {
     Oddities oddities(path);
-    const std::string file = readSource(path);
+    const std::string file = readSource(path, context.control);
     const GltfContainer container = splitGltfFile(file, path, oddities);
     const JsonDocument json(container.json, !container.isBinary, path);
     const GltfDocument document = readGltfDocument(json.root(), oddities);
     const GltfPlacements placements = placementsOf(document, path, oddities);
 
-    GltfResources resources(path, container, document, oddities);
+    GltfResources resources(path, container, document, context.control, oddities);
     GltfAccessorReader accessors(path, document, resources);
-    GltfGeometry geometry(path, document, accessors, placements.meshes, oddities);
+    GltfGeometry geometry(path, document, accessors, placements.meshes, context.withColors, oddities);
     LoadStep step(context.control, stepName(path), placements.meshes.size());
-    ImportedMesh result;
-    result.data = readMesh(document, placements, accessors, step, geometry);
-    if (result.data->triangles.empty()) throw InputError("the scene of the file has no triangles", {path});
+    readMeshes(document, placements, accessors, step, geometry);
+    if (geometry.isEmpty()) throw InputError("the scene of the file has no triangles", {path});
 
-    GltfMaterialConverter converter(path, document, resources, context.textures, oddities);
+    ImportedMesh result;
+    GltfMaterialConverter converter(path, document, resources, context.textures, context.notes, oddities);
     LoadStep materials(context.control, stepName(path) + ": materials", geometry.slots().size());
     for (const GltfIndex& slot : geometry.slots()) {
         materials.advanceTo(result.materials.size());
         result.materials.push_back(converter.convert(slot));
     }
+    geometry.multiplyColors(result.materials);
+    result.data = std::make_shared<MeshData>(geometry.take());
     SceneDescription scene;
     scene.meshes.push_back({.data = result.data});
-    const SceneBounds bounds = boundsOf(scene);
+    const SceneBounds bounds = boundsOf(scene, context.control);
     result.cameras = gltfCameras(document, placements.cameras, bounds, oddities);
     result.lights = gltfLights(document, placements.lights, bounds, oddities);
     oddities.report(context.notes);

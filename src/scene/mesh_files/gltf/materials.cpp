@@ -112,7 +112,7 @@ GltfMaterialConverter::SharedTexture GltfMaterialConverter::load(std::uint32_t i
     const GltfImageSource source = resources_.image(image);
     if (!source.path.empty()) return textures_.open(source.path, wrap);
     const std::string name = fmt::format("{}: images[{}]", path_, image);
-    return std::make_shared<Texture>(Texture{name, decodeImage(source.bytes, name), wrap});
+    return std::make_shared<Texture>(Texture{name, decodeImage(source.bytes, name, &notes_), wrap});
 }
 
 GltfMaterialConverter::SharedTexture GltfMaterialConverter::tinted(const SharedTexture& texture,
@@ -120,6 +120,15 @@ GltfMaterialConverter::SharedTexture GltfMaterialConverter::tinted(const SharedT
     if (factor == Rgb(1.0f)) return texture;
     SharedTexture& result = tinted_[{texture.get(), factor.r, factor.g, factor.b}];
     if (result) return result;
+    // One image with many factors must not claim all memory.
+    constexpr std::size_t kMaxTexels = std::size_t{1} << 27;
+    tintedTexels_ += texture->image.pixels.size();
+    if (tintedTexels_ > kMaxTexels) {
+        oddities_.add(
+            Severity::Warning,
+            "textures with many colour factors (more than 2^27 texels in all); the factors are ignored");
+        return result = texture;
+    }
     auto copy = std::make_shared<Texture>(*texture);
     for (Rgb& pixel : copy->image.pixels) pixel *= factor;
     return result = std::move(copy);

@@ -18,8 +18,13 @@ class GltfMaterialConverter {
   public:
     /// The arguments must outlive the object.
     GltfMaterialConverter(const std::string& path, const GltfDocument& document, GltfResources& resources,
-                          TextureCache& textures, Oddities& oddities)
-        : path_(path), document_(document), resources_(resources), textures_(textures), oddities_(oddities) {}
+                          TextureCache& textures, Diagnostics& notes, Oddities& oddities)
+        : path_(path),
+          document_(document),
+          resources_(resources),
+          textures_(textures),
+          notes_(notes),
+          oddities_(oddities) {}
 
     /// The material with this index, or that of primitives without one. An image that cannot be read is a
     /// warning, and the factors are used alone.
@@ -40,9 +45,11 @@ class GltfMaterialConverter {
     const GltfDocument& document_;
     GltfResources& resources_;
     TextureCache& textures_;
+    Diagnostics& notes_;
     Oddities& oddities_;
     std::map<std::pair<std::uint32_t, TextureWrap>, SharedTexture> loaded_{};
     std::map<std::tuple<const Texture*, float, float, float>, SharedTexture> tinted_{};
+    std::size_t tintedTexels_ = 0;
 };
 
 }  // namespace rayscope::scene

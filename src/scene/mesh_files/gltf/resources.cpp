@@ -129,10 +129,11 @@ GltfContainer splitGltfFile(std::string_view file, const std::string& path, Oddi
 }
 
 GltfResources::GltfResources(const std::string& path, const GltfContainer& container,
-                             const GltfDocument& document, Oddities& oddities)
+                             const GltfDocument& document, const LoadControl& control, Oddities& oddities)
     : path_(path),
       container_(container),
       document_(document),
+      control_(control),
       oddities_(oddities),
       buffers_(document.buffers.size()),
       images_(document.images.size()),
@@ -156,7 +157,7 @@ GltfBytes GltfResources::buffer(std::uint32_t index) {
         std::optional<std::string>& loaded = buffers_[index];
         if (!loaded) {
             loaded = schemeOf(*buffer.uri) == "data" ? dataUriContent(*buffer.uri, place, path_)
-                                                     : readSource(resolve(*buffer.uri, place));
+                                                     : readSource(resolve(*buffer.uri, place), control_);
             totalBytes_ += loaded->size();
             if (loaded->size() < buffer.byteLength)
                 oddities_.add(Severity::Warning, fmt::format("{}: has {} bytes, byteLength says {}", place,

@@ -1,4 +1,6 @@
 #pragma once
+#include <rayscope/scene.h>
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -35,7 +37,7 @@ class GltfResources {
   public:
     /// The arguments must outlive the object.
     GltfResources(const std::string& path, const GltfContainer& container, const GltfDocument& document,
-                  Oddities& oddities);
+                  const LoadControl& control, Oddities& oddities);
 
     /// The bytes of a buffer view.
     GltfBytes view(std::uint32_t index);
@@ -52,6 +54,7 @@ class GltfResources {
     const std::string& path_;
     const GltfContainer& container_;
     const GltfDocument& document_;
+    const LoadControl& control_;
     Oddities& oddities_;
     std::vector<std::optional<std::string>> buffers_, images_;
     std::uint64_t totalBytes_;

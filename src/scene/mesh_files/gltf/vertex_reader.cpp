@@ -52,7 +52,8 @@ std::vector<float> GltfVertexReader::readAttribute(GltfIndex accessor, std::uint
     return {};
 }
 
-GltfVertices GltfVertexReader::read(const GltfPrimitive& primitive, std::span<const double> weights) {
+GltfVertices GltfVertexReader::read(const GltfPrimitive& primitive, std::span<const double> weights,
+                                    bool withColors) {
     GltfVertices vertices;
     const std::uint32_t position = primitive.attributes.at("POSITION");
     if (primitive.isDraco && !accessors_.accessor(position).view)
@@ -64,11 +65,9 @@ GltfVertices GltfVertexReader::read(const GltfPrimitive& primitive, std::span<co
     vertices.count = vertices.positions.size() / 3;
     vertices.normals = readAttribute(attribute(primitive.attributes, "NORMAL"), 3, vertices.count);
     vertices.texCoords = readAttribute(texCoordsOf(primitive), 2, vertices.count);
-    if (const GltfIndex color = attribute(primitive.attributes, "COLOR_0")) {
+    if (const GltfIndex color = attribute(primitive.attributes, "COLOR_0"); withColors && color) {
         vertices.colorComponents = accessors_.accessor(*color).components == 4 ? 4 : 3;
         vertices.colors = readAttribute(color, vertices.colorComponents, vertices.count);
-        oddities_.add(Severity::Note,
-                      "vertex colours; read, but surfaces have the colours of their materials");
     }
     for (std::size_t i = 0; i < std::min(weights.size(), primitive.targets.size()); ++i) {
         displace(vertices.positions, primitive.targets[i], "POSITION", weights[i]);

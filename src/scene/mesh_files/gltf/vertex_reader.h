@@ -38,8 +38,9 @@ class GltfVertexReader {
     GltfIndex texCoordsOf(const GltfPrimitive& primitive) const;
 
     /// The vertices of a primitive with positions, displaced by its morph targets. Attributes of another
-    /// count are left out with a warning. Throws InputError if an accessor is invalid.
-    GltfVertices read(const GltfPrimitive& primitive, std::span<const double> weights);
+    /// count are left out with a warning. Colours are read if `withColors`. Throws InputError if an accessor
+    /// is invalid.
+    GltfVertices read(const GltfPrimitive& primitive, std::span<const double> weights, bool withColors);
 
     /// Moves the vertices to the scene with the weighted mean of the matrices of their joints. False, with a
     /// warning, if the primitive has no joints and weights.
