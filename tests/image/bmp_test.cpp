@@ -106,7 +106,7 @@ TEST(Bmp, IndicesBeyondThePaletteAreBlackAndReported) {
         bmp.colors = colors;
         EXPECT_EQ(decode(bmpFile(bmp)).at(0, 0), linearOf(6, 5, 4));
         EXPECT_EQ(decode(bmpFile(bmp)).at(1, 0), Rgb(0.0f));
-        EXPECT_THAT(notesOf(bmpFile(bmp)), HasSubstr("beyond the 2 colours"));
+        EXPECT_THAT(notesOf(bmpFile(bmp)), HasSubstr("colours: 2"));
     }
     bmp.colors = 300;  // more than the pixels can name
     bmp.palette = std::string(1200, '\x40');

@@ -6,10 +6,9 @@ namespace rayscope::image {
 
 void PaletteLookup::report(const ImageFile& file) const {
     if (invalid_ > 0)
-        file.warn(
-            fmt::format("pixels with indices beyond the {} colours of the palette are black (pixels: {}, "
-                        "first index: {})",
-                        palette_.size(), invalid_, first_));
+        file.warn(fmt::format(
+            "pixels with indices beyond the palette are black (pixels: {}, first index: {}, colours: {})",
+            invalid_, first_, palette_.size()));
 }
 
 }  // namespace rayscope::image
