@@ -31,10 +31,11 @@ struct ProbeOptions {
 };
 
 [[noreturn]] void noSuchRay(const std::string& name, const RayTree& tree) {
-    throw UsageError(
-        "--traversal",
-        fmt::format("expected a ray 0 … {} or a shadow ray s0 … s{}, got {}", tree.nodes.size() - 1,
-                    static_cast<long>(tree.shadowRays.size()) - 1, base::quoted(name)));
+    std::string shadowRays;
+    if (!tree.shadowRays.empty())
+        shadowRays = fmt::format(" or a shadow ray s0 … s{}", tree.shadowRays.size() - 1);
+    throw UsageError("--traversal", fmt::format("expected a ray 0 … {}{}, got {}", tree.nodes.size() - 1,
+                                                shadowRays, base::quoted(name)));
 }
 
 /// The traversals of a ray, one per motion group. `name` is its number in the tree, after an "s" for shadow

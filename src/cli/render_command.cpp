@@ -6,6 +6,7 @@
 #include <rayscope/display.h>
 #include <rayscope/probe.h>
 #include <rayscope/render_image.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -104,6 +105,8 @@ void checkOptions(const RenderCommandOptions& options) {
         throw UsageError(
             "--output",
             "'-' writes the image to the standard output and needs --format png, exr, pfm, hdr, ppm or pgm");
+    if (usesStandardOutput && isatty(STDOUT_FILENO) == 1)
+        throw UsageError("--output", "the standard output is a terminal; redirect it to a file or a pipe");
     if (!usesStandardOutput && !options.format.empty())
         throw UsageError("--format", "is the format of '-o -'; files have that of their suffix");
     if (options.aovs.empty()) return;

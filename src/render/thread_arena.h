@@ -23,8 +23,10 @@ class ThreadArena {
           arena_(count_) {}
 
     int count() const { return count_; }
-    /// The count() of an arena with this argument.
+    /// The count() of an arena with this argument; throws like the constructor.
     static int countFor(int threads) {
+        base::checkArgument(threads >= 0 && threads <= kMaxThreads, "threads is {}; expected 0 … {}", threads,
+                            kMaxThreads);
         return threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
     }
 
@@ -35,12 +37,6 @@ class ThreadArena {
     }
 
   private:
-    static int checkedCount(int threads) {
-        base::checkArgument(threads >= 0 && threads <= kMaxThreads, "threads is {}; expected 0 … {}", threads,
-                            kMaxThreads);
-        return threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
-    }
-
     int count_;
     // TBB's default limit is one thread per core.
     oneapi::tbb::global_control parallelism_;

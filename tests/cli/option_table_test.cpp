@@ -1,10 +1,13 @@
 // Every option of every command, from the tables that the program itself uses: a new option is covered at
 // once.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <rayscope/settings.h>
 #include <cmath>
+#include <deque>
+#include <map>
 #include <set>
 
 #include "cli/command_line.h"
