@@ -228,6 +228,7 @@ std::string_view inactiveReason(const SceneRequirements& scene, std::string_view
 /// Probable mistakes in the scene: materials that do not conserve energy, degenerate triangles, unused
 /// materials, sizes beyond the range of accurate hits … Those that `known`, the notes of loadScene(), has
 /// already are left out. Throws Stopped.
-Diagnostics lint(const SceneDescription& scene, const Diagnostics& known = {}, const LoadControl& control = {});
+Diagnostics lint(const SceneDescription& scene, const Diagnostics& known = {},
+                 const LoadControl& control = {});
 
 }  // namespace rayscope

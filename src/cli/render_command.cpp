@@ -264,7 +264,8 @@ std::function<int()> setUpRender(OptionList& list) {
     list.add("-o,--output", &options->outputs,
              "Image to write, .png .exr .pfm .hdr .ppm or .pgm, or - for the standard output; repeatable")
         .writes(Option::Output::ImageOrStandardOutput);
-    list.add("--format", &options->format, "Format of -o -").choices({"png", "exr", "pfm", "hdr", "ppm", "pgm"});
+    list.add("--format", &options->format, "Format of -o -")
+        .choices({"png", "exr", "pfm", "hdr", "ppm", "pgm"});
     list.add("--time-limit", &options->timeLimit, "Stop after this many seconds with the best image so far")
         .above(0.0)
         .atMost(1e9);

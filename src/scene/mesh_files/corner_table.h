@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct Corner {
 /// by its position, the others by a hash table with open addressing: 16 to 32 bytes per distinct corner.
 class CornerTable {
   public:
-    /// `maxPositions`: no file of this size has more; corners beyond have no place by position.
-    explicit CornerTable(std::size_t maxPositions) : maxPositions_(maxPositions) {}
+    /// `maxPositions`: upper bound of the number of positions, if indices are not checked yet; corners beyond
+    /// have no place by position.
+    explicit CornerTable(std::size_t maxPositions = std::numeric_limits<std::size_t>::max())
+        : maxPositions_(maxPositions) {}
 
     std::uint32_t indexOf(const Corner& corner) {
         const auto position = static_cast<std::size_t>(corner.position);
@@ -30,6 +33,7 @@ class CornerTable {
         if (first == kEmpty) return first = append(corner);
         return corners_[first] == corner ? first : hashedIndexOf(corner);
     }
+    const std::vector<Corner>& corners() const { return corners_; }
     /// The distinct corners; the table is empty afterwards.
     std::vector<Corner> takeCorners() {
         firstAt_.clear();

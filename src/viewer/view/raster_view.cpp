@@ -109,7 +109,8 @@ void RasterView::collectItems() {
     }
     for (const SphereInstance& sphere : scene_->spheres)
         (isTransparent(sphere.material) ? transparent_ : opaque_)
-            .push_back({&sphere_, 0, sphereModel(sphere.sphere), sphere.material, glm::dvec3(sphere.sphere.center)});
+            .push_back(
+                {&sphere_, 0, sphereModel(sphere.sphere), sphere.material, glm::dvec3(sphere.sphere.center)});
 }
 
 /// While something moves, the triangle limit is distributed over the meshes in proportion to their sizes.
