@@ -1,5 +1,6 @@
 #include "base/nearest_name.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -43,10 +44,10 @@ TEST(NearestName, LongNamesAndListsAreCheapAndShort) {
     const std::vector<std::string_view> one{other};
     EXPECT_EQ(base::nearestName(name, one), "");
     EXPECT_EQ(base::nearestName("spp", one), "");
-    EXPECT_EQ(base::joinChoices(one), std::string(64, 'n') + "…");
+    EXPECT_EQ(base::joinChoices(one), fmt::format("{}…", other.substr(0, 64)));
     // Cut between characters, not within one.
-    const std::string accents = std::string(63, 'e') + "é and more";
-    EXPECT_EQ(base::joinChoices(std::vector<std::string_view>{accents}), std::string(63, 'e') + "…");
+    const std::string letters(63, 'e'), accents = fmt::format("{}é and more", letters);
+    EXPECT_EQ(base::joinChoices(std::vector<std::string_view>{accents}), fmt::format("{}…", letters));
     const std::vector<std::string_view> many(1000, "spp");
     EXPECT_EQ(base::joinChoices(many).substr(17 * 5), "spp or 982 more");
 }
