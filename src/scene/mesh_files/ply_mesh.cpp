@@ -13,7 +13,7 @@ namespace rayscope::scene {
 namespace {
 
 /// Whether triangulate() makes the triangles 0 1 2 and 0 2 3 of a quadrilateral, because it is convex.
-bool isConvexQuad(std::span<const glm::vec3> points) {
+bool isConvexQuad(const std::array<glm::vec3, 4>& points) {
     glm::dvec3 corner[4], normal(0.0);
     for (int i = 0; i < 4; ++i) {
         const glm::dvec3 before(points[static_cast<std::size_t>((i + 3) % 4)]),
@@ -173,11 +173,13 @@ const glm::vec3& PlyMesh::positionOf(std::uint32_t corner) const {
 /// Replaces the fan of a polygon by its triangulation.
 void PlyMesh::triangulateFan(const Polygon& polygon) {
     glm::uvec3* const fan = &mesh_.triangles[polygon.firstTriangle];
+    if (polygon.corners == 4 && isConvexQuad({positionOf(fan[0].x), positionOf(fan[0].y),
+                                              positionOf(fan[0].z), positionOf(fan[1].z)}))
+        return;
     ring_ = {fan[0].x, fan[0].y};
     for (std::uint32_t i = 0; i + 2 < polygon.corners; ++i) ring_.push_back(fan[i].z);
     points_.clear();
     for (const std::uint32_t corner : ring_) points_.push_back(positionOf(corner));
-    if (polygon.corners == 4 && isConvexQuad(points_)) return;
     triangles_.resize(polygon.corners - 2);
     triangulate(points_, triangles_);
     for (std::size_t i = 0; i < triangles_.size(); ++i)
