@@ -1,6 +1,8 @@
 #pragma once
 #include <rayscope/scene.h>
 
+#include <string_view>
+
 #include "scene/textures.h"
 
 namespace rayscope::scene {
@@ -19,6 +21,11 @@ struct ImportContext {
     TextureCache& textures;
     Diagnostics& notes;
     const LoadControl& control;
+    bool withColors = false;  ///< vertex colours are shown; otherwise they are not stored
 };
+
+/// The note about a file with vertex colours that are not stored.
+constexpr std::string_view kColorsNotShown =
+    "vertex colours are not shown; vertex_colors = true in [[mesh]] shows them";
 
 }  // namespace rayscope::scene
