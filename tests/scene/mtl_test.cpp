@@ -223,7 +223,7 @@ TEST_F(Mtl, FilesThatAreNoMtlFilesAreWarnings) {
     EXPECT_THAT(notesText(), HasSubstr("m.mtl: warning: is not an MTL file: it has no newmtl statement\n"));
     EXPECT_EQ(notesText().find("daemon"), std::string::npos);
     EXPECT_EQ(materialOf("\x89PNG\r\n\x1a\n").kd, Rgb(0.8f));
-    EXPECT_THAT(notesText(), HasSubstr("is not an MTL file: this is a PNG image"));
+    EXPECT_THAT(notesText(), HasSubstr("not a file in MTL format: it is a PNG image"));
     EXPECT_THAT(notesText(), HasSubstr("default materials are used"));
 }
 

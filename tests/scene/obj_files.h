@@ -2,6 +2,7 @@
 // A fixture for texts of OBJ and MTL files.
 #include <gmock/gmock.h>
 
+#include "scene/mesh_files/obj_reader.h"
 #include "scene_files.h"
 
 namespace rayscope::test {
@@ -16,6 +17,13 @@ class ObjFiles : public SceneFiles {
         return load(write("mesh.obj", text));
     }
     std::string failure(std::string_view text) { return errorOf(write("mesh.obj", text)); }
+    /// The mesh of an OBJ file whose colours are shown.
+    std::shared_ptr<const MeshData> readWithColors(std::string_view text) {
+        notes_.clear();
+        scene::TextureCache textures;
+        const LoadControl control;
+        return scene::readObj(write("mesh.obj", text), {textures, notes_, control, true}).data;
+    }
     static const MeshData& meshOf(const SceneDescription& scene) { return *scene.meshes.at(0).data; }
 
     /// The material of a triangle that uses the first material of this MTL file.

@@ -82,29 +82,31 @@ TEST_F(ObjLines, ZeroBytesAreBlanks) {
 
 TEST_F(ObjLines, OtherFilesAreNamed) {
     const std::pair<std::string, std::string_view> files[] = {
-        {"\x1f\x8b\x08\x00\x00"s, "a gzip archive; unpack it first"},
-        {"PK\x03\x04zip"s, "a zip archive; unpack it first"},
-        {"\x28\xb5\x2f\xfd"s, "a zstd archive; unpack it first"},
-        {"\xfd\x37zXZ"s, "an xz archive; unpack it first"},
-        {"BZh91AY"s, "a bzip2 archive; unpack it first"},
-        {"7z\xbc\xaf\x27"s, "a 7z archive; unpack it first"},
-        {"<!DOCTYPE html>\n<html>"s, "a web page; download the file itself"},
-        {"\n <HTML><body>"s, "a web page; download the file itself"},
-        {"<?xml version=\"1.0\"?>"s, "XML; convert it to OBJ"},
+        {"\x1f\x8b\x08\x00\x00"s, "is compressed with gzip; decompress it first (gunzip)"},
+        {"PK\x03\x04zip"s, "is a ZIP archive; extract it first"},
+        {"\x28\xb5\x2f\xfd"s, "is compressed with zstd; decompress it first (unzstd)"},
+        {"\xfd\x37zXZ"s, "is compressed with xz; decompress it first (unxz)"},
+        {"BZh91AY"s, "is compressed with bzip2; decompress it first (bunzip2)"},
+        {"7z\xbc\xaf\x27\x1c"s, "is a 7z archive; extract it first"},
+        {"Rar!\x1a\x07"s, "is a RAR archive; extract it first"},
+        {"<!DOCTYPE html>\n<html>"s, "is a web page"},
+        {"\n <HTML><body>"s, "is XML or a web page"},
+        {"<?xml version=\"1.0\"?>"s, "is an XML file"},
         {"version https://git-lfs.github.com/spec/v1\n"s,
-         "a Git LFS pointer, not the file itself; run 'git lfs pull'"},
-        {"ply\nformat ascii 1.0\n"s, "a PLY file; rename the file accordingly"},
-        {"solid cube\n facet normal 0 0 1\n"s, "an STL file; rename the file accordingly"},
-        {"glTF\x02\0\0\0"s, "a binary glTF file; name it .glb"},
-        {"{ \"asset\": {} }"s, "a glTF file; rename the file accordingly"},
-        {"Kaydara FBX Binary  \0"s, "an FBX file; convert it to OBJ"},
-        {"BLENDER-v300"s, "a Blender file; export it as OBJ"},
-        {"\x89PNG\r\n\x1a\n"s, "a PNG image; choose a mesh file"},
-        {"\x64\x86\x03\0\0"s, "an object file of a compiler (machine code); choose a mesh file"},
-        {std::string(80, '\0') + "\x0c\0\0\0"s, "binary data, not text; export it as text"},
+         "is a pointer of Git LFS; fetch the file itself with git lfs pull"},
+        {"ply\nformat ascii 1.0\n"s, "is a PLY file; rename it to .ply"},
+        {"solid cube\n facet normal 0 0 1\n"s, "is an STL file; rename it to .stl"},
+        {"glTF\x02\0\0\0"s, "is a binary glTF file; rename it to .glb"},
+        {"{ \"asset\": {} }"s, "is a glTF file; rename it to .gltf"},
+        {"{ \"a\": 1 }"s, "is JSON"},
+        {"Kaydara FBX Binary  \0"s, "is an FBX file"},
+        {"BLENDER-v300"s, "is a Blender file"},
+        {"\x89PNG\r\n\x1a\n"s, "is a PNG image"},
+        {"\x64\x86\x03\0\0"s, "is an object file of a compiler (machine code)"},
+        {std::string(80, '\0') + "\x0c\0\0\0"s, "is binary, not text"},
     };
     for (const auto& [bytes, what] : files)
-        EXPECT_EQ(failure(bytes), fmt::format("mesh.obj: error: is not an OBJ file: this is {}", what));
+        EXPECT_EQ(failure(bytes), fmt::format("mesh.obj: error: not a file in OBJ format: it {}", what));
 }
 
 TEST_F(ObjLines, PipesAndFoldersAreRefused) {

@@ -135,11 +135,11 @@ TEST_F(ObjNumbers, ExtraNumbersAreWeightsOrColours) {
     };
     for (const auto& [statement, hasColor, note] : statements) {
         SCOPED_TRACE(statement);
-        const SceneDescription scene = read(fmt::format("{}\n{}", statement, kFace));
-        EXPECT_EQ(meshOf(scene).positions[0], glm::vec3(5, 6, 7));
-        ASSERT_EQ(meshOf(scene).colors.size(), hasColor ? 3u : 0u);
+        const auto mesh = readWithColors(fmt::format("{}\n{}", statement, kFace));
+        EXPECT_EQ(mesh->positions[0], glm::vec3(5, 6, 7));
+        ASSERT_EQ(mesh->colors.size(), hasColor ? 3u : 0u);
         if (hasColor) {
-            EXPECT_EQ(meshOf(scene).colors[0], Rgb(1, 0, 0));
+            EXPECT_EQ(mesh->colors[0], Rgb(1, 0, 0));
             EXPECT_THAT(notesText(), HasSubstr(note));
         } else {
             EXPECT_EQ(notesText(), note);
@@ -148,8 +148,8 @@ TEST_F(ObjNumbers, ExtraNumbersAreWeightsOrColours) {
 }
 
 TEST_F(ObjNumbers, ColoursAreDecodedFromSrgb) {
-    const SceneDescription scene = read("v 0 0 0 0 0.5 1\nv 1 0 0 1 1 1\nv 0 1 0 0.02 0.2 0.8\nf 1 2 3\n");
-    const std::vector<Rgb>& colors = meshOf(scene).colors;
+    const auto mesh = readWithColors("v 0 0 0 0 0.5 1\nv 1 0 0 1 1 1\nv 0 1 0 0.02 0.2 0.8\nf 1 2 3\n");
+    const std::vector<Rgb>& colors = mesh->colors;
     EXPECT_EQ(colors[0].r, 0.0f);
     EXPECT_NEAR(colors[0].g, 0.21404114f, 1e-6f);
     EXPECT_EQ(colors[0].b, 1.0f);
@@ -158,16 +158,22 @@ TEST_F(ObjNumbers, ColoursAreDecodedFromSrgb) {
 }
 
 TEST_F(ObjNumbers, ColoursOutOfRange) {
-    const SceneDescription bytes = read("v 0 0 0 255 0 51\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nf 1 2 3\n");
-    EXPECT_NEAR(meshOf(bytes).colors[0].b, 0.0331048f, 1e-6f) << "0.2";
+    const auto bytes = readWithColors("v 0 0 0 255 0 51\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nf 1 2 3\n");
+    EXPECT_NEAR(bytes->colors[0].b, 0.0331048f, 1e-6f) << "0.2";
     EXPECT_EQ(notesText(), "mesh.obj: warning: colours of vertices above 1; all are read as 0 to 255\n");
-    const SceneDescription odd = read("v 0 0 0 -1 0 0.5\nv 1 0 0\nv 0 1 0 nan 0 0\nf 1 2 3\n");
-    EXPECT_EQ(meshOf(odd).colors[0].r, 0.0f);
-    EXPECT_EQ(meshOf(odd).colors[1], Rgb(1.0f));
-    EXPECT_EQ(meshOf(odd).colors[2], Rgb(1.0f));
+    const auto odd = readWithColors("v 0 0 0 -1 0 0.5\nv 1 0 0\nv 0 1 0 nan 0 0\nf 1 2 3\n");
+    EXPECT_EQ(odd->colors[0].r, 0.0f);
+    EXPECT_EQ(odd->colors[1], Rgb(1.0f));
+    EXPECT_EQ(odd->colors[2], Rgb(1.0f));
     EXPECT_EQ(notesText(),
               "mesh.obj: note: vertices without a colour in a file with colours; white is used (2 times)\n"
               "mesh.obj: warning: colours of vertices out of range; clamped\n");
+}
+
+TEST_F(ObjNumbers, ColoursThatAreNotShownAreNoted) {
+    EXPECT_TRUE(meshOf(read("v 0 0 0 1 0 0\n" + kFace)).colors.empty());
+    EXPECT_EQ(notesText(),
+              "mesh.obj: note: vertex colours are not shown; vertex_colors = true in [[mesh]] shows them\n");
 }
 
 TEST_F(ObjNumbers, TextureCoordinatesHaveOneToThreeNumbers) {

@@ -53,8 +53,7 @@ bool EarClipper::isEar(std::uint32_t corner, Rule rule) const {
         return isInside(flat_[prev_[other]]) || isInside(flat_[next_[other]]);
     };
     const double least = rule == Rule::Strict ? 0.0 : std::numeric_limits<double>::min();
-    return !tree_.anyInTriangle({a, b, c}, [&](std::uint32_t other) {
-        const glm::dvec2 p = flat_[other];
+    return !tree_.anyInTriangle({a, b, c}, [&](std::uint32_t other, const glm::dvec2& p) {
         if (p == b) return other != corner && entersAngle(other);
         return orientation(c, a, p) >= least && orientation(a, b, p) >= least &&
                orientation(b, c, p) >= least && p != a && p != c;

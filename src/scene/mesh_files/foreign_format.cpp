@@ -38,6 +38,16 @@ constexpr std::array kMagics{
     Magic{"\x89PNG"sv, "is a PNG image"},
     Magic{"\xff\xd8\xff"sv, "is a JPEG image"},
     Magic{"%PDF"sv, "is a PDF document"},
+    Magic{"Rar!"sv, "is a RAR archive; extract it first"},
+    Magic{"; FBX"sv, "is an FBX file"},
+    Magic{"OFF\n"sv, "is an OFF file"},
+    Magic{"#VRML"sv, "is a VRML file"},
+    Magic{"xof 0"sv, "is a DirectX mesh"},
+    Magic{"\x64\x86"sv, "is an object file of a compiler (machine code)"},
+    Magic{"\x4c\x01"sv, "is an object file of a compiler (machine code)"},
+    Magic{"\x7f"
+          "ELF"sv,
+          "is an ELF file (machine code)"},
 };
 
 /// Latin text in UTF-16 without a byte order mark: every other byte is 0.

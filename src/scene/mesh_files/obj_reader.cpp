@@ -126,7 +126,8 @@ ImportedMesh readObj(const std::string& path, const ImportContext& context) {
     ParsedObj obj = parseObj(path, readTextFile(path, "OBJ", oddities), oddities, context.control);
     auto data = std::make_shared<MeshData>();
     addVertices(obj, *data);
-    if (!obj.colors.empty()) addColors(obj, *data, oddities);
+    if (!obj.colors.empty() && context.withColors) addColors(obj, *data, oddities);
+    if (!obj.colors.empty() && !context.withColors) oddities.add(Severity::Note, kColorsNotShown);
     data->triangles = std::move(obj.triangles);
     data->triangles.shrink_to_fit();
     data->materialSlots = std::move(obj.slots);

@@ -22,11 +22,10 @@ std::uint64_t spread(std::uint64_t x) {
 }  // namespace
 
 PointTree::PointTree(const std::vector<glm::dvec2>& points, std::span<const std::uint32_t> indices)
-    : isIn_(points.size(), false) {
+    : positions_(points.size()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Box all{glm::dvec2(kInfinity), glm::dvec2(-kInfinity)};
     for (const std::uint32_t i : indices) {
-        isIn_[i] = true;
         all = {glm::min(all.lower, points[i]), glm::max(all.upper, points[i])};
     }
     const glm::dvec2 size = glm::max(all.upper - all.lower, glm::dvec2(std::numeric_limits<double>::min()));
@@ -39,7 +38,12 @@ PointTree::PointTree(const std::vector<glm::dvec2>& points, std::span<const std:
     }
     std::sort(keys.begin(), keys.end());
     order_.reserve(keys.size());
-    for (const auto& [key, index] : keys) order_.push_back(index);
+    sorted_.reserve(keys.size());
+    for (const auto& [key, index] : keys) {
+        positions_[index] = static_cast<std::uint32_t>(order_.size());
+        order_.push_back(index);
+        sorted_.push_back(points[index]);
+    }
 
     const std::size_t leaves =
         std::bit_ceil(std::max<std::size_t>((order_.size() + kLeafSize - 1) / kLeafSize, 1));
@@ -47,7 +51,7 @@ PointTree::PointTree(const std::vector<glm::dvec2>& points, std::span<const std:
     boxes_.assign(2 * leaves, {glm::dvec2(kInfinity), glm::dvec2(-kInfinity)});
     for (std::size_t i = 0; i < order_.size(); ++i) {
         Box& box = boxes_[leaves + i / kLeafSize];
-        const glm::dvec2& p = points[order_[i]];
+        const glm::dvec2& p = sorted_[i];
         box = {glm::min(box.lower, p), glm::max(box.upper, p)};
     }
     for (std::size_t node = leaves - 1; node > 0; --node)

@@ -1,8 +1,11 @@
 #pragma once
 #include <rayscope/vector.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -11,12 +14,15 @@ namespace rayscope::scene {
 /// Bounding boxes over points of the plane in Morton order, to find those in a triangle.
 class PointTree {
   public:
-    /// `points` must outlive the tree; `indices` are the points in it.
+    /// `indices` are the points in the tree.
     PointTree(const std::vector<glm::dvec2>& points, std::span<const std::uint32_t> indices);
 
-    void remove(std::uint32_t index) { isIn_[index] = false; }
+    /// `index` must be in the tree.
+    void remove(std::uint32_t index) {
+        sorted_[positions_[index]] = glm::dvec2(std::numeric_limits<double>::quiet_NaN());
+    }
 
-    /// Whether `predicate(index)` is true for a point of the tree in or near the triangle, which is
+    /// Whether `predicate(index, point)` is true for a point of the tree in or near the triangle, which is
     /// counter-clockwise or has no area. It is called for all points in the triangle and on its outline until
     /// it returns true.
     template <class Predicate>
@@ -36,7 +42,7 @@ class PointTree {
             const std::size_t begin = (node - firstLeaf_) * kLeafSize;
             const std::size_t end = std::min(begin + kLeafSize, order_.size());
             for (std::size_t i = begin; i < end; ++i)
-                if (isIn_[order_[i]] && predicate(order_[i])) return true;
+                if (!std::isnan(sorted_[i].x) && predicate(order_[i], sorted_[i])) return true;
         }
         return false;
     }
@@ -54,7 +60,8 @@ class PointTree {
     };
 
     std::vector<std::uint32_t> order_;
-    std::vector<bool> isIn_;
+    std::vector<std::uint32_t> positions_;  ///< per index: where it is in order_
+    std::vector<glm::dvec2> sorted_;        ///< the points of order_; NaN: removed
     std::vector<Box> boxes_;  ///< a complete binary tree: the children of node i are 2i and 2i + 1
     std::uint32_t firstLeaf_ = 1;
 };

@@ -13,8 +13,4 @@ namespace rayscope::scene {
 /// files of other formats, and for folders, pipes and devices.
 std::string readTextFile(const std::string& path, std::string_view format, Oddities& oddities);
 
-/// Throws the InputError of readTextFile() for a file that starts with `bytes`, if these are the first bytes
-/// of a known kind of file that is not `format`.
-void refuseOtherFormats(const std::string& path, std::string_view format, std::string_view bytes);
-
 }  // namespace rayscope::scene
