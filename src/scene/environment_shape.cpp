@@ -12,8 +12,6 @@ namespace rayscope::scene {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kFaces{"px", "nx", "py", "ny", "pz", "nz"};
-
 using Cube = std::array<const RgbImage*, 6>;
 
 std::string sizeOf(const RgbImage& image) { return fmt::format("{} x {}", image.width, image.height); }
@@ -47,7 +45,7 @@ void addCubeOddities(const Cube& cube, std::vector<std::string>& found) {
     bool differ = false;
     for (std::size_t face = 0; face < cube.size(); ++face) {
         const RgbImage& image = *cube[face];
-        const std::string size = fmt::format("{} {}", kFaces[face], sizeOf(image));
+        const std::string size = fmt::format("{} {}", kCubeFaces[face], sizeOf(image));
         if (image.width != image.height) oblong += (oblong.empty() ? "" : ", ") + size;
         sizes += (sizes.empty() ? "" : ", ") + size;
         differ |= image.width != cube[0]->width || image.height != cube[0]->height;

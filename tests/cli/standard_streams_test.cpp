@@ -14,8 +14,8 @@ using test::run;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-const std::string kProgram = std::string("'") + RAYSCOPE_PROGRAM + "'";
-const std::string kRender = kProgram + " render builtin:cornell --size 16x16 --spp 1 ";
+const std::string kQuotedProgram = std::string("'") + RAYSCOPE_PROGRAM + "'";
+const std::string kRender = kQuotedProgram + " render builtin:cornell --size 16x16 --spp 1 ";
 
 std::size_t temporaries(const TemporaryFolder& folder) {
     std::size_t count = 0;
@@ -34,7 +34,7 @@ TEST(StandardStreams, AFullStandardOutputIsAnError) {
           "render builtin:triangle --dump-settings --set spp=3",
           "render builtin:triangle --size 8x8 --spp 1 -o - --format pfm",
           "lab --quick --rays 10 builtin:triangle -q"}) {
-        const ProgramResult result = run(folder, kProgram + " " + arguments + " >/dev/full");
+        const ProgramResult result = run(folder, kQuotedProgram + " " + arguments + " >/dev/full");
         EXPECT_EQ(result.exitCode, 2) << arguments;
         EXPECT_EQ(result.err, "error: the standard output cannot be written: No space left on device\n")
             << arguments;
@@ -48,10 +48,11 @@ TEST(StandardStreams, MessagesThatCannotBeWrittenAreDropped) {
         const ProgramResult result = run(folder, kRender + "-o a.pfm --progress json " + streams);
         EXPECT_EQ(result.exitCode, 0) << streams;
         EXPECT_EQ(readImage((folder / "a.pfm").string()).width, 16) << streams;
-        EXPECT_EQ(run(folder, kProgram + " render missing.toml -o a.pfm " + streams).exitCode, 2) << streams;
-        EXPECT_EQ(run(folder, kProgram + " rendr " + streams).exitCode, 1) << streams;
+        EXPECT_EQ(run(folder, kQuotedProgram + " render missing.toml -o a.pfm " + streams).exitCode, 2)
+            << streams;
+        EXPECT_EQ(run(folder, kQuotedProgram + " rendr " + streams).exitCode, 1) << streams;
     }
-    EXPECT_EQ(run(folder, kProgram + " info builtin:triangle >&-").exitCode, 2);
+    EXPECT_EQ(run(folder, kQuotedProgram + " info builtin:triangle >&-").exitCode, 2);
 }
 
 TEST(StandardStreams, AClosedPipeEndsQuietly) {
@@ -73,7 +74,7 @@ TEST(StandardStreams, ClosedDescriptorsDoNotGetIntoOutputFiles) {
     const TemporaryFolder folder;
     folder.write("n.obj", "l 1 2\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     folder.write("z.rays", std::string(3200, '\0'));
-    const ProgramResult result = run(folder, kProgram + " cast n.obj --rays z.rays -o h.hits <&- 2>&-");
+    const ProgramResult result = run(folder, kQuotedProgram + " cast n.obj --rays z.rays -o h.hits <&- 2>&-");
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(test::readText(folder / "h.hits").size(), 1600u);
 }
@@ -94,7 +95,7 @@ TEST(StandardStreams, TheImageGoesToTheStandardOutput) {
 TEST(StandardStreams, OneFailingOutputLeavesTheOthers) {
     const TemporaryFolder folder;
     // A limit on the size of files fails the large ones as a full disk does.
-    const ProgramResult result = run(folder, "ulimit -f 8; " + kProgram +
+    const ProgramResult result = run(folder, "ulimit -f 8; " + kQuotedProgram +
                                                  " render builtin:cornell --size 64x64 --spp 1 -o a.pfm -o "
                                                  "b.png -o c.pfm --aov depth --stats s.json");
     EXPECT_EQ(result.exitCode, 2);
@@ -129,7 +130,7 @@ TEST(StandardStreams, DestinationsAreCheckedBeforeTheWork) {
         {"compare missing.png missing.png --map m.xyz", 2},
     };
     for (const auto& [arguments, expected] : commands) {
-        const ProgramResult result = run(folder, "timeout 20 " + kProgram + " " + arguments);
+        const ProgramResult result = run(folder, "timeout 20 " + kQuotedProgram + " " + arguments);
         EXPECT_EQ(result.exitCode, expected) << arguments << "\n" << result.err;
         EXPECT_THAT(result.err, HasSubstr("error: ")) << arguments;
     }
@@ -154,7 +155,8 @@ TEST(StandardStreams, EverySignalWritesTheImage) {
         std::filesystem::remove(folder / "a.png");
         const ProgramResult result =
             run(folder, std::string("timeout --foreground --preserve-status -s ") + signal + " 1 " +
-                            kProgram + " render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
+                            kQuotedProgram +
+                            " render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
         EXPECT_EQ(result.exitCode, 130) << signal;
         EXPECT_EQ(readImage((folder / "a.png").string()).width, 100) << signal;
     }
@@ -173,7 +175,7 @@ TEST(StandardStreams, LackOfMemoryIsOneLine) {
                                   "render builtin:triangle -o a.pfm --size 16000x16000 --target-error 0.1",
                                   "probe builtin:ten-million --pixel 1,1", "bench builtin:ten-million"}) {
         const ProgramResult result =
-            run(folder, "ulimit -v 600000; timeout 60 " + kProgram + " " + arguments);
+            run(folder, "ulimit -v 600000; timeout 60 " + kQuotedProgram + " " + arguments);
         if (result.err.find("AddressSanitizer") != std::string::npos || result.exitCode == 127) GTEST_SKIP();
         EXPECT_EQ(result.exitCode, 2) << arguments << "\n" << result.err;
         EXPECT_THAT(result.err, HasSubstr("error: out of memory")) << arguments;

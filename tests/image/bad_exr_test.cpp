@@ -17,7 +17,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 RgbImage decode(const std::string& file) { return image::decodeExr(std::as_bytes(std::span(file)), "x.exr"); }
-std::string errorOf(const std::string& file) {
+std::string badExrError(const std::string& file) {
     return inputErrorOf([&] { decode(file); });
 }
 
@@ -67,7 +67,7 @@ TEST(BadExr, BlocksThatHoldTooLittleAreRefused) {
             // An empty block, which the library takes as read.
             const std::uint32_t nothing = 0;
             std::memcpy(file.data() + firstBlock(file) + (tiled ? 16 : 4), &nothing, 4);
-            EXPECT_THAT(errorOf(file), AllOf(HasSubstr("x.exr"), HasSubstr("block at pixel 0, 0")))
+            EXPECT_THAT(badExrError(file), AllOf(HasSubstr("x.exr"), HasSubstr("block at pixel 0, 0")))
                 << compression;
         }
 }
@@ -77,14 +77,14 @@ TEST(BadExr, TablesAndOffsetsAreChecked) {
         const std::string file = fileWith(Imf::ZIP_COMPRESSION, tiled);
         std::string changed = file;
         changed.replace(tableOf(file), 8, 8, '\0');
-        EXPECT_THAT(errorOf(changed), HasSubstr("incomplete"));
+        EXPECT_THAT(badExrError(changed), HasSubstr("incomplete"));
         changed.replace(tableOf(file), 8, 8, '\x7f');
-        EXPECT_THAT(errorOf(changed), HasSubstr("behind the end"));
+        EXPECT_THAT(badExrError(changed), HasSubstr("behind the end"));
         changed = file;
         const std::uint64_t shifted = firstBlock(file) + 4;
         std::memcpy(changed.data() + tableOf(file), &shifted, 8);
-        EXPECT_NE(errorOf(changed), "");
-        EXPECT_THAT(errorOf(file.substr(0, tableOf(file) + 5)), HasSubstr("table of blocks"));
+        EXPECT_NE(badExrError(changed), "");
+        EXPECT_THAT(badExrError(file.substr(0, tableOf(file) + 5)), HasSubstr("table of blocks"));
     }
 }
 
@@ -92,20 +92,20 @@ TEST(BadExr, AnnouncedSizesAreComparedWithTheFile) {
     const std::string file = fileWith(Imf::ZIP_COMPRESSION);
     std::string changed = file;
     changed.replace(endOf(file, "lineOrder", "lineOrder"), 4, "\xff\xff\xff\x7f", 4);
-    EXPECT_THAT(errorOf(changed), AllOf(HasSubstr("'lineOrder'"), HasSubstr("2147483647 bytes")));
+    EXPECT_THAT(badExrError(changed), AllOf(HasSubstr("'lineOrder'"), HasSubstr("2147483647 bytes")));
     changed.replace(endOf(file, "lineOrder", "lineOrder"), 4, "\xff\xff\xff\xff", 4);
-    EXPECT_THAT(errorOf(changed), HasSubstr("-1 bytes"));
+    EXPECT_THAT(badExrError(changed), HasSubstr("-1 bytes"));
 
     ExrWriter writer(4, 4);
     writer.header.setPreviewImage(Imf::PreviewImage(2, 2));
     changed = writer.scanLines(pixelAt);
     ASSERT_NO_THROW(decode(changed));
     changed.replace(endOf(changed, "preview", "preview") + 4, 8, "\x30\x75\0\0\x30\x75\0\0", 8);
-    EXPECT_THAT(errorOf(changed), HasSubstr("30000 x 30000"));
+    EXPECT_THAT(badExrError(changed), HasSubstr("30000 x 30000"));
 
     changed = file;
     changed[endOf(file, "compression", "compression") + 4] = 77;
-    EXPECT_THAT(errorOf(changed), HasSubstr("compression method 77"));
+    EXPECT_THAT(badExrError(changed), HasSubstr("compression method 77"));
 }
 
 /// The pixels, or the error.

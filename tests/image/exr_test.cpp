@@ -39,7 +39,7 @@ std::vector<std::string> notesOf(const std::string& file) {
     decode(file, &notes);
     return notes;
 }
-std::string errorOf(const std::string& file) {
+std::string exrError(const std::string& file) {
     return inputErrorOf([&] { decode(file); });
 }
 
@@ -166,11 +166,11 @@ TEST(Exr, TheFirstPartWithAPictureIsRead) {
     const std::string file = test::exrOfParts({{"Z"}, {"R", "G", "B"}, {"R"}}, 8, 5, valueAt);
     expectPixels(decode(file, &notes), 0, 0);
     EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("part 2 of 3"), HasSubstr("part1"))));
-    EXPECT_THAT(errorOf(test::exrOfParts({{"Z"}, {"W"}}, 8, 5, valueAt)), HasSubstr("it has Z, W"));
+    EXPECT_THAT(exrError(test::exrOfParts({{"Z"}, {"W"}}, 8, 5, valueAt)), HasSubstr("it has Z, W"));
 }
 
 TEST(Exr, DeepImagesAreRefusedByName) {
-    EXPECT_THAT(errorOf(test::deepExr(4, 4)), AllOf(HasSubstr("deep"), HasSubstr("flatten")));
+    EXPECT_THAT(exrError(test::deepExr(4, 4)), AllOf(HasSubstr("deep"), HasSubstr("flatten")));
 }
 
 TEST(Exr, LuminanceAndChromaAreReadLikeTheLibraryReadsThem) {

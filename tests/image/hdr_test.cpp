@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 const std::string kRgbe = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n";
 
-std::string errorOf(const std::string& file) {
+std::string hdrError(const std::string& file) {
     return test::inputErrorOf([&] { decode(file, "x.hdr"); });
 }
 
@@ -123,20 +123,21 @@ TEST(Hdr, XyzIsConvertedToSrgb) {
 
 TEST(Hdr, DamagedFilesAreNamed) {
     const std::string line = newLine(3);
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 8\n" + line.substr(0, line.size() - 1)),
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 8\n" + line.substr(0, line.size() - 1)),
                 HasSubstr("unexpected end of file"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 9\n" + line), HasSubstr("another length"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 8\n" + bytesOf({2, 2, 0, 8, 137, 1})), HasSubstr("run leaves"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 8\n" + bytesOf({2, 2, 0, 8, 0, 1})), HasSubstr("run leaves"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 3\n" + bytesOf({1, 1, 1, 3})), HasSubstr("run leaves"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 +X 3\n" + pixel(9, 9, 9) + bytesOf({1, 1, 1, 3})),
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 9\n" + line), HasSubstr("another length"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 8\n" + bytesOf({2, 2, 0, 8, 137, 1})), HasSubstr("run leaves"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 8\n" + bytesOf({2, 2, 0, 8, 0, 1})), HasSubstr("run leaves"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 3\n" + bytesOf({1, 1, 1, 3})), HasSubstr("run leaves"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 +X 3\n" + pixel(9, 9, 9) + bytesOf({1, 1, 1, 3})),
                 HasSubstr("run leaves"));
-    EXPECT_THAT(errorOf("#?RADIANCE\nFORMAT=8-bit\n\n-Y 1 +X 1\n"), HasSubstr("FORMAT=8-bit"));
-    EXPECT_THAT(errorOf(kRgbe + "\nY 1 X 1\n"), HasSubstr("-Y 480 +X 640"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 1 -Y 1\n"), HasSubstr("-Y 480 +X 640"));
-    EXPECT_THAT(errorOf(kRgbe + "\n-Y 0 +X 1\n"), HasSubstr("1 x 0"));
-    EXPECT_THAT(errorOf(kRgbe), HasSubstr("header"));
-    EXPECT_THAT(errorOf(kRgbe + "EXPOSURE=1e300\n\n-Y 1 +X 1\n" + pixel(1, 1, 1)), HasSubstr("out of range"));
+    EXPECT_THAT(hdrError("#?RADIANCE\nFORMAT=8-bit\n\n-Y 1 +X 1\n"), HasSubstr("FORMAT=8-bit"));
+    EXPECT_THAT(hdrError(kRgbe + "\nY 1 X 1\n"), HasSubstr("-Y 480 +X 640"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 1 -Y 1\n"), HasSubstr("-Y 480 +X 640"));
+    EXPECT_THAT(hdrError(kRgbe + "\n-Y 0 +X 1\n"), HasSubstr("1 x 0"));
+    EXPECT_THAT(hdrError(kRgbe), HasSubstr("header"));
+    EXPECT_THAT(hdrError(kRgbe + "EXPOSURE=1e300\n\n-Y 1 +X 1\n" + pixel(1, 1, 1)),
+                HasSubstr("out of range"));
 }
 
 TEST(Hdr, TheWriterRoundsToTheNearestValue) {

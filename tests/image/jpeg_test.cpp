@@ -27,7 +27,7 @@ using test::notesOf;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string errorOf(const std::string& file) {
+std::string jpegError(const std::string& file) {
     return test::inputErrorOf([&] { decode(file, "x.jpg"); });
 }
 
@@ -165,41 +165,41 @@ std::string withFrame(int marker) {
 }
 
 TEST(Jpeg, CodingsThatAreNotReadAreNamed) {
-    EXPECT_THAT(errorOf(withFrame(0xc3)), HasSubstr("lossless coding"));
-    EXPECT_THAT(errorOf(withFrame(0xcb)), HasSubstr("lossless arithmetic coding"));
+    EXPECT_THAT(jpegError(withFrame(0xc3)), HasSubstr("lossless coding"));
+    EXPECT_THAT(jpegError(withFrame(0xcb)), HasSubstr("lossless arithmetic coding"));
     for (const int marker : {0xc5, 0xc6, 0xc7, 0xcd, 0xce, 0xcf})
-        EXPECT_THAT(errorOf(withFrame(marker)), HasSubstr("hierarchical coding"));
+        EXPECT_THAT(jpegError(withFrame(marker)), HasSubstr("hierarchical coding"));
     std::string file = withFrame(0xc1);
     const std::size_t frame = file.find("\xff\xc1");
     file[frame + 4] = 12;
-    EXPECT_THAT(errorOf(file), HasSubstr("12 bits per sample"));
+    EXPECT_THAT(jpegError(file), HasSubstr("12 bits per sample"));
     file[frame + 4] = 8;
     file.replace(frame + 5, 2, 2, '\0');
-    EXPECT_THAT(errorOf(file), HasSubstr("DNL"));
+    EXPECT_THAT(jpegError(file), HasSubstr("DNL"));
     file.replace(frame + 5, 4, "\xff\xff\xff\xff");
-    EXPECT_THAT(errorOf(file), HasSubstr("65535 x 65535 pixels, the limit"));
+    EXPECT_THAT(jpegError(file), HasSubstr("65535 x 65535 pixels, the limit"));
     file.replace(frame + 5, 4, "\x20\x01\x20\x01");
-    EXPECT_THAT(errorOf(file), HasSubstr("8193 x 8193 pixels in a file of"));
-    EXPECT_THAT(errorOf(bytesOf({0xff, 0xd8, 0xff, 0xf7, 0, 4, 8, 0})), HasSubstr("JPEG-LS"));
+    EXPECT_THAT(jpegError(file), HasSubstr("8193 x 8193 pixels in a file of"));
+    EXPECT_THAT(jpegError(bytesOf({0xff, 0xd8, 0xff, 0xf7, 0, 4, 8, 0})), HasSubstr("JPEG-LS"));
     // Sampling factors of 3 and 2.
     std::string fractional = jpegFile(3);
     const std::size_t components = fractional.find("\xff\xc0") + 10;
     fractional[components + 1] = 0x31;
     fractional[components + 4] = 0x21;
-    EXPECT_THAT(errorOf(fractional), HasSubstr("a feature that is not read (Fractional sampling"));
+    EXPECT_THAT(jpegError(fractional), HasSubstr("a feature that is not read (Fractional sampling"));
 }
 
 TEST(Jpeg, IncompleteFilesAreDamaged) {
     const std::string grey = jpegFile(1), end = bytesOf({0xff, 0xd9});
     const std::size_t scan = grey.find("\xff\xda");
-    EXPECT_THAT(errorOf(grey.substr(0, scan) + end), HasSubstr("before the first scan"));
-    EXPECT_THAT(errorOf(grey.substr(0, 2) + end), HasSubstr("no frame header"));
-    EXPECT_THAT(errorOf(grey.substr(0, scan + 20) + end), HasSubstr("premature end"));
-    EXPECT_THAT(errorOf(grey.substr(0, scan + 20)), HasSubstr("damaged"));
+    EXPECT_THAT(jpegError(grey.substr(0, scan) + end), HasSubstr("before the first scan"));
+    EXPECT_THAT(jpegError(grey.substr(0, 2) + end), HasSubstr("no frame header"));
+    EXPECT_THAT(jpegError(grey.substr(0, scan + 20) + end), HasSubstr("premature end"));
+    EXPECT_THAT(jpegError(grey.substr(0, scan + 20)), HasSubstr("damaged"));
     EXPECT_THAT(notesOf(grey.substr(0, grey.size() - 2)), HasSubstr("end marker"));
     const std::string progressive = jpegFile(3, [](auto& jpeg) { jpeg_simple_progression(&jpeg); });
     const std::size_t secondScan = progressive.find("\xff\xda", progressive.find("\xff\xda") + 1);
-    EXPECT_THAT(errorOf(progressive.substr(0, secondScan)), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(jpegError(progressive.substr(0, secondScan)), HasSubstr("unexpected end of file"));
     // A scan for each component, of which the last is missing.
     const std::string separate = jpegFile(3, [](auto& jpeg) {
         static constexpr jpeg_scan_info kScans[]{
@@ -208,7 +208,7 @@ TEST(Jpeg, IncompleteFilesAreDamaged) {
         jpeg.num_scans = 3;
     });
     expectSamples(decode(separate), 3, 24);
-    EXPECT_THAT(errorOf(separate.substr(0, separate.rfind("\xff\xda")) + end),
+    EXPECT_THAT(jpegError(separate.substr(0, separate.rfind("\xff\xda")) + end),
                 HasSubstr("no scan of component 3"));
 }
 

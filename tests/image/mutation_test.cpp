@@ -67,7 +67,7 @@ std::vector<std::pair<std::string, std::string>> files() {
 }
 
 /// What decoding gives: the bits of the pixels, or the error.
-std::string outcomeOf(const std::string& file) {
+std::string mutatedOutcome(const std::string& file) {
     try {
         const RgbImage image = decode(file);
         EXPECT_EQ(image.pixels.size(),
@@ -92,9 +92,9 @@ void dirtyMemory(int pattern) {
 
 void expectSameOutcome(const std::string& file, const std::string& what) {
     dirtyMemory(0x55);
-    const std::string first = outcomeOf(file);
+    const std::string first = mutatedOutcome(file);
     dirtyMemory(0xc3);
-    const std::string second = outcomeOf(file);
+    const std::string second = mutatedOutcome(file);
     ::mallopt(M_PERTURB, 0);
     ASSERT_TRUE(first == second) << what;
 }
@@ -122,7 +122,7 @@ TEST(Mutation, TheOutcomeForChangedFilesDependsOnTheFileAlone) {
             if (i % 8 == 0)
                 expectSameOutcome(changed, kind + " change " + std::to_string(i));
             else
-                outcomeOf(changed);
+                mutatedOutcome(changed);
         }
 }
 

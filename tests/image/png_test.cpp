@@ -23,7 +23,7 @@ using test::PngSpec;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string errorOf(const std::string& file) {
+std::string pngError(const std::string& file) {
     return test::inputErrorOf([&] { decode(file, "x.png"); });
 }
 
@@ -144,20 +144,20 @@ TEST(Png, ChecksumsAreChecked) {
     EXPECT_THAT(notesOf(damaged), AllOf(HasSubstr("warning"), HasSubstr("gAMA: CRC error")));
     damaged = file;
     damaged[pixels + 12] ^= 1;
-    EXPECT_THAT(errorOf(damaged), AllOf(HasSubstr("x.png"), HasSubstr("IDAT: ")));
+    EXPECT_THAT(pngError(damaged), AllOf(HasSubstr("x.png"), HasSubstr("IDAT: ")));
     damaged = file;
     damaged[file.find("IEND") - 5] ^= 1;
-    EXPECT_THAT(errorOf(damaged), HasSubstr("IDAT: CRC error"));
+    EXPECT_THAT(pngError(damaged), HasSubstr("IDAT: CRC error"));
 }
 
 TEST(Png, DamagedFilesAreNamed) {
     std::string file = grey128With("");
-    EXPECT_THAT(errorOf("\x89PNG\n" + file.substr(6)), HasSubstr("text mode"));
-    EXPECT_THAT(errorOf(file.substr(0, 8) + pngChunk("CgBI", "\0\0\0\0"s) + file.substr(8)),
+    EXPECT_THAT(pngError("\x89PNG\n" + file.substr(6)), HasSubstr("text mode"));
+    EXPECT_THAT(pngError(file.substr(0, 8) + pngChunk("CgBI", "\0\0\0\0"s) + file.substr(8)),
                 HasSubstr("iOS"));
-    EXPECT_THAT(errorOf(file.substr(0, file.size() - 12)), HasSubstr("unexpected end of file"));
-    EXPECT_THAT(errorOf(pngFile({.depth = 3, .colorType = 0, .samples = {1}})), HasSubstr("IHDR"));
-    EXPECT_THAT(errorOf(pngFile({.depth = 8, .colorType = 3, .samples = {1}})), HasSubstr("PLTE"));
+    EXPECT_THAT(pngError(file.substr(0, file.size() - 12)), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(pngError(pngFile({.depth = 3, .colorType = 0, .samples = {1}})), HasSubstr("IHDR"));
+    EXPECT_THAT(pngError(pngFile({.depth = 8, .colorType = 3, .samples = {1}})), HasSubstr("PLTE"));
 }
 
 TEST(Png, WrittenFilesHoldTheCodesOfEveryPixel) {

@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string errorOf(const std::string& file) {
+std::string pnmError(const std::string& file) {
     return test::inputErrorOf([&] { decode(file, "x.pnm"); });
 }
 
@@ -74,25 +74,25 @@ TEST(Pnm, ArbitraryMaps) {
     EXPECT_EQ(decode(header("2", "65535", "GRAYSCALE_ALPHA") + bytesOf({1, 0, 0, 0})).at(0, 0),
               Rgb(linearOf(256, 65535)));
     EXPECT_EQ(decode(header("1", "1", "BLACKANDWHITE") + bytesOf({1})).at(0, 0), Rgb(1.0f));
-    EXPECT_THAT(errorOf(header("5", "255", "CMYK_ALPHA") + "12345"), HasSubstr("5 channels"));
-    EXPECT_THAT(errorOf("P7\nWIDTH 1\nHEIGHT 1\nPIXELS\n"), HasSubstr("ENDHDR"));
+    EXPECT_THAT(pnmError(header("5", "255", "CMYK_ALPHA") + "12345"), HasSubstr("5 channels"));
+    EXPECT_THAT(pnmError("P7\nWIDTH 1\nHEIGHT 1\nPIXELS\n"), HasSubstr("ENDHDR"));
 }
 
 TEST(Pnm, ErrorsNameTheProblem) {
-    EXPECT_THAT(errorOf("P5\n2 1\n255\na"), HasSubstr("unexpected end of file"));
-    EXPECT_THAT(errorOf("P2\n2 1\n255\n7"), HasSubstr("unexpected end of file"));
-    EXPECT_THAT(errorOf("P1\n2 1\n1"), HasSubstr("unexpected end of file"));
-    EXPECT_THAT(errorOf("P2\n2 1\n255\n7 256"), HasSubstr("value 256, the maximum is 255"));
-    EXPECT_THAT(errorOf("P2\n2 1\n255\n7 -1"), HasSubstr("value -1, the maximum is 255"));
-    EXPECT_THAT(errorOf("P5\n1 1\n100\ne"), HasSubstr("value 101, the maximum is 100"));
-    EXPECT_THAT(errorOf("P2\n2 1\n255\n7 x"), HasSubstr("not a number"));
-    EXPECT_THAT(errorOf("P1\n2 1\n12"), HasSubstr("0 and 1"));
+    EXPECT_THAT(pnmError("P5\n2 1\n255\na"), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(pnmError("P2\n2 1\n255\n7"), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(pnmError("P1\n2 1\n1"), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(pnmError("P2\n2 1\n255\n7 256"), HasSubstr("value 256, the maximum is 255"));
+    EXPECT_THAT(pnmError("P2\n2 1\n255\n7 -1"), HasSubstr("value -1, the maximum is 255"));
+    EXPECT_THAT(pnmError("P5\n1 1\n100\ne"), HasSubstr("value 101, the maximum is 100"));
+    EXPECT_THAT(pnmError("P2\n2 1\n255\n7 x"), HasSubstr("not a number"));
+    EXPECT_THAT(pnmError("P1\n2 1\n12"), HasSubstr("0 and 1"));
     for (const char* maximum : {"0", "65536", "-1"})
-        EXPECT_THAT(errorOf("P5\n1 1\n"s + maximum + "\naa"), HasSubstr("expected 1 to 65535"));
-    EXPECT_THAT(errorOf("P5\nx 1\n255\na"), HasSubstr("width"));
-    EXPECT_THAT(errorOf("P5\n1\n"), HasSubstr("height"));
-    EXPECT_THAT(errorOf("P5\n0 1\n255\na"), HasSubstr("0 x 1"));
-    EXPECT_THAT(errorOf("P5\n99999 99999\n255\na"), HasSubstr("99999 x 99999 pixels, the limit"));
+        EXPECT_THAT(pnmError("P5\n1 1\n"s + maximum + "\naa"), HasSubstr("expected 1 to 65535"));
+    EXPECT_THAT(pnmError("P5\nx 1\n255\na"), HasSubstr("width"));
+    EXPECT_THAT(pnmError("P5\n1\n"), HasSubstr("height"));
+    EXPECT_THAT(pnmError("P5\n0 1\n255\na"), HasSubstr("0 x 1"));
+    EXPECT_THAT(pnmError("P5\n99999 99999\n255\na"), HasSubstr("99999 x 99999 pixels, the limit"));
 }
 
 TEST(Pnm, WhatFollowsThePixelsIsReported) {
@@ -129,9 +129,9 @@ TEST(Pfm, HeadersOfOtherWriters) {
 TEST(Pfm, OdditiesAreReported) {
     EXPECT_THAT(notesOf("Pf\n1 1\n-2.5\n" + kOne), HasSubstr("multiplied by its scale, 2.5"));
     EXPECT_THAT(notesOf("Pf\n1 1\n1\n" + kOne + "ab"), HasSubstr("2 bytes behind the pixels"));
-    EXPECT_THAT(errorOf("Pf\n1 1\nnan\n" + kOne), HasSubstr("scale is nan"));
-    EXPECT_THAT(errorOf("Pf\n1 1\n1e99\n" + kOne), HasSubstr("scale"));
-    EXPECT_THAT(errorOf("PF\n1 1\n1\n" + kOne), HasSubstr("unexpected end of file"));
+    EXPECT_THAT(pnmError("Pf\n1 1\nnan\n" + kOne), HasSubstr("scale is nan"));
+    EXPECT_THAT(pnmError("Pf\n1 1\n1e99\n" + kOne), HasSubstr("scale"));
+    EXPECT_THAT(pnmError("PF\n1 1\n1\n" + kOne), HasSubstr("unexpected end of file"));
 }
 
 }  // namespace

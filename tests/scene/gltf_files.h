@@ -10,6 +10,8 @@
 
 namespace rayscope::test {
 
+inline const std::string kPositions = R"("attributes":{"POSITION":0})";
+
 /// A glTF document under construction: each accessor gets a view of its own.
 class GltfBuilder {
   public:

@@ -13,8 +13,6 @@ using ::testing::HasSubstr;
 
 class GltfNodes : public GltfFiles {};
 
-const std::string kPositions = R"("attributes":{"POSITION":0})";
-
 TEST_F(GltfNodes, SelectsTheScene) {
     const GltfBuilder file = triangle();
     const auto meshAt = [&](const std::string& scenes) {

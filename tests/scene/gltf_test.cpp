@@ -12,8 +12,6 @@ using Triangles = std::vector<glm::uvec3>;
 
 class Gltf : public GltfFiles {};
 
-const std::string kPositions = R"("attributes":{"POSITION":0})";
-
 TEST_F(Gltf, ReadsAllContainersAlike) {
     const GltfBuilder file = triangle();
     const std::string members = oneMesh(kPositions);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kFileHeader = 14, kOs2Header = 12, kInfoHeader = 40, kHeaderWithMasks = 52,
                       kV4Header = 108, kV5Header = 124;
 
-enum Compression : std::uint32_t {
+enum BmpCompression : std::uint32_t {
     kNone,
     kRunLength8,
     kRunLength4,
@@ -25,9 +25,9 @@ enum Compression : std::uint32_t {
     kAlphaBitFields
 };
 
-class HeaderReader {
+class BmpHeaderReader {
   public:
-    explicit HeaderReader(const ImageFile& file) : file_(file), bytes_(file.bytes) {}
+    explicit BmpHeaderReader(const ImageFile& file) : file_(file), bytes_(file.bytes) {}
 
     BmpHeader read() {
         if (bytes_.size() < kFileHeader + kOs2Header) file_.damaged(kEndsTooEarly);
@@ -189,6 +189,6 @@ class HeaderReader {
 
 }  // namespace
 
-BmpHeader readBmpHeader(const ImageFile& file) { return HeaderReader(file).read(); }
+BmpHeader readBmpHeader(const ImageFile& file) { return BmpHeaderReader(file).read(); }
 
 }  // namespace rayscope::image

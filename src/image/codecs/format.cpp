@@ -10,8 +10,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-std::string_view textOf(FileBytes file) { return {reinterpret_cast<const char*>(file.data()), file.size()}; }
-
 bool isSpaceOrRemark(char c) { return " \t\r\n\v\f#"sv.find(c) != std::string_view::npos; }
 
 /// A letter of `kinds` behind the 'P', then white space: the start of PNM and PFM files.

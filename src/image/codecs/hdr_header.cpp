@@ -12,18 +12,18 @@ namespace rayscope::image {
 
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r";
+constexpr std::string_view kHdrSpaces = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(kSpaces), text.size());
+    const std::size_t first = std::min(text.find_first_not_of(kHdrSpaces), text.size());
     text.remove_prefix(first);
-    return text.substr(0, text.find_last_not_of(kSpaces) + 1);
+    return text.substr(0, text.find_last_not_of(kHdrSpaces) + 1);
 }
 
 /// Removes the next word from the front of `text`.
 std::string_view takeWord(std::string_view& text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kSpaces), text.size()));
-    const std::string_view word = text.substr(0, text.find_first_of(kSpaces));
+    text.remove_prefix(std::min(text.find_first_not_of(kHdrSpaces), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(kHdrSpaces));
     text.remove_prefix(word.size());
     return word;
 }
@@ -52,9 +52,9 @@ bool areNear(std::string_view text, const std::array<double, count>& expected, d
     return numbers.has_value();
 }
 
-class HeaderReader {
+class HdrHeaderReader {
   public:
-    explicit HeaderReader(const ImageFile& file)
+    explicit HdrHeaderReader(const ImageFile& file)
         : file_(file), text_(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()) {}
 
     HdrHeader read() {
@@ -74,7 +74,7 @@ class HeaderReader {
         if (end == std::string_view::npos) file_.damaged("unexpected end of the header");
         const std::string_view line = text_.substr(at_, end - at_);
         at_ = end + 1;
-        return line.substr(0, line.find_last_not_of(kSpaces) + 1);
+        return line.substr(0, line.find_last_not_of(kHdrSpaces) + 1);
     }
 
     void readVariable(std::string_view line) {
@@ -171,6 +171,6 @@ class HeaderReader {
 
 }  // namespace
 
-HdrHeader readHdrHeader(const ImageFile& file) { return HeaderReader(file).read(); }
+HdrHeader readHdrHeader(const ImageFile& file) { return HdrHeaderReader(file).read(); }
 
 }  // namespace rayscope::image

@@ -4,10 +4,15 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace rayscope::image {
 
 using FileBytes = std::span<const std::byte>;
+
+inline std::string_view textOf(FileBytes bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 /// A file that is decoded: its bytes, its name in messages, and where notes go.
 struct ImageFile {

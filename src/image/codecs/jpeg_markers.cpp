@@ -17,10 +17,6 @@ using namespace std::string_view_literals;
 
 constexpr std::uint32_t kStartOfImage = 0xd8, kEndOfImage = 0xd9, kStartOfScan = 0xda, kDefineHeight = 0xdc;
 
-std::string_view textOf(FileBytes bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 /// Whether a marker stands alone, without a length and data: restarts, TEM, start of image.
 bool isBare(std::uint32_t marker) { return (marker >= 0xd0 && marker <= kStartOfImage) || marker == 0x01; }
 

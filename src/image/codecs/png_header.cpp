@@ -16,10 +16,6 @@ using namespace std::string_view_literals;
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n"sv;
 constexpr std::size_t kChunkFrame = 12;  // length, type and checksum
 
-std::string_view textOf(FileBytes bytes) {
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 struct Chunk {
     std::string_view type;
     FileBytes data;  ///< shorter than announced if the file ends

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/check_argument.h"
+#include "base/lower_case.h"
 #include "base/nearest_name.h"
 #include "image/codecs/codecs.h"
 
@@ -20,8 +21,7 @@ constexpr std::array<std::string_view, 6> kSuffixes{".png", ".exr", ".pfm", ".hd
 
 /// The suffix in lower case. Throws InputError if no encoder has it.
 std::string checkedSuffix(const std::string& path) {
-    std::string suffix = std::filesystem::path(path).extension().string();
-    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    std::string suffix = base::lowerCase(std::filesystem::path(path).extension().string());
     if (std::find(kSuffixes.begin(), kSuffixes.end(), suffix) == kSuffixes.end())
         throw InputError(fmt::format("unknown image format '{}'{}; expected {}", suffix,
                                      base::didYouMean(suffix, kSuffixes), base::joinChoices(kSuffixes)),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/lower_case.h"
 #include "base/parse_float.h"
 #include "scene/mesh_files/skipped_statements.h"
 #include "scene/mesh_files/text_lines.h"
@@ -20,13 +21,6 @@ Rgb xyzToRgb(const Rgb& xyz) {
     return {3.2406f * xyz.x - 1.5372f * xyz.y - 0.4986f * xyz.z,
             -0.9689f * xyz.x + 1.8758f * xyz.y + 0.0415f * xyz.z,
             0.0557f * xyz.x - 0.2040f * xyz.y + 1.0570f * xyz.z};
-}
-
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
 }
 
 class MtlParser {
@@ -61,9 +55,9 @@ class MtlParser {
             Statement{"Ks", &MtlParser::setColor},          Statement{"Ns", &MtlParser::setShininess},
             Statement{"d", &MtlParser::setOpacity},         Statement{"Tr", &MtlParser::setOpacity},
             Statement{"illum", &MtlParser::setIllum},       Statement{"map_Kd", &MtlParser::setTexture}};
-        const std::string lower = lowerCase(keyword);
+        const std::string lower = base::lowerCase(keyword);
         const auto found = std::find_if(kStatements.begin(), kStatements.end(), [&](const Statement& known) {
-            return lowerCase(known.keyword) == lower;
+            return base::lowerCase(known.keyword) == lower;
         });
         if (found == kStatements.end()) return skipped_.add(keyword, lines_.number());
         if (found->keyword != keyword)

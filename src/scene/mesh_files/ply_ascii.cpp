@@ -11,9 +11,9 @@ namespace rayscope::scene {
 
 namespace {
 
-class AsciiReader {
+class PlyAsciiReader {
   public:
-    AsciiReader(const PlyRows& rows, PlyLayout layout)
+    PlyAsciiReader(const PlyRows& rows, PlyLayout layout)
         : rows_(rows),
           plan_(rows.plan),
           layout_(layout),
@@ -201,6 +201,6 @@ class AsciiReader {
 
 }  // namespace
 
-void readAsciiPly(const PlyRows& rows, PlyLayout layout) { AsciiReader(rows, layout).read(); }
+void readAsciiPly(const PlyRows& rows, PlyLayout layout) { PlyAsciiReader(rows, layout).read(); }
 
 }  // namespace rayscope::scene

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <numeric>
 
+#include "base/lower_case.h"
 #include "base/nearest_name.h"
 #include "scene/mesh_files/foreign_format.h"
 #include "scene/mesh_files/word_reader.h"
@@ -34,13 +35,6 @@ constexpr std::array<std::string_view, 3> kFormatNames{"ascii", "binary_little_e
 constexpr std::array<std::string_view, 6> kKeywords{"format",  "comment",  "obj_info",
                                                     "element", "property", "end_header"};
 
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
-
 std::vector<std::string_view> wordsOf(std::string_view line) {
     constexpr std::string_view kBlanks = " \t\v\f\r";
     std::vector<std::string_view> words;
@@ -63,7 +57,7 @@ class HeaderReader {
             const std::string text = nextLine();
             const std::vector<std::string_view> words = wordsOf(text);
             if (words.empty()) continue;
-            const std::string keyword = lowerCase(words[0]);
+            const std::string keyword = base::lowerCase(words[0]);
             if (keyword == "end_header") break;
             readStatement(keyword, words, text);
         }
@@ -85,7 +79,7 @@ class HeaderReader {
         const std::size_t mark = start.starts_with(kMark) ? kMark.size() : 0;
         const std::string_view magic = start.substr(mark, 3);
         const char behind = start.size() > mark + 3 ? start[mark + 3] : '\n';
-        if (lowerCase(magic) != "ply" || static_cast<unsigned char>(behind) > ' ')
+        if (base::lowerCase(magic) != "ply" || static_cast<unsigned char>(behind) > ' ')
             throw InputError(describeForeign(start, "PLY", "does not begin with the line 'ply'"), {path_});
         const std::size_t end = start.find_first_of("\r\n", mark);
         endsWithCr_ = end != std::string_view::npos && start[end] == '\r' && start.substr(end, 2) != "\r\n";
@@ -123,7 +117,7 @@ class HeaderReader {
     }
 
     void readComment(const std::vector<std::string_view>& words, std::string_view text) {
-        if (words.size() < 3 || lowerCase(words[1]) != "texturefile") return;
+        if (words.size() < 3 || base::lowerCase(words[1]) != "texturefile") return;
         const std::size_t begin = static_cast<std::size_t>(words[2].data() - text.data());
         const std::size_t end =
             static_cast<std::size_t>(words.back().data() - text.data()) + words.back().size();
@@ -132,7 +126,7 @@ class HeaderReader {
 
     void readFormat(const std::vector<std::string_view>& words) {
         if (format_) fail("a second line 'format'");
-        const std::string name = words.size() > 1 ? lowerCase(words[1]) : "";
+        const std::string name = words.size() > 1 ? base::lowerCase(words[1]) : "";
         const auto found = std::find(kFormatNames.begin(), kFormatNames.end(), name);
         if (found == kFormatNames.end())
             fail(fmt::format("unknown format '{}'{}; expected {}", shown(name),
@@ -145,7 +139,7 @@ class HeaderReader {
 
     void readElement(const std::vector<std::string_view>& words) {
         if (words.size() != 3) fail("expected 'element NAME COUNT'");
-        PlyElement element{lowerCase(words[1]), 0, {}, line_};
+        PlyElement element{base::lowerCase(words[1]), 0, {}, line_};
         const std::string_view count = words[2];
         const auto [stop, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
         if (error != std::errc{} || stop != count.data() + count.size())
@@ -157,10 +151,10 @@ class HeaderReader {
 
     void readProperty(const std::vector<std::string_view>& words) {
         if (header_.elements.empty()) fail("a property before the first element");
-        const bool isList = words.size() > 1 && lowerCase(words[1]) == "list";
+        const bool isList = words.size() > 1 && base::lowerCase(words[1]) == "list";
         if (words.size() != (isList ? 5u : 3u))
             fail("expected 'property TYPE NAME' or 'property list COUNT_TYPE TYPE NAME'");
-        PlyProperty property{lowerCase(words.back()), typeOf(words[words.size() - 2]), {}, line_};
+        PlyProperty property{base::lowerCase(words.back()), typeOf(words[words.size() - 2]), {}, line_};
         if (isList) property.countType = typeOf(words[2]);
         if (isList && !isInteger(*property.countType))
             fail(fmt::format("the length of a list cannot have the type '{}'; expected an integer type",
@@ -169,7 +163,7 @@ class HeaderReader {
     }
 
     PlyType typeOf(std::string_view word) const {
-        const std::string name = lowerCase(word);
+        const std::string name = base::lowerCase(word);
         std::vector<std::string_view> known;
         for (const TypeName& type : kTypeNames) {
             if (type.name == name) return type.type;

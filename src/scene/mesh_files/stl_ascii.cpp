@@ -16,9 +16,9 @@ bool isWord(std::string_view word, std::string_view lower) {
                       [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
 }
 
-class AsciiReader {
+class StlAsciiReader {
   public:
-    explicit AsciiReader(const StlInput& stl) : stl_(stl), words_(stl.path, stl.input, 1) {}
+    explicit StlAsciiReader(const StlInput& stl) : stl_(stl), words_(stl.path, stl.input, 1) {}
 
     void read() {
         for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
@@ -109,6 +109,6 @@ class AsciiReader {
 
 }  // namespace
 
-void readAsciiStl(const StlInput& stl) { AsciiReader(stl).read(); }
+void readAsciiStl(const StlInput& stl) { StlAsciiReader(stl).read(); }
 
 }  // namespace rayscope::scene

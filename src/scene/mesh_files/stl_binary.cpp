@@ -10,8 +10,6 @@ namespace rayscope::scene {
 
 namespace {
 
-constexpr std::size_t kHeaderSize = 84, kFacetSize = 50;
-
 float floatAt(const char* from) {
     char bytes[sizeof(float)];
     std::memcpy(bytes, from, sizeof bytes);
@@ -24,21 +22,22 @@ glm::vec3 vectorAt(const char* from) { return {floatAt(from), floatAt(from + 4),
 
 void readBinaryStl(const StlInput& stl, std::uint64_t count) {
     base::BlockReader& input = stl.input;
-    const bool namesColors = input.peek(kHeaderSize).substr(0, 80).find("COLOR=") != std::string_view::npos;
-    input.consume(kHeaderSize);
+    const bool namesColors =
+        input.peek(kStlHeaderSize).substr(0, 80).find("COLOR=") != std::string_view::npos;
+    input.consume(kStlHeaderSize);
     std::uint64_t read = 0;
     bool hasAttributes = namesColors;
     while (read < count) {
-        const std::string_view bytes = input.peek(kFacetSize);
-        const std::size_t some = std::min<std::uint64_t>(count - read, bytes.size() / kFacetSize);
+        const std::string_view bytes = input.peek(kStlFacetSize);
+        const std::size_t some = std::min<std::uint64_t>(count - read, bytes.size() / kStlFacetSize);
         if (some == 0) break;
         for (std::size_t i = 0; i < some; ++i) {
-            const char* const facet = bytes.data() + i * kFacetSize;
+            const char* const facet = bytes.data() + i * kStlFacetSize;
             stl.facets.add(
                 {{vectorAt(facet + 12), vectorAt(facet + 24), vectorAt(facet + 36)}, vectorAt(facet)}, 0);
             hasAttributes |= facet[48] != 0 || facet[49] != 0;
         }
-        input.consume(some * kFacetSize);
+        input.consume(some * kStlFacetSize);
         read += some;
         stl.step.advanceTo(input.offset());
     }

@@ -7,6 +7,9 @@
 
 namespace rayscope::scene {
 
+/// Bytes of a binary file: 80 of any content with the number of facets, and those of a facet.
+inline constexpr std::size_t kStlHeaderSize = 84, kStlFacetSize = 50;
+
 /// A facet as it is stored.
 struct StlFacet {
     std::array<glm::vec3, 3> corners;

@@ -15,7 +15,6 @@ namespace rayscope::scene {
 
 namespace {
 
-constexpr std::size_t kHeaderSize = 84, kFacetSize = 50;
 constexpr std::string_view kMark = "\xef\xbb\xbf";  // of UTF-8
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
@@ -59,12 +58,12 @@ bool startsAsAscii(std::string_view start) {
 bool hasPlausibleFacets(std::string_view start) {
     constexpr float kLargest = 1e36f;
     constexpr std::size_t kMost = 100;
-    if (start.size() < kHeaderSize + kFacetSize) return false;
-    start.remove_prefix(kHeaderSize);
-    const std::size_t count = std::min(kMost, start.size() / kFacetSize);
+    if (start.size() < kStlHeaderSize + kStlFacetSize) return false;
+    start.remove_prefix(kStlHeaderSize);
+    const std::size_t count = std::min(kMost, start.size() / kStlFacetSize);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < 12; ++k)
-            if (!(std::abs(std::bit_cast<float>(wordAt(start, i * kFacetSize + 4 * k))) < kLargest))
+            if (!(std::abs(std::bit_cast<float>(wordAt(start, i * kStlFacetSize + 4 * k))) < kLargest))
                 return false;
     return true;
 }
@@ -76,10 +75,10 @@ struct StlKind {
 
 /// Decides by the size of the file, then by its first bytes.
 StlKind detect(const std::string& path, base::BlockReader& input, Oddities& oddities) {
-    const std::string_view start = input.peek(kHeaderSize + 100 * kFacetSize);
+    const std::string_view start = input.peek(kStlHeaderSize + 100 * kStlFacetSize);
     const std::optional<std::uint64_t> size = input.size();
-    const std::uint64_t count = start.size() >= kHeaderSize ? wordAt(start, 80) : 0;
-    const bool isExact = start.size() >= kHeaderSize && size == kHeaderSize + kFacetSize * count;
+    const std::uint64_t count = start.size() >= kStlHeaderSize ? wordAt(start, 80) : 0;
+    const bool isExact = start.size() >= kStlHeaderSize && size == kStlHeaderSize + kStlFacetSize * count;
     if (isExact && count > 0) return {true, count};
     if (startsAsAscii(start)) return {};
     const std::string_view beginning = start.substr(0, 512);
@@ -92,7 +91,7 @@ StlKind detect(const std::string& path, base::BlockReader& input, Oddities& oddi
             {path});
     if (count > 0 || !size) return {true, count};
     // Some programs leave the count at 0 because they do not know it when they write the header.
-    const std::uint64_t fitting = (*size - kHeaderSize) / kFacetSize;
+    const std::uint64_t fitting = (*size - kStlHeaderSize) / kStlFacetSize;
     oddities.add(Severity::Warning,
                  fmt::format("the header announces 0 facets, but the file has {}", fitting));
     return {true, fitting};
@@ -102,7 +101,7 @@ std::uint64_t expectedFacets(const StlKind& kind, const base::BlockReader& input
     constexpr std::uint64_t kBytesPerAsciiFacet = 200;
     if (!input.size()) return 0;
     if (!kind.isBinary) return *input.size() / kBytesPerAsciiFacet;
-    return std::min(kind.count, (*input.size() - kHeaderSize) / kFacetSize);
+    return std::min(kind.count, (*input.size() - kStlHeaderSize) / kStlFacetSize);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "scene/toml/entries.h"
 
 #include "scene/check_camera.h"
+#include "scene/environment_shape.h"
 #include "scene/toml/shapes.h"
 #include "scene/toml/textures.h"
 
@@ -180,12 +181,10 @@ const Record<SphereEntry>& sphereRecord() {
 
 // ---------------------------------------------------------------- environment
 
-constexpr std::array<std::string_view, 6> kFaces{"px", "nx", "py", "ny", "pz", "nz"};
-
 void readCube(const TomlValue& value, EnvironmentEntry& entry) {
     Record<EnvironmentEntry> record;
-    for (std::size_t face = 0; face < kFaces.size(); ++face)
-        record.push_back({kFaces[face],
+    for (std::size_t face = 0; face < kCubeFaces.size(); ++face)
+        record.push_back({kCubeFaces[face],
                           [face](const TomlValue& v, EnvironmentEntry& t) { t.cube[face] = readTextAt(v); },
                           true});
     readRecord(value.file, readTable(value), "a cube environment", record, entry);
