@@ -5,10 +5,10 @@ target_compile_options(rayscope_options INTERFACE
   -Wall -Wextra -Wconversion -Wshadow
   # Without this, two instantiations of a template could differ in bits, because the compiler fuses a*b+c in one of them.
   -ffp-contract=off)
-# False alarms of GCC 12 inside std::string: overlapping copies in a concatenation (GCC bug 105651) and, if <string> comes
-# from a precompiled header, accesses beyond the end of a short string.
+# False alarms of GCC 12 inside std::string: overlapping copies in a concatenation and impossible lengths (GCC bugs 105651 and
+# 105329) and, if <string> comes from a precompiled header, accesses beyond the end of a short string.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(rayscope_options INTERFACE -Wno-restrict $<$<BOOL:${RAYSCOPE_PRECOMPILE}>:-Wno-array-bounds>)
+  target_compile_options(rayscope_options INTERFACE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread $<$<BOOL:${RAYSCOPE_PRECOMPILE}>:-Wno-array-bounds>)
 endif()
 if(RAYSCOPE_WERROR)
   target_compile_options(rayscope_options INTERFACE -Werror)

@@ -11,11 +11,11 @@ namespace {
 
 /// Fields of the head, of 8 bytes each.
 enum Field { kVersion, kUnknownSize, kRleSize = 7, kDcCount = 9, kFields = 11 };
-enum Scheme { kUnknown, kLossy, kRle };
+enum Scheme { kUnknownScheme, kLossyScheme, kRleScheme };
 
 struct Rule {
     std::string suffix;
-    int scheme = kUnknown, type = 0;
+    int scheme = kUnknownScheme, type = 0;
     bool ignoresCase = false;
 
     bool matches(std::string name, std::int32_t ofType) const {
@@ -63,14 +63,14 @@ bool fillsWithDwa(FileBytes packed, const ExrPart& part, const ExrBox& box) {
     if (head[kVersion] != 2 || !readRules(packed.subspan(sizeof head), rules)) return false;
     std::uint64_t unknown = 0, runs = 0, dcCount = 0;
     for (const ExrChannel& channel : part.channels) {
-        int scheme = kUnknown;
+        int scheme = kUnknownScheme;
         for (const Rule& rule : rules)
             if (rule.matches(channel.name, channel.type)) scheme = rule.scheme;
         const ExrSamples samples = samplesOf(channel, box);
         const auto size = static_cast<std::uint64_t>(samples.columns * samples.rows * sampleSize(channel));
-        if (scheme == kUnknown) unknown += size;
-        if (scheme == kRle) runs += size;
-        if (scheme == kLossy)
+        if (scheme == kUnknownScheme) unknown += size;
+        if (scheme == kRleScheme) runs += size;
+        if (scheme == kLossyScheme)
             dcCount += static_cast<std::uint64_t>(((samples.columns + 7) / 8) * ((samples.rows + 7) / 8));
     }
     return head[kUnknownSize] == unknown && head[kRleSize] == runs && head[kDcCount] == dcCount;

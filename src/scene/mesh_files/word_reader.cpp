@@ -9,7 +9,7 @@ namespace rayscope::scene {
 namespace {
 
 bool isLineBreak(char c) { return c == '\n' || c == '\r'; }
-bool isBlank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool isSpaceOrControl(char c) { return static_cast<unsigned char>(c) <= ' '; }
 
 }  // namespace
 
@@ -48,7 +48,7 @@ bool WordReader::skipBlanksInLine() {
     for (;;) {
         const std::string_view text = input_.peek(kMaxWord);
         std::size_t i = 0;
-        while (i < text.size() && isBlank(text[i]) && !isLineBreak(text[i])) ++i;
+        while (i < text.size() && isSpaceOrControl(text[i]) && !isLineBreak(text[i])) ++i;
         input_.consume(i);
         if (i < text.size()) return !isLineBreak(text[i]);
         if (text.empty()) return false;
@@ -70,7 +70,7 @@ std::string_view WordReader::takeWord() {
     const std::string_view text = input_.peek(kMaxWord);
     const std::size_t limit = std::min(text.size(), kMaxWord);
     std::size_t i = 0;
-    while (i < limit && !isBlank(text[i])) ++i;
+    while (i < limit && !isSpaceOrControl(text[i])) ++i;
     wordStart_ = input_.offset();
     input_.consume(i);
     return text.substr(0, i);
