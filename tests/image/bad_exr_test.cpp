@@ -16,9 +16,9 @@ using test::inputErrorOf;
 using testing::AllOf;
 using testing::HasSubstr;
 
-RgbImage decode(const std::string& file) { return image::decodeExr(std::as_bytes(std::span(file)), "x.exr"); }
+RgbImage decodedBadExr(const std::string& file) { return image::decodeExr(std::as_bytes(std::span(file)), "x.exr"); }
 std::string badExrError(const std::string& file) {
-    return inputErrorOf([&] { decode(file); });
+    return inputErrorOf([&] { decodedBadExr(file); });
 }
 
 float pixelAt(const std::string& channel, int x, int y) {
@@ -63,7 +63,7 @@ TEST(BadExr, BlocksThatHoldTooLittleAreRefused) {
              {Imf::NO_COMPRESSION, Imf::RLE_COMPRESSION, Imf::ZIPS_COMPRESSION, Imf::ZIP_COMPRESSION,
               Imf::PIZ_COMPRESSION, Imf::PXR24_COMPRESSION, Imf::B44_COMPRESSION, Imf::DWAA_COMPRESSION}) {
             std::string file = fileWith(compression, tiled);
-            ASSERT_NO_THROW(decode(file));
+            ASSERT_NO_THROW(decodedBadExr(file));
             // An empty block, which the library takes as read.
             const std::uint32_t nothing = 0;
             std::memcpy(file.data() + firstBlock(file) + (tiled ? 16 : 4), &nothing, 4);
@@ -99,7 +99,7 @@ TEST(BadExr, AnnouncedSizesAreComparedWithTheFile) {
     ExrWriter writer(4, 4);
     writer.header.setPreviewImage(Imf::PreviewImage(2, 2));
     changed = writer.scanLines(pixelAt);
-    ASSERT_NO_THROW(decode(changed));
+    ASSERT_NO_THROW(decodedBadExr(changed));
     changed.replace(endOf(changed, "preview", "preview") + 4, 8, "\x30\x75\0\0\x30\x75\0\0", 8);
     EXPECT_THAT(badExrError(changed), HasSubstr("30000 x 30000"));
 
@@ -111,7 +111,7 @@ TEST(BadExr, AnnouncedSizesAreComparedWithTheFile) {
 /// The pixels, or the error.
 std::string outcomeOf(const std::string& file) {
     try {
-        const RgbImage image = decode(file);
+        const RgbImage image = decodedBadExr(file);
         return {reinterpret_cast<const char*>(image.pixels.data()), image.pixels.size() * sizeof(Rgb)};
     } catch (const InputError& error) {
         return error.what();

@@ -27,20 +27,20 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-RgbImage decode(const std::string& file, std::vector<std::string>* notes = nullptr) {
+RgbImage decodedExr(const std::string& file, std::vector<std::string>* notes = nullptr) {
     Diagnostics found;
     RgbImage image = image::decodeExr(std::as_bytes(std::span(file)), "x.exr", &found);
     if (notes)
         for (const Diagnostic& note : found) notes->push_back(note.message);
     return image;
 }
-std::vector<std::string> notesOf(const std::string& file) {
+std::vector<std::string> exrNotes(const std::string& file) {
     std::vector<std::string> notes;
-    decode(file, &notes);
+    decodedExr(file, &notes);
     return notes;
 }
 std::string exrError(const std::string& file) {
-    return inputErrorOf([&] { decode(file); });
+    return inputErrorOf([&] { decodedExr(file); });
 }
 
 /// The value of a channel at a pixel; exact in half and, times 1000, as an integer.
@@ -70,7 +70,7 @@ TEST(Exr, EveryCompressionTypeAndLineOrderIsRead) {
                 writer.type = type;
                 if (type == Imf::UINT) writer.scale = 1024.0f;
                 std::vector<std::string> notes;
-                const RgbImage image = decode(writer.scanLines(valueAt), &notes);
+                const RgbImage image = decodedExr(writer.scanLines(valueAt), &notes);
                 ASSERT_EQ(image.width, 37);
                 ASSERT_EQ(image.height, 300);
                 // B44 and DWA are lossy for half, PXR24 for float.
@@ -87,7 +87,7 @@ TEST(Exr, TilesAndTheFirstLevelOfMipmapsAreRead) {
                 ExrWriter writer(width, height);
                 writer.header.setTileDescription({16, 8, mode, rounding});
                 writer.header.compression() = Imf::ZIP_COMPRESSION;
-                const RgbImage image = decode(writer.tiles(valueAt));
+                const RgbImage image = decodedExr(writer.tiles(valueAt));
                 ASSERT_EQ(image.width, width);
                 expectPixels(image, 0, 0);
             }
@@ -100,7 +100,7 @@ TEST(Exr, TheDisplayWindowIsThePicture) {
                                      Imath::Box2i({-5, 8}, {4, 40}), Imath::Box2i({100, 100}, {107, 107})}) {
         ExrWriter writer(display, data);
         std::vector<std::string> notes;
-        const RgbImage image = decode(writer.scanLines(valueAt), &notes);
+        const RgbImage image = decodedExr(writer.scanLines(valueAt), &notes);
         ASSERT_EQ(image.width, 16);
         ASSERT_EQ(image.height, 12);
         EXPECT_THAT(notes, ElementsAre(HasSubstr("black where it has no data")));
@@ -114,14 +114,14 @@ TEST(Exr, TheDisplayWindowIsThePicture) {
     }
     // The same window away from the origin needs no note.
     ExrWriter moved(display, display);
-    EXPECT_THAT(notesOf(moved.scanLines(valueAt)), IsEmpty());
-    expectPixels(decode(moved.scanLines(valueAt)), display.min.x, display.min.y);
+    EXPECT_THAT(exrNotes(moved.scanLines(valueAt)), IsEmpty());
+    expectPixels(decodedExr(moved.scanLines(valueAt)), display.min.x, display.min.y);
 }
 
 RgbImage imageOf(const std::vector<std::string>& channels, std::vector<std::string>* notes = nullptr) {
     ExrWriter writer(4, 3);
     writer.channels = channels;
-    return decode(writer.scanLines(valueAt), notes);
+    return decodedExr(writer.scanLines(valueAt), notes);
 }
 
 TEST(Exr, ChannelsAndLayersAreChosenByName) {
@@ -164,7 +164,7 @@ TEST(Exr, WithoutAPictureTheChannelsAreListed) {
 TEST(Exr, TheFirstPartWithAPictureIsRead) {
     std::vector<std::string> notes;
     const std::string file = test::exrOfParts({{"Z"}, {"R", "G", "B"}, {"R"}}, 8, 5, valueAt);
-    expectPixels(decode(file, &notes), 0, 0);
+    expectPixels(decodedExr(file, &notes), 0, 0);
     EXPECT_THAT(notes, ElementsAre(AllOf(HasSubstr("part 2 of 3"), HasSubstr("part1"))));
     EXPECT_THAT(exrError(test::exrOfParts({{"Z"}, {"W"}}, 8, 5, valueAt)), HasSubstr("it has Z, W"));
 }
@@ -211,7 +211,7 @@ TEST(Exr, OtherPrimariesAreConverted) {
     std::vector<std::string> notes;
     const std::string file =
         writer.scanLines([](const std::string& c, int x, int) { return x == 0 || c == "R" ? 1.0f : 0.0f; });
-    const RgbImage image = decode(file, &notes);
+    const RgbImage image = decodedExr(file, &notes);
     EXPECT_THAT(notes, ElementsAre(HasSubstr("other primaries than sRGB")));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.at(0, 0)[c], 1.0f, 1e-6f);  // white stays white
     // ITU-R BT.2087, table 4.
@@ -222,19 +222,19 @@ TEST(Exr, OtherPrimariesAreConverted) {
     // Another white (ACES, D60) stays white too; degenerate primaries are ignored.
     Imf::addChromaticities(writer.header,
                            {{0.7347f, 0.2653f}, {0.0f, 1.0f}, {0.0001f, -0.077f}, {0.32168f, 0.33767f}});
-    const RgbImage white = decode(writer.scanLines([](const std::string&, int, int) { return 1.0f; }));
+    const RgbImage white = decodedExr(writer.scanLines([](const std::string&, int, int) { return 1.0f; }));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(white.at(0, 0)[c], 1.0f, 1e-6f);
     Imf::addChromaticities(writer.header, {{0.3f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.3f}, {0.3f, 0.3f}});
-    EXPECT_THAT(notesOf(writer.scanLines(valueAt)), ElementsAre(HasSubstr("no triangle")));
+    EXPECT_THAT(exrNotes(writer.scanLines(valueAt)), ElementsAre(HasSubstr("no triangle")));
     Imf::addChromaticities(writer.header, Imf::Chromaticities());  // those of sRGB
-    EXPECT_THAT(notesOf(writer.scanLines(valueAt)), IsEmpty());
+    EXPECT_THAT(exrNotes(writer.scanLines(valueAt)), IsEmpty());
 }
 
 TEST(Exr, PixelAspectAndWhiteAreNoted) {
     ExrWriter writer(4, 4);
     writer.header.pixelAspectRatio() = 2.0f;
     Imf::addWhiteLuminance(writer.header, 120.0f);
-    EXPECT_THAT(notesOf(writer.scanLines(valueAt)),
+    EXPECT_THAT(exrNotes(writer.scanLines(valueAt)),
                 ElementsAre(HasSubstr("aspect ratio of 2"), HasSubstr("120 cd/m²")));
 }
 

@@ -82,7 +82,7 @@ file = "triangle.obj"
 TEST_F(LoadControlTest, NamesTheSteps) {
     Recorder recorder;
     const SceneDescription scene = loadScene(writeScene(), notes_, recorder.control());
-    lint(scene, recorder.control());
+    lint(scene, {}, recorder.control());
     EXPECT_EQ(scene.spheres.size(), 20u);
     for (const char* step : {"reading scene.toml", "parsing scene.toml", "reading texture.pfm",
                              "decoding texture.pfm", "reading [[mesh]]", "mesh 1 of 2: generating a torus",
@@ -111,7 +111,7 @@ TEST_F(LoadControlTest, GeneratedMeshesStop) {
 
 TEST_F(LoadControlTest, LintAndBoundsStop) {
     const SceneDescription scene = loadScene("builtin:monkey", notes_);
-    expectStops([&](const LoadControl& c) { lint(scene, c); });
+    expectStops([&](const LoadControl& c) { lint(scene, {}, c); });
     expectStops([&](const LoadControl& c) { boundsOf(scene, c); });
 }
 

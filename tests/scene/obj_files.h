@@ -20,8 +20,8 @@ class ObjFiles : public SceneFiles {
     /// The mesh of an OBJ file whose colours are shown.
     std::shared_ptr<const MeshData> readWithColors(std::string_view text) {
         notes_.clear();
-        scene::TextureCache textures;
         const LoadControl control;
+        scene::TextureCache textures(notes_, control);
         return scene::readObj(write("mesh.obj", text), {textures, notes_, control, true}).data;
     }
     static const MeshData& meshOf(const SceneDescription& scene) { return *scene.meshes.at(0).data; }

@@ -125,6 +125,6 @@ inline std::string header(int vertices, const std::string& properties, int faces
                        vertices, properties, faces, list);
 }
 /// A whole file: one triangle, 13 lines.
-inline const std::string kTriangle = header(3, kXyz, 1) + kThree + "3 0 1 2\n";
+inline const std::string kPlyTriangle = header(3, kXyz, 1) + kThree + "3 0 1 2\n";
 
 }  // namespace rayscope::test

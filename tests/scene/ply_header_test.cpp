@@ -15,13 +15,13 @@ TEST_F(PlyHeader, HeadersAreReadAsWritten) {
         return text;
     };
     const auto with = [&](const std::string& before, const std::string& lines) {
-        std::string text = kTriangle;
+        std::string text = kPlyTriangle;
         return text.insert(text.find(before), lines);
     };
     for (const std::string& text :
-         {withLines(kTriangle, "\r\n"), withLines(kTriangle, "\r"), with("format", "comment made by hand\n"),
+         {withLines(kPlyTriangle, "\r\n"), withLines(kPlyTriangle, "\r"), with("format", "comment made by hand\n"),
           with("element face", "comment\nobj_info num_cols 512\n\n"), with("end_header", "\t \n"),
-          "\xef\xbb\xbf" + kTriangle,
+          "\xef\xbb\xbf" + kPlyTriangle,
           "PLY\nFormat ASCII 1.0\nELEMENT Vertex 3\nproperty FLOAT X\nproperty float Y\n"
           "property Float32 Z\nelement  Face\t1\nProperty List UCHAR Int Vertex_Indices\nEnd_Header\n" +
               body}) {
@@ -48,14 +48,14 @@ TEST_F(PlyHeader, HeaderErrorsHaveTheirLine) {
         std::string text, message;
     };
     const auto replaced = [](const std::string& from, const std::string& to) {
-        std::string text = kTriangle;
+        std::string text = kPlyTriangle;
         return text.replace(text.find(from), from.size(), to);
     };
     const Case cases[] = {
         {"", "mesh.ply: error: the file is empty"},
         {"p", "does not begin with the line 'ply'"},
         {"plywood\n", "does not begin with the line 'ply'"},
-        {"\x1f\x8b\x08" + kTriangle, "gzip"},
+        {"\x1f\x8b\x08" + kPlyTriangle, "gzip"},
         {std::string("\xff\xfep\0l\0y\0\n\0", 10), "UTF-16"},
         {std::string("p\0l\0y\0\n\0f\0", 10), "UTF-16"},
         {"solid x\nfacet", "is an STL file; rename it to .stl"},
@@ -90,7 +90,7 @@ TEST_F(PlyHeader, HeaderErrorsHaveTheirLine) {
 }
 
 TEST_F(PlyHeader, UnknownLinesAreIgnoredWithAWarning) {
-    std::string text = kTriangle;
+    std::string text = kPlyTriangle;
     read(text.insert(text.find("element"), "Created by a program, source file:\n3\n"));
     EXPECT_THAT(notesText(), HasSubstr("mesh.ply:3: warning: header lines that begin with no keyword of PLY; "
                                        "ignored (2 times, first here)"));
@@ -98,7 +98,7 @@ TEST_F(PlyHeader, UnknownLinesAreIgnoredWithAWarning) {
 
 TEST_F(PlyHeader, OtherVersionsAreReadWithAWarning) {
     for (const std::string version : {"ascii 2.0", "ascii"}) {
-        std::string text = kTriangle;
+        std::string text = kPlyTriangle;
         read(text.replace(text.find("ascii 1.0"), 9, version));
         EXPECT_THAT(notesText(), HasSubstr("mesh.ply:2: warning: the version of the format is not 1.0"));
     }

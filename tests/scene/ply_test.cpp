@@ -11,7 +11,7 @@ using ::testing::Not;
 using Ply = PlyFiles;
 
 TEST_F(Ply, BareFileIsAScene) {
-    const auto scene = read(kTriangle);
+    const auto scene = read(kPlyTriangle);
     EXPECT_EQ(meshOf(scene).triangles, std::vector<glm::uvec3>{glm::uvec3(0, 1, 2)});
     EXPECT_EQ(meshOf(scene).positions, (std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_TRUE(meshOf(scene).normals.empty());
@@ -121,7 +121,7 @@ TEST_F(Ply, LinesAndRows) {
                 HasSubstr("mesh.ply:10:4: error: the line of a row of 'vertex' has too few values"));
     EXPECT_THAT(failure(header(3, kXyz, 1) + "0 0 0 7\n1 0 0\n0 1 0\n"),
                 HasSubstr("the file ends early: it has 0 of 1 faces"));
-    read(kTriangle + "3 0 1 2\n");
+    read(kPlyTriangle + "3 0 1 2\n");
     EXPECT_THAT(notesText(), HasSubstr("mesh.ply:14: warning: text behind the last element is ignored"));
 }
 
@@ -188,7 +188,7 @@ TEST_F(Ply, TexturesOfMeshLab) {
 }
 
 TEST_F(Ply, TexturesWithoutCoordinatesAreNoted) {
-    std::string text = kTriangle;
+    std::string text = kPlyTriangle;
     read(text.insert(text.find("element"), "comment TextureFile x.png\n"));
     EXPECT_THAT(notesText(),
                 HasSubstr("note: the file names a texture, but has no texture coordinates; ignored"));
