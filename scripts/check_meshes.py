@@ -24,8 +24,9 @@ import tempfile
 
 SUFFIXES = (".obj", ".ply", ".stl", ".gltf", ".glb")
 TEST_MODELS = "/usr/share/assimp/models"
-# Messages of Rayscope that name a feature that it does not have, and those that say why its counts are others.
-FEATURES = ("glTF 1", "requires the extension", "is not supported")
+# Messages of Rayscope that name a feature that it does not have or a word that is no number, of which others read a part,
+# and those that say why its counts are others.
+FEATURES = ("glTF 1", "requires the extension", "is not supported", "expected a number, got")
 DIFFERENCES = ("left out", "ignored", "default material", "only scene", "one instance")
 SECONDS = 120
 

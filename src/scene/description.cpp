@@ -32,10 +32,12 @@ SceneBounds boundsOf(const SceneDescription& scene, const LoadControl& control) 
         upper = glm::max(upper, point);
     };
     std::size_t vertices = 0;
-    for (const MeshInstance& mesh : scene.meshes) vertices += mesh.data->positions.size();
-    scene::LoadStep step(control, "computing the bounds", vertices);
     for (const MeshInstance& mesh : scene.meshes) {
         base::checkArgument(mesh.data != nullptr, "mesh '{}': data is null", mesh.name);
+        vertices += mesh.data->positions.size();
+    }
+    scene::LoadStep step(control, "computing the bounds", vertices);
+    for (const MeshInstance& mesh : scene.meshes) {
         const glm::dmat4 matrix = matrixOf(mesh.transform);
         for (const glm::vec3& position : mesh.data->positions) {
             include(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)));

@@ -121,18 +121,27 @@ TEST(Render, WritesTheImageWhenInterrupted) {
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
 }
 
-TEST(Render, ShowsTheStepsOfALongLoadAndEndsItWhenInterrupted) {
+/// A scene file that takes long to read: a pipe whose blocks arrive after 1.2 and after 2.2 seconds. The
+/// signal comes between them.
+ProgramResult interruptSlowLoad(const TemporaryFolder& folder, const std::string& arguments) {
+    const std::string block = "head -c 70000 /dev/zero | tr '\\0' '#'";
+    return run(folder, "rm -f s.toml; mkfifo s.toml; { sleep 1.2; " + block + "; sleep 1; " + block +
+                           "; } >s.toml & timeout --foreground --preserve-status -s INT 1.7 '" +
+                           RAYSCOPE_PROGRAM + "' " + arguments);
+}
+
+TEST(Render, ShowsTheStepsOfALongLoad) {
     const TemporaryFolder folder;
-    const std::string interrupt = std::string("timeout --foreground --preserve-status -s INT ");
-    const std::string program = std::string(" '") + RAYSCOPE_PROGRAM + "' ";
-    const ProgramResult rendered =
-        run(folder, interrupt + "1.5" + program + "render builtin:ten-million --progress json -o a.png");
-    EXPECT_EQ(rendered.exitCode, 130) << rendered.err;
-    EXPECT_THAT(rendered.err, HasSubstr("\"step\":"));
+    const ProgramResult result = interruptSlowLoad(folder, "render s.toml --progress json -o a.png");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("\"step\":\"reading s.toml\""));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
-    for (const char* command : {"info ", "probe --pixel 1,1 ", "trade ", "lab ", "bench "}) {
-        const ProgramResult result =
-            run(folder, interrupt + "0.5" + program + command + "builtin:ten-million");
+}
+
+TEST(CommandLine, LoadsEndWhenInterrupted) {
+    const TemporaryFolder folder;
+    for (const char* command : {"info", "probe --pixel 1,1", "trade", "lab", "bench"}) {
+        const ProgramResult result = interruptSlowLoad(folder, std::string(command) + " s.toml");
         EXPECT_EQ(result.exitCode, 130) << command << result.err;
         EXPECT_EQ(result.out, "") << command;
     }

@@ -27,9 +27,9 @@ void check(const rayscope::scene::ImportedMesh& mesh) {
 /// Any bytes give a valid mesh or InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const rayscope::test::MemoryFile file(std::string("fuzzed") + RAYSCOPE_FUZZED_SUFFIX);
-    rayscope::scene::TextureCache textures;
     rayscope::Diagnostics notes;
     const rayscope::LoadControl control;
+    rayscope::scene::TextureCache textures(notes, control);
     try {
         check(rayscope::scene::readMeshFile(file.write(data, size), {textures, notes, control}));
     } catch (const rayscope::InputError&) {

@@ -8,8 +8,9 @@
 /// Any bytes give materials with values in their ranges, or InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const rayscope::test::MemoryFile file("fuzzed.mtl");
-    rayscope::scene::TextureCache textures;
     rayscope::Diagnostics notes;
+    const rayscope::LoadControl control;
+    rayscope::scene::TextureCache textures(notes, control);
     try {
         for (const rayscope::Material& m :
              rayscope::scene::readMtl(file.write(data, size), textures, notes)) {

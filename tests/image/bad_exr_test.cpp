@@ -16,7 +16,9 @@ using test::inputErrorOf;
 using testing::AllOf;
 using testing::HasSubstr;
 
-RgbImage decodedBadExr(const std::string& file) { return image::decodeExr(std::as_bytes(std::span(file)), "x.exr"); }
+RgbImage decodedBadExr(const std::string& file) {
+    return image::decodeExr(std::as_bytes(std::span(file)), "x.exr");
+}
 std::string badExrError(const std::string& file) {
     return inputErrorOf([&] { decodedBadExr(file); });
 }

@@ -155,7 +155,7 @@ TEST(Session, ANewRequestReplacesTheCurrentOne) {
 }
 
 /// More samples than can be rendered during a test.
-constexpr int kEndless = 1 << 30;
+constexpr int kEndless = 1 << 20;
 
 void waitForSamples(const RenderSession& session, int samples) {
     while (session.status().samples < samples) std::this_thread::yield();

@@ -19,7 +19,8 @@ TEST_F(PlyHeader, HeadersAreReadAsWritten) {
         return text.insert(text.find(before), lines);
     };
     for (const std::string& text :
-         {withLines(kPlyTriangle, "\r\n"), withLines(kPlyTriangle, "\r"), with("format", "comment made by hand\n"),
+         {withLines(kPlyTriangle, "\r\n"), withLines(kPlyTriangle, "\r"),
+          with("format", "comment made by hand\n"),
           with("element face", "comment\nobj_info num_cols 512\n\n"), with("end_header", "\t \n"),
           "\xef\xbb\xbf" + kPlyTriangle,
           "PLY\nFormat ASCII 1.0\nELEMENT Vertex 3\nproperty FLOAT X\nproperty float Y\n"

@@ -124,6 +124,7 @@ std::vector<Table> objectTables() {
                  {"transform", kTable},
                  {"material", kNothing},
                  {"motion", kNothing},
+                 {"vertex_colors", kBoolean},
                  {"if_missing", kText}}),
         inlined("[[mesh]]\ngenerate = { shape = \"quad\" }\ntransform = { ", {},
                 {{"scale", kPositive}, {"rotate", kNothing}, {"translate", kNothing}, {"matrix", kNothing}}),
