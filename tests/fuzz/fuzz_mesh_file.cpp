@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const rayscope::LoadControl control;
     rayscope::scene::TextureCache textures(notes, control);
     try {
-        check(rayscope::scene::readMeshFile(file.write(data, size), {textures, notes, control}));
+        check(rayscope::scene::readMeshFile(file.write(data, size), {textures, notes, control, true}));
     } catch (const rayscope::InputError&) {
     }
     return 0;

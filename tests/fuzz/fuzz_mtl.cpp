@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rayscope::scene::TextureCache textures(notes, control);
     try {
         for (const rayscope::Material& m :
-             rayscope::scene::readMtl(file.write(data, size), textures, notes)) {
+             rayscope::scene::readMtl(file.write(data, size), {textures, notes, control})) {
             const auto isFraction = [](float value) { return value >= 0.0f && value <= 1.0f; };
             for (int c = 0; c < 3; ++c)
                 if (!isFraction(m.kd[c]) || !isFraction(m.ks[c])) std::abort();

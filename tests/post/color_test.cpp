@@ -31,7 +31,8 @@ TEST(Encoding, ColoursOfTheDisplayAreThoseOfFiles) {
     for (int code = 0; code < 256; ++code) {
         const float shown = static_cast<float>(code) / 255.0f;
         const Rgb linear = fromDisplay(Rgb(shown, 0.0f, 1.0f));
-        EXPECT_FLOAT_EQ(linear.r, image::decodeByte(static_cast<std::uint8_t>(code)));
+        EXPECT_NEAR(static_cast<double>(linear.r),
+                    static_cast<double>(image::decodeByte(static_cast<std::uint8_t>(code))), 1e-6);
         EXPECT_EQ(linear.g, 0.0f);
         EXPECT_EQ(linear.b, 1.0f);
         EXPECT_NEAR(static_cast<double>(toDisplay(linear).r), static_cast<double>(shown), 1e-6);
