@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "fuzz/memory_file.h"
-#include "scene/mesh_files/mtl_reader.h"
+#include "scene/mesh_files/obj/mtl_reader.h"
 
 /// Any bytes give materials with values in their ranges, or InputError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

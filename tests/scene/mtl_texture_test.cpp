@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 
 #include "obj_files.h"
-#include "scene/mesh_files/mtl_texture.h"
+#include "scene/mesh_files/obj/mtl_texture.h"
 
 namespace rayscope::test {
 namespace {

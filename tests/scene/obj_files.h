@@ -2,7 +2,7 @@
 // A fixture for texts of OBJ and MTL files.
 #include <gmock/gmock.h>
 
-#include "scene/mesh_files/obj_reader.h"
+#include "scene/mesh_files/obj/obj_reader.h"
 #include "scene_files.h"
 
 namespace rayscope::test {

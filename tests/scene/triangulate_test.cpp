@@ -1,4 +1,4 @@
-#include "scene/mesh_files/triangulate.h"
+#include "scene/mesh_files/geometry/triangulate.h"
 
 #include <gtest/gtest.h>
 #include <rayscope/diagnostics.h>

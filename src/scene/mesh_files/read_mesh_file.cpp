@@ -8,9 +8,9 @@
 
 #include "base/file_suffix.h"
 #include "scene/mesh_files/gltf/gltf_reader.h"
-#include "scene/mesh_files/obj_reader.h"
-#include "scene/mesh_files/ply_reader.h"
-#include "scene/mesh_files/stl_reader.h"
+#include "scene/mesh_files/obj/obj_reader.h"
+#include "scene/mesh_files/ply/ply_reader.h"
+#include "scene/mesh_files/stl/stl_reader.h"
 
 namespace rayscope::scene {
 

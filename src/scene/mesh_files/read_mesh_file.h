@@ -1,5 +1,5 @@
 #pragma once
-#include "scene/mesh_files/imported_mesh.h"
+#include "scene/imported_mesh.h"
 
 namespace rayscope::scene {
 

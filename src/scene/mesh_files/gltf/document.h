@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scene/mesh_files/gltf/json_object.h"
-#include "scene/mesh_files/oddities.h"
+#include "scene/oddities.h"
 
 namespace rayscope::scene {
 

@@ -5,7 +5,7 @@
 
 #include "scene/mesh_files/gltf/scene_graph.h"
 #include "scene/mesh_files/gltf/vertex_reader.h"
-#include "scene/mesh_files/imported_mesh.h"
+#include "scene/imported_mesh.h"
 
 namespace rayscope::scene {
 

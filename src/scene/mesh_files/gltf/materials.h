@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "scene/mesh_files/gltf/resources.h"
-#include "scene/mesh_files/imported_mesh.h"
+#include "scene/imported_mesh.h"
 
 namespace rayscope::scene {
 

@@ -1,0 +1,27 @@
+#include "scene/oddities.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace rayscope::scene {
+
+void Oddities::add(Severity severity, std::string_view kind, int line, std::size_t count) {
+    if (count == 0) return;
+    const auto found =
+        std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& known) { return known.text == kind; });
+    if (found != kinds_.end())
+        found->count += count;
+    else
+        kinds_.push_back({severity, std::string(kind), line, count});
+}
+
+void Oddities::report(Diagnostics& notes) const {
+    for (const Kind& kind : kinds_) {
+        const std::string first = kind.firstLine > 0 ? ", first here" : "";
+        const std::string count = kind.count > 1 ? fmt::format(" ({} times{})", kind.count, first) : "";
+        notes.push_back({kind.severity, kind.text + count, {path_, kind.firstLine, 0}});
+    }
+}
+
+}  // namespace rayscope::scene
