@@ -88,6 +88,17 @@ TEST(Render, WritesTheImageAtTheTimeLimit) {
     EXPECT_EQ(readImage(folder / "a.png").width, 200);
 }
 
+TEST(Render, ALimitThatStopsNothingIsNoFailure) {
+    const TemporaryFolder folder;
+    // One tile with one sample: in flight when the time is over, and complete after it.
+    const std::string render =
+        "rayscope render builtin:cornell-area --set parallelogram_samples=100 --size 32x32 --spp 1 -t 1 ";
+    ASSERT_EQ(run(folder, render + "-o whole.pfm").exitCode, 0);
+    const ProgramResult result = run(folder, render + "-o limited.pfm --time-limit 0.1");
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(test::readText(folder / "limited.pfm"), test::readText(folder / "whole.pfm"));
+}
+
 TEST(Render, ReachesATargetErrorOrReportsTheLimit) {
     const TemporaryFolder folder;
     const std::string scene = "rayscope render builtin:cornell-area --size 40x40 -o a.exr --stats s.json ";
