@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/fuzz.sh [SECONDS [TARGET…]]: builds the fuzzers of tests/fuzz with Clang and runs each for so many seconds (60), on
-# all processors. Without targets it runs all of them: png jpeg bmp tga hdr pfm pnm exr obj mtl ply stl gltf scene settings
+# scripts/fuzz.sh [SECONDS [TARGET…]]: builds the fuzzers of tests/fuzz with Clang and runs each for SECONDS seconds (default
+# 60), on all processors. Without targets it runs all of them: png jpeg bmp tga hdr pfm pnm exr obj mtl ply stl gltf scene settings
 # films. Inputs that extended the coverage are kept in build/fuzz/corpus and used again by the next run; inputs that fail are
 # kept in build/fuzz/failures. The exit status is 1 if there are any.
 set -euo pipefail

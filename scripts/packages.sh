@@ -6,7 +6,7 @@ build_packages=(
     libglm-dev libfmt-dev libtbb-dev                               # numbers, text, threads
     libtomlplusplus-dev libtinyobjloader-dev                       # scenes, meshes
     libpng-dev libjpeg-dev libopenexr-dev zlib1g-dev               # images
-    nlohmann-json3-dev                                             # reports
+    nlohmann-json3-dev                                             # JSON reports, glTF
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
 )
 

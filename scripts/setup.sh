@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Shared by run.sh and test.sh: installing packages, configuring, building. Sourced.
+# Shared by run.sh, test.sh and fuzz.sh: installing packages, configuring, building. Sourced.
 # All messages go to stderr; stdout belongs to the program.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

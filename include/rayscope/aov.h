@@ -55,7 +55,7 @@ struct AovRequest {
 };
 
 /// One image per wanted quantity. Where there is no surface, normal, depth and uv are 0, primitive and
-/// material −1.
+/// material −1. Throws std::invalid_argument if the region is not within the image or samples is below 1.
 std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov> wanted);
 
 /// "normal", "depth", "uv", "primitive", "material", "nodes", …: the names that renderAovs() accepts.

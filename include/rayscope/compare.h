@@ -24,7 +24,7 @@ std::string_view nameOf(ErrorMetric metric);
 /// Throws InputError, with the nearest name, if there is no such metric.
 ErrorMetric errorMetricNamed(std::string_view name);
 
-/// Range of CompareOptions::pixelsPerDegree. The filters of Flip are about half as wide as it is large.
+/// Range of CompareOptions::pixelsPerDegree. The filters of Flip are about half as many pixels wide.
 inline constexpr double kMinPixelsPerDegree = 1.0, kMaxPixelsPerDegree = 1000.0;
 
 struct CompareOptions {

@@ -20,6 +20,7 @@ void writeRenderedImage(const std::string& path, const RgbImage& mean, const Set
 /// The file that writeRenderedImage() would write, for a suffix such as ".png".
 std::string encodeRenderedImage(const std::string& suffix, const RgbImage& mean, const Settings& settings,
                                 const ImageMetadata& metadata = {});
+
 /// False-colour maps. The lightness of all three increases monotonically, so that the order of values is kept
 /// in greyscale and with colour vision deficiencies.
 enum class ColorMap {

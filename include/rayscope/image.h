@@ -75,7 +75,7 @@ void writeImage(const std::string& path, const RgbImage& image, const ImageMetad
                 Encoding encoding = Encoding::Srgb);
 
 /// The file that writeImage() would write, for a suffix such as ".png". Throws InputError if it is unknown or
-/// the image is empty.
+/// the image is empty, and std::invalid_argument unless hasAllPixels().
 std::string encodeImage(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata = {},
                         Encoding encoding = Encoding::Srgb);
 

@@ -176,7 +176,8 @@ struct LoadControl {
 /// files. The case of the suffix of a file does not matter.
 std::vector<std::string> sceneFileSuffixes();
 
-/// Loads a .toml scene, a bare mesh file (with a framing camera and a point light) or "builtin:NAME".
+/// Loads a .toml scene, a bare mesh file (with its own cameras and lights, or else a framing
+/// camera and a point light) or "builtin:NAME".
 /// Throws InputError with file, line and column at the first error, and Stopped; appends notes and warnings
 /// to `notes`.
 SceneDescription loadScene(const std::string& path, Diagnostics& notes, const LoadControl& control = {});
@@ -201,7 +202,7 @@ CameraDescription framingCamera(const SceneBounds& bounds);
 
 /// A feature of the renderer that the scene needs or does not need, and the reason.
 struct Requirement {
-    std::string name;  ///< e.g. "area lights"
+    std::string name;  ///< e.g. "parallelogram lights"
     bool needed = false;
     std::string reason;  ///< e.g. "1 parallelogram light"
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/check_argument.h"
 #include "base/nearest_name.h"
 #include "math/vectors.h"
 #include "probe/sample_cost.h"
@@ -89,7 +90,7 @@ Rgb costValue(const probe::SampleCost& cost, Aov aov) {
 }
 
 bool isOfSurface(Aov aov) { return aov <= Aov::Material; }
-bool isOfFilm(Aov aov) { return aov >= Aov::Samples; }
+bool isOfFilm(Aov aov) { return infoOf(aov).isOfFilm(); }
 
 }  // namespace
 
@@ -110,6 +111,10 @@ Aov aovNamed(std::string_view name) {
 std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov> wanted) {
     const trace::World& world = request.world;
     const PixelBounds region = request.region.value_or(PixelBounds{0, world.width, 0, world.height});
+    base::checkArgument(region.x0 >= 0 && region.x0 <= region.x1 && region.x1 <= world.width &&
+                            region.y0 >= 0 && region.y0 <= region.y1 && region.y1 <= world.height,
+                        "region is outside the image");
+    base::checkArgument(request.samples >= 1, "samples is {}; expected at least 1", request.samples);
     std::vector<RgbImage> images(wanted.size(), RgbImage(world.width, world.height));
     const auto wants = [&](auto&& condition) { return std::any_of(wanted.begin(), wanted.end(), condition); };
     const bool surface = wants(isOfSurface);

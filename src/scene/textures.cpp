@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <span>
-#include <system_error>
 
 #include "scene/load_step.h"
 #include "scene/source_files.h"
@@ -11,8 +10,7 @@ namespace rayscope::scene {
 
 std::shared_ptr<const Texture> TextureCache::open(const std::string& path, TextureWrap wrap) {
     std::shared_ptr<const Texture>& texture = textures_[{path, wrap}];
-    std::error_code ignored;
-    if (std::filesystem::is_fifo(path, ignored)) throw InputError("is a pipe, not a file", {path});
+    refuseSpecialFile(path);
     if (!texture) {
         const std::string file = readSource(path, control_);
         LoadStep(control_, "decoding " + std::filesystem::path(path).filename().string(), 0);

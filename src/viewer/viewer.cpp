@@ -18,9 +18,6 @@ int runViewer(const ViewerOptions& options) {
     } catch (const InputError& error) {
         base::printMessage("{}\n", error.what());
         return kInputError;
-    } catch (const std::runtime_error& error) {
-        base::printMessage("error: {}\n", error.what());
-        return kInputError;
     }
     return 0;
 }

@@ -39,7 +39,7 @@ struct WrongMember {
 const WrongMember kWrongMembers[] = {
     {R"("version":"2.0")", R"("version":"1.0")",
      "asset.version: glTF 1.0 is not supported; convert the file to glTF 2.0"},
-    {R"("version":"2.0")", R"("version":true)", "asset.version: expected a text, got true"},
+    {R"("version":"2.0")", R"("version":true)", "asset.version: expected a string, got true"},
     {R"("asset":{"version":"2.0"},)", "", "the document: the member 'asset' is missing"},
     {R"("scene":0)", R"("scene":1)", "scene: index 1 is out of range: scenes has 1 elements"},
     {R"("scene":0)", R"("scene":"0")", "scene: expected an index into scenes, got \"0\""},
@@ -154,7 +154,8 @@ TEST_F(GltfDamage, FewBytesClaimNoMemory) {
     GltfBuilder file;
     file.declare(R"("componentType":5126,"count":4000000000,"type":"VEC3")");
     EXPECT_EQ(failure(file.embedded(oneMesh(R"("attributes":{"POSITION":0})"))),
-              "m.gltf: error: accessors[0]: 4000000000 elements without data");
+              "m.gltf: error: accessors[0]: 4000000000 elements without a bufferView; the file is too small "
+              "for that");
 }
 
 TEST_F(GltfDamage, MutationsAndTruncationsNeverCrash) {

@@ -217,9 +217,10 @@ TEST_F(ObjFaces, PolygonsAreTriangulated) {
 
 TEST_F(ObjFaces, OutlinesThatCrossThemselvesAreWarnings) {
     read("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 3 4\n");
-    EXPECT_EQ(notesText(),
-              "mesh.obj:6: warning: faces whose outline crosses itself, the first with 4 corners; their "
-              "triangles overlap (2 times, first here)\n");
+    EXPECT_EQ(
+        notesText(),
+        "mesh.obj:6: warning: faces whose outline crosses itself; their triangles overlap (2 times, first "
+        "here)\n");
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ TEST(Dialogs, RenderToAFile) {
     driver.frame();
     driver.frame();
     const std::string path = testing::TempDir() + "panels_test_render.pfm";
-    driver.replaceText("File (.png .exr .pfm .hdr .ppm)", path);
+    driver.replaceText("File (.png .exr .pfm .hdr .ppm .pgm)", path);
     driver.click("Render to file/Render");
     driver.waitFor("file", [&] {
         driver.workspace.job->update();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 
@@ -52,6 +51,8 @@ void writeImage(const std::string& path, const RgbImage& image, const ImageMetad
 
 std::string encodeImage(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
                         Encoding encoding) {
+    base::checkArgument(hasAllPixels(image), "image: {} x {} pixels with {} stored pixels", image.width,
+                        image.height, image.pixels.size());
     if (image.empty()) throw InputError("the image has no pixels");
     return encode(checkedSuffix("image" + suffix), image, metadata, encoding);
 }

@@ -11,6 +11,7 @@
 #include "scene/mesh_files/obj/obj_reader.h"
 #include "scene/mesh_files/ply/ply_reader.h"
 #include "scene/mesh_files/stl/stl_reader.h"
+#include "scene/source_files.h"
 
 namespace rayscope::scene {
 
@@ -48,6 +49,7 @@ ImportedMesh readMeshFile(const std::string& path, const ImportContext& context)
         throw InputError(
             fmt::format("unknown mesh format; expected a file {}", fmt::join(meshFileSuffixes(), ", ")),
             {path});
+    refuseSpecialFile(path);
     return format->read(path, context);
 }
 

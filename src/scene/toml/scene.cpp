@@ -2,8 +2,6 @@
 
 #include <rayscope/settings.h>
 
-#include <filesystem>
-#include <istream>
 #include <map>
 #include <set>
 

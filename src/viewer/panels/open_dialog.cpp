@@ -7,7 +7,6 @@
 #include <span>
 
 #include "base/file_suffix.h"
-#include "scene/mesh_files/read_mesh_file.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
@@ -19,11 +18,9 @@ namespace {
 constexpr const char* kOpenTitle = "Open a scene";
 
 bool isScene(const std::filesystem::path& path) {
-    std::string suffix = path.extension().string();
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const std::vector<std::string> known = sceneFileSuffixes();
-    return std::find(known.begin(), known.end(), suffix) != known.end();
+    return std::any_of(known.begin(), known.end(),
+                       [&](const std::string& suffix) { return base::hasSuffix(path.string(), suffix); });
 }
 
 /// "a, b or c".

@@ -38,7 +38,7 @@ void RenderDialog::drawForm(Workspace& workspace) {
     ui::noted("##size", ImGui::InputInt2("##size", size_));
     labelledRow("Samples per pixel");
     ui::noted("##samples", ImGui::InputInt("##samples", &samples_, 0));
-    labelledRow("File (.png .exr .pfm .hdr .ppm)");
+    labelledRow("File (.png .exr .pfm .hdr .ppm .pgm)");
     ui::noted("##file", ImGui::InputText("##file", &path_));
     for (int& side : size_) side = std::clamp(side, 1, 32768);
     samples_ = std::clamp(samples_, 1, 1 << 20);

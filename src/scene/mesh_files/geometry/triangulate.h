@@ -3,8 +3,13 @@
 
 #include <functional>
 #include <span>
+#include <string_view>
 
 namespace rayscope::scene {
+
+/// The warning about polygons of which triangulate() returns false.
+inline constexpr std::string_view kCrossingOutline =
+    "faces whose outline crosses itself; their triangles overlap";
 
 /// Triangulates a convex or concave polygon of n points by ear clipping. `triangles` has n − 2 elements and
 /// receives indices into `points`. The polygon may be slightly non-planar, touch itself, and have holes that

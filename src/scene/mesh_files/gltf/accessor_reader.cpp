@@ -91,7 +91,8 @@ std::vector<Value> GltfAccessorReader::read(std::uint32_t index) {
         // Zeros cost no bytes in the file; a few bytes must not claim gigabytes.
         constexpr std::uint64_t kFree = 1 << 20;
         if (a.count > std::max(kFree, resources_.totalBytes()))
-            fail(index, fmt::format("{} elements without data", a.count));
+            fail(index,
+                 fmt::format("{} elements without a bufferView; the file is too small for that", a.count));
         values.resize(static_cast<std::size_t>(a.count) * a.components);
     }
     if (a.sparse) readSparse(index, values);

@@ -90,7 +90,9 @@ GltfSparse readSparse(const JsonObject& object, std::uint64_t count, const GltfD
     if (sparse.indexType != GltfComponent::UnsignedByte && sparse.indexType != GltfComponent::UnsignedShort &&
         sparse.indexType != GltfComponent::UnsignedInt)
         indices.fail("componentType", "expected an unsigned integer type");
-    if (sparse.count > count) object.fail("count", fmt::format("{} of {} elements", sparse.count, count));
+    if (sparse.count > count)
+        object.fail("count", fmt::format("expected at most {}, the count of the accessor, got {}", count,
+                                         sparse.count));
     return sparse;
 }
 

@@ -13,7 +13,9 @@ namespace rayscope::scene {
 
 namespace {
 
-std::string stepName(const std::string& path) { return "reading " + path.substr(path.find_last_of('/') + 1); }
+std::string stepName(const std::string& path) {
+    return "converting " + path.substr(path.find_last_of('/') + 1);
+}
 
 void readMeshes(const GltfDocument& document, const GltfPlacements& placements, GltfAccessorReader& accessors,
                 LoadStep& step, GltfGeometry& geometry) {

@@ -108,7 +108,7 @@ std::vector<std::string> JsonObject::keys() const {
 std::string JsonObject::text(std::string_view key, std::string fallback) const {
     const Json* value = find(key);
     if (!value) return fallback;
-    if (!value->is_string()) failType(key, "a text", *value);
+    if (!value->is_string()) failType(key, "a string", *value);
     return value->get<std::string>();
 }
 
@@ -122,7 +122,7 @@ std::vector<std::string> JsonObject::texts(std::string_view key) const {
     const Json* array = findArray(key);
     if (!array) return list;
     for (const Json& value : *array) {
-        if (!value.is_string()) failType(key, "an array of texts", *array);
+        if (!value.is_string()) failType(key, "an array of strings", *array);
         list.push_back(value.get<std::string>());
     }
     return list;

@@ -51,7 +51,8 @@ std::vector<glm::dmat4> jointMatrices(const GltfSkin& skin, const std::vector<gl
         inverse = accessors.floats(*skin.inverseBindMatrices, 16);
         if (inverse.size() < 16 * skin.joints.size())
             accessors.fail(*skin.inverseBindMatrices,
-                           fmt::format("{} matrices for {} joints", inverse.size() / 16, skin.joints.size()));
+                           fmt::format("expected {} matrices, one per joint, got {}", skin.joints.size(),
+                                       inverse.size() / 16));
     }
     std::vector<glm::dmat4> matrices;
     for (std::size_t joint = 0; joint < skin.joints.size(); ++joint) {

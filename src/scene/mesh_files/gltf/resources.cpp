@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cstring>
 
+#include "base/lower_case.h"
+#include "scene/mesh_files/text/foreign_format.h"
 #include "scene/source_files.h"
 
 namespace rayscope::scene {
@@ -34,7 +36,8 @@ GltfContainer splitGlb(std::string_view file, const std::string& path, Oddities&
     if (version != 2)
         throw InputError(fmt::format("glTF {} is not supported; convert the file to glTF 2.0", version),
                          {path});
-    if (length > file.size()) fail(fmt::format("it has {} bytes of {}", file.size(), length));
+    if (length > file.size())
+        fail(fmt::format("it has {} of the {} bytes that its header states", file.size(), length));
     if (length < file.size())
         oddities.add(Severity::Warning,
                      fmt::format("{} bytes behind the end of the GLB data; ignored", file.size() - length));
@@ -101,9 +104,7 @@ std::optional<std::string> base64Decoded(std::string_view text) {
 std::string schemeOf(std::string_view uri) {
     const std::size_t colon = uri.find(':');
     if (colon == uri.npos || colon < 2 || uri.substr(0, colon).find_first_of("/\\. ") != uri.npos) return {};
-    std::string scheme(uri.substr(0, colon));
-    for (char& c : scheme) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return scheme;
+    return base::lowerCase(uri.substr(0, colon));
 }
 
 /// The content of "data:TYPE;base64,…" or "data:TYPE,…".
@@ -123,8 +124,11 @@ std::string dataUriContent(std::string_view uri, const std::string& place, const
 }  // namespace
 
 GltfContainer splitGltfFile(std::string_view file, const std::string& path, Oddities& oddities) {
+    constexpr std::size_t kSignatureLength = 64;
     if (file.empty()) throw InputError("the file is empty", {path});
     if (file.starts_with(kGlbMagic)) return splitGlb(file, path, oddities);
+    if (const std::string_view what = foreignFormat(file.substr(0, kSignatureLength), "glTF"); !what.empty())
+        throw InputError(describeForeign(file.substr(0, kSignatureLength), "glTF", {}), {path});
     return {.json = file};
 }
 

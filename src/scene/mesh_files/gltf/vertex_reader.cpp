@@ -101,8 +101,10 @@ std::vector<glm::dmat4> GltfVertexReader::skinMatrices(const GltfPrimitive& prim
             if (weights[i] == 0.0f) continue;
             const auto number = static_cast<double>(numbers[i]);
             if (!(number >= 0.0 && number < static_cast<double>(joints.size())))
-                throw InputError(fmt::format("accessors[{}]: joint {} of {}", *joint, number, joints.size()),
-                                 {path_});
+                throw InputError(
+                    fmt::format("accessors[{}]: joint {} is out of range: the skin has {} joints", *joint,
+                                number, joints.size()),
+                    {path_});
             matrices[i / 4] += static_cast<double>(weights[i]) * joints[static_cast<std::size_t>(number)];
             sums[i / 4] += static_cast<double>(weights[i]);
         }

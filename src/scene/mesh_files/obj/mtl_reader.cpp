@@ -19,14 +19,14 @@ class MtlReader {
         : path_(path), context_(context), oddities_(path) {}
 
     std::vector<Material> read() {
-        const std::string text = readTextFile(path_, "MTL", oddities_);
+        const std::string text = readTextFile(path_, "MTL", oddities_, context_.control);
         const std::vector<ParsedMaterial> parsed = parseMtl(path_, text, oddities_);
         std::vector<MtlStatements> statements;
         for (const ParsedMaterial& material : parsed) statements.push_back(material.statements);
         const std::vector<MtlValues> values = interpretMtl(statements);
         std::vector<Material> materials;
-        LoadStep step(context_.control, "reading " + path_.substr(path_.find_last_of('/') + 1),
-                      parsed.size());
+        LoadStep step(context_.control,
+                      "loading the textures of " + path_.substr(path_.find_last_of('/') + 1), parsed.size());
         for (std::size_t i = 0; i < parsed.size(); ++i) {
             materials.push_back(convert(parsed[i], values[i]));
             step.advanceTo(i + 1);

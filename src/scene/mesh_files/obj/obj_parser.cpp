@@ -30,7 +30,7 @@ class ObjParser {
           lines_(path, text),
           oddities_(oddities),
           statements_(path),
-          step_(control, "reading " + path.substr(path.find_last_of('/') + 1), text.size()),
+          step_(control, "parsing " + path.substr(path.find_last_of('/') + 1), text.size()),
           corners_(text.size() / kShortestVertex + 1) {}
 
     ParsedObj parse() {
@@ -87,8 +87,9 @@ class ObjParser {
             ++count;
         }
         if (count < required)
-            throw InputError(fmt::format("expected {} numbers, got {}", required, count),
-                             lines_.positionOf(arguments.data()));
+            throw InputError(
+                fmt::format("expected {} number{}, got {}", required, required == 1 ? "" : "s", count),
+                lines_.positionOf(arguments.data()));
         return count;
     }
 

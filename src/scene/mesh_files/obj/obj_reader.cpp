@@ -8,10 +8,10 @@
 #include "image/srgb.h"
 #include "scene/load_step.h"
 #include "scene/mesh_files/geometry/missing_normals.h"
+#include "scene/mesh_files/geometry/triangulate.h"
 #include "scene/mesh_files/obj/obj_materials.h"
 #include "scene/mesh_files/obj/obj_parser.h"
 #include "scene/mesh_files/text/text_file.h"
-#include "scene/mesh_files/geometry/triangulate.h"
 
 namespace rayscope::scene {
 
@@ -32,12 +32,7 @@ void triangulatePolygons(const ParsedObj& obj, MeshData& mesh, Oddities& odditie
         triangles.resize(polygon.corners - 2);
         const bool isSimple =
             triangulate(points, triangles, [&](std::size_t cut) { step.advanceTo(done + cut); });
-        if (!isSimple)
-            oddities.add(Severity::Warning,
-                         fmt::format("faces whose outline crosses itself, the first with {} corners; their "
-                                     "triangles overlap",
-                                     polygon.corners),
-                         polygon.line);
+        if (!isSimple) oddities.add(Severity::Warning, kCrossingOutline, polygon.line);
         for (std::size_t i = 0; i < triangles.size(); ++i)
             fan[i] = {ring[triangles[i].x], ring[triangles[i].y], ring[triangles[i].z]};
         done += triangles.size();
@@ -123,7 +118,8 @@ void noteUntexturedCorners(const ParsedObj& obj, const ImportedMesh& mesh, Oddit
 
 ImportedMesh readObj(const std::string& path, const ImportContext& context) {
     Oddities oddities(path);
-    ParsedObj obj = parseObj(path, readTextFile(path, "OBJ", oddities), oddities, context.control);
+    ParsedObj obj =
+        parseObj(path, readTextFile(path, "OBJ", oddities, context.control), oddities, context.control);
     auto data = std::make_shared<MeshData>();
     addVertices(obj, *data);
     if (!obj.colors.empty() && context.withColors) addColors(obj, *data, oddities);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "image/srgb.h"
+#include "scene/load_step.h"
 #include "scene/mesh_files/geometry/triangulate.h"
 
 namespace rayscope::scene {
@@ -41,8 +42,8 @@ float decodeColor(float value, float largest, bool& inRange) {
 
 }  // namespace
 
-PlyMesh::PlyMesh(const PlyPlan& plan, Oddities& oddities, std::stop_token stop)
-    : plan_(plan), oddities_(oddities), stop_(std::move(stop)), vertexCount_(plan.vertexCount()) {}
+PlyMesh::PlyMesh(const PlyPlan& plan, Oddities& oddities, const LoadControl& control)
+    : plan_(plan), oddities_(oddities), control_(control), vertexCount_(plan.vertexCount()) {}
 
 void PlyMesh::reserve(std::uint64_t vertices, std::uint64_t triangles) {
     const auto count = static_cast<std::size_t>(vertices);
@@ -107,7 +108,7 @@ const std::int64_t* PlyMesh::addFace(const PlyFace& face) {
         oddities_.add(Severity::Warning,
                       "faces whose list 'texcoord' does not have two numbers per corner; 0 is used",
                       face.line);
-    const Polygon polygon{mesh_.triangles.size(), static_cast<std::uint32_t>(corners.size())};
+    const Polygon polygon{mesh_.triangles.size(), static_cast<std::uint32_t>(corners.size()), face.line};
     for (std::size_t i = 1; i + 1 < ring_.size(); ++i)
         mesh_.triangles.emplace_back(ring_[0], ring_[i], ring_[i + 1]);
     addSlots(face.textureNumber, corners.size() - 2, face.line);
@@ -181,7 +182,7 @@ void PlyMesh::triangulateFan(const Polygon& polygon) {
     points_.clear();
     for (const std::uint32_t corner : ring_) points_.push_back(positionOf(corner));
     triangles_.resize(polygon.corners - 2);
-    triangulate(points_, triangles_);
+    if (!triangulate(points_, triangles_)) oddities_.add(Severity::Warning, kCrossingOutline, polygon.line);
     for (std::size_t i = 0; i < triangles_.size(); ++i)
         fan[i] = {ring_[triangles_[i].x], ring_[triangles_[i].y], ring_[triangles_[i].z]};
 }
@@ -208,9 +209,12 @@ void PlyMesh::splitVertices() {
 }
 
 MeshData PlyMesh::finish(const std::string& path) {
-    for (const Polygon& polygon : polygons_) {
-        if (stop_.stop_requested()) throw Stopped();
-        triangulateFan(polygon);
+    if (!polygons_.empty()) {
+        LoadStep step(control_, "triangulating " + path.substr(path.find_last_of('/') + 1), polygons_.size());
+        for (const Polygon& polygon : polygons_) {
+            triangulateFan(polygon);
+            step.advance();
+        }
     }
     if (mesh_.triangles.empty()) throw InputError("no face has three or more corners", {path});
     if (plan_.hasCornerTexCoords) splitVertices();

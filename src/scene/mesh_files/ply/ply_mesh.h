@@ -3,7 +3,6 @@
 
 #include <array>
 #include <span>
-#include <stop_token>
 
 #include "scene/mesh_files/geometry/corner_table.h"
 #include "scene/mesh_files/ply/ply_plan.h"
@@ -32,7 +31,7 @@ struct PlyFace {
 /// Makes a mesh of the rows of a PLY file.
 class PlyMesh {
   public:
-    PlyMesh(const PlyPlan& plan, Oddities& oddities, std::stop_token stop);
+    PlyMesh(const PlyPlan& plan, Oddities& oddities, const LoadControl& control);
 
     /// Announces how many are expected.
     void reserve(std::uint64_t vertices, std::uint64_t triangles);
@@ -51,6 +50,7 @@ class PlyMesh {
     struct Polygon {
         std::size_t firstTriangle;
         std::uint32_t corners;
+        int line;
     };
 
     bool isVertex(std::int64_t index) const { return static_cast<std::uint64_t>(index) < vertexCount_; }
@@ -64,7 +64,7 @@ class PlyMesh {
 
     const PlyPlan& plan_;
     Oddities& oddities_;
-    std::stop_token stop_;
+    const LoadControl& control_;
     std::uint64_t vertexCount_;
     MeshData mesh_;
     CornerTable corners_;            ///< of position and the bits of u and v, with corner texture coordinates

@@ -94,7 +94,7 @@ ImportedMesh readInLayout(const std::string& path, const ImportContext& context,
                   static_cast<std::size_t>(input.size().value_or(0)));
     Oddities oddities(path);
     const PlyPlan plan = planPly(path, readPlyHeader(path, input, oddities), context.withColors, oddities);
-    PlyMesh mesh(plan, oddities, context.control.stop);
+    PlyMesh mesh(plan, oddities, context.control);
     reserveMesh(plan, input, mesh);
     const PlyRows rows{path, input, plan, mesh, oddities, step};
     if (plan.header.format == PlyFormat::Ascii)
@@ -130,8 +130,6 @@ ImportedMesh readPly(const std::string& path, const ImportContext& context) {
     try {
         return readInLayout(path, context, PlyLayout::Lines);
     } catch (const PlyLayoutError& wrongLayout) {
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(path, ignored)) throw wrongLayout.error;
         try {
             return readInLayout(path, context, PlyLayout::Words);
         } catch (const InputError&) {

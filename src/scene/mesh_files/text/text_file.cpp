@@ -55,12 +55,13 @@ void replaceZeros(std::string& text, Oddities& oddities) {
 
 }  // namespace
 
-std::string readTextFile(const std::string& path, std::string_view format, Oddities& oddities) {
+std::string readTextFile(const std::string& path, std::string_view format, Oddities& oddities,
+                         const LoadControl& control) {
     refuseSpecialFile(path);
     const auto refuse = [&](std::string_view meaning) {
         throw InputError(fmt::format("not a file in {} format: it {}", format, meaning), {path});
     };
-    std::string text = readSource(path);
+    std::string text = readSource(path, control);
     if (const std::optional<ByteOrder> order = utf16Order(text)) {
         text = utf16ToUtf8(text, *order);
         oddities.add(Severity::Note, "the text is UTF-16");

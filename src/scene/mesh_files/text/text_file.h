@@ -1,4 +1,6 @@
 #pragma once
+#include <rayscope/scene.h>
+
 #include <string>
 #include <string_view>
 
@@ -10,7 +12,8 @@ namespace rayscope::scene {
 /// stays). UTF-16 is recognised by its byte order mark or its zero bytes. Bytes that are not UTF-8 are read
 /// as Windows-1252, and zero bytes as blanks; both are added to `oddities`. `format` names what is expected,
 /// e.g. "OBJ". Throws InputError, which says what the file is, for compressed and binary files, web pages and
-/// files of other formats, and for folders, pipes and devices.
-std::string readTextFile(const std::string& path, std::string_view format, Oddities& oddities);
+/// files of other formats, and for folders, pipes and devices, and Stopped.
+std::string readTextFile(const std::string& path, std::string_view format, Oddities& oddities,
+                         const LoadControl& control);
 
 }  // namespace rayscope::scene
