@@ -128,7 +128,7 @@ int runCast(const CastOptions& options) {
 std::function<int()> setUpCast(OptionList& list) {
     auto options = std::make_shared<CastOptions>();
     options->scene.addSceneTo(list, true);
-    list.add("--rays", &options->rays, "Ray file to read, of any length").form("FILE").required();
+    list.add("--rays", &options->rays, "Ray file to read, of any length").form("FILE").reads().required();
     list.add("-o,--output", &options->output, "File of results to write, in the order of the rays")
         .required()
         .writes(Option::Output::File);

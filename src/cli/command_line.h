@@ -53,6 +53,7 @@ struct Option {
     std::string valueForm{};  ///< "X,Y,Z"
     char separator = 0;       ///< of several values in one argument; 0: none
     Output output = Output::None;
+    bool isInput = false;  ///< names a file that is read, as positional arguments do
     bool isRequired = false, showsDefault = false;
     std::optional<std::string> impliedValue{};  ///< if the option is given without a value
 
@@ -69,6 +70,7 @@ struct Option {
         return valueForm = std::move(text), separator = between, *this;
     }
     Option& separatedBy(char character) { return separator = character, *this; }
+    Option& reads() { return isInput = true, *this; }
     Option& writes(Output kind) { return output = kind, *this; }
     Option& valueOptional(std::string implied) { return impliedValue = std::move(implied), *this; }
 

@@ -69,14 +69,28 @@ std::string identityOf(const std::string& path) {
 
 }  // namespace
 
+bool isSameFile(const std::string& a, const std::string& b) { return identityOf(a) == identityOf(b); }
+
 void checkDestinations(const OptionList& list) {
-    std::map<std::string, const Option*> written;
+    std::map<std::string, const Option*> written, read;
+    bool imageToStandardOutput = false;
+    for (const Option& option : list.options())
+        if (option.isPositional() || option.isInput)
+            for (const std::string& path : pathsOf(option)) read.emplace(identityOf(path), &option);
     for (const Option& option : list.options()) {
         if (option.output == Option::Output::None) continue;
         for (const std::string& path : pathsOf(option)) {
             checkDestination(option, path);
+            imageToStandardOutput |= path == "-";
+            if (imageToStandardOutput && (path == "/dev/stdout" || path == "/dev/fd/1"))
+                throw UsageError(std::string(option.mainName()),
+                                 "the standard output already receives the image of '-'");
             std::error_code ignored;
             const bool isDevice = fs::is_other(path, ignored);
+            if (const auto input = read.find(identityOf(path)); input != read.end() && !isDevice)
+                throw UsageError(
+                    std::string(option.mainName()),
+                    fmt::format("{} is also read by {}", base::quoted(path), input->second->mainName()));
             const auto [place, isNew] = written.emplace(identityOf(path), &option);
             if (!isNew && !isDevice)
                 throw UsageError(

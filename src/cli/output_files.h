@@ -7,8 +7,11 @@ namespace rayscope::cli {
 
 class OptionList;
 
+/// Whether two paths name the same file, which need not exist.
+bool isSameFile(const std::string& a, const std::string& b);
+
 /// Throws InputError unless every path that an option names as an output can be written, and UsageError if
-/// two of them are the same file. Creates folders.
+/// two of them are the same file or one is also read. Creates folders.
 void checkDestinations(const OptionList& list);
 
 /// Writes several outputs: one that fails does not prevent the others.

@@ -15,6 +15,7 @@
 
 #include "base/atomic_file.h"
 #include "base/console.h"
+#include "base/printable_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
@@ -95,6 +96,16 @@ std::string aovPath(const std::string& output, std::string_view name) {
 
 constexpr std::string_view kStandardOutput = "-";
 
+void checkAovDestination(const RenderCommandOptions& options, const std::string& path) {
+    checkImageDestination(path);
+    std::vector<std::string> others = options.outputs;
+    if (!options.statsFile.empty()) others.push_back(options.statsFile);
+    for (const std::string& other : others)
+        if (isSameFile(path, other))
+            throw UsageError("--aov",
+                             fmt::format("{} is also written by another option", base::quoted(path)));
+}
+
 /// What can be checked without the scene, so that a mistake costs no time.
 void checkOptions(const RenderCommandOptions& options) {
     errorMetricNamed(options.target.metric);
@@ -115,7 +126,7 @@ void checkOptions(const RenderCommandOptions& options) {
     if (options.outputs.front() == kStandardOutput)
         throw UsageError("--aov", "AOVs are named after the first output, which must be a file");
     for (const std::string& name : options.aovs)
-        checkImageDestination(aovPath(options.outputs.front(), infoOf(aovNamed(name)).name));
+        checkAovDestination(options, aovPath(options.outputs.front(), infoOf(aovNamed(name)).name));
 }
 
 void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,

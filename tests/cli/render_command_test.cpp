@@ -301,5 +301,24 @@ TEST(Render, PixelBoundsRenderARegion) {
             EXPECT_EQ(part.at(x, y), x >= 10 && x < 20 && y >= 5 && y < 30 ? whole.at(x, y) : Rgb(0.0f));
 }
 
+TEST(Render, OutputsDifferFromInputsAndEachOther) {
+    const TemporaryFolder folder;
+    folder.write("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::pair<const char*, const char*> commands[] = {
+        {"render x.obj --size 8x8 --spp 1 -o a.png --stats x.obj", "'x.obj' is also read by SCENE"},
+        {"render x.obj --size 8x8 --spp 1 -o a.png --aov normal -o a.normal.exr",
+         "is also written by another option"},
+        {"render x.obj --size 8x8 --spp 1 -o a.png --aov normal --stats a.normal.exr",
+         "is also written by another option"},
+        {"render x.obj --size 8x8 --spp 1 -o - --format png --stats /dev/stdout",
+         "the standard output already receives the image"}};
+    for (const auto& [command, message] : commands) {
+        const ProgramResult result = run(folder, std::string("rayscope ") + command);
+        EXPECT_EQ(result.exitCode, 1) << command;
+        EXPECT_THAT(result.err, HasSubstr(message)) << command;
+    }
+    EXPECT_EQ(test::readText(folder / "x.obj").substr(0, 7), "v 0 0 0");
+}
+
 }  // namespace
 }  // namespace rayscope

@@ -74,7 +74,7 @@ TEST(Pnm, ArbitraryMaps) {
     EXPECT_EQ(decode(header("2", "65535", "GRAYSCALE_ALPHA") + bytesOf({1, 0, 0, 0})).at(0, 0),
               Rgb(linearOf(256, 65535)));
     EXPECT_EQ(decode(header("1", "1", "BLACKANDWHITE") + bytesOf({1})).at(0, 0), Rgb(1.0f));
-    EXPECT_THAT(pnmError(header("5", "255", "CMYK_ALPHA") + "12345"), HasSubstr("5 channels"));
+    EXPECT_THAT(pnmError(header("5", "255", "RGB_ALPHA") + "12345"), HasSubstr("5 channels"));
     EXPECT_THAT(pnmError("P7\nWIDTH 1\nHEIGHT 1\nPIXELS\n"), HasSubstr("ENDHDR"));
 }
 
@@ -132,6 +132,21 @@ TEST(Pfm, OdditiesAreReported) {
     EXPECT_THAT(pnmError("Pf\n1 1\nnan\n" + kOne), HasSubstr("scale is nan"));
     EXPECT_THAT(pnmError("Pf\n1 1\n1e99\n" + kOne), HasSubstr("scale"));
     EXPECT_THAT(pnmError("PF\n1 1\n1\n" + kOne), HasSubstr("unexpected end of file"));
+}
+
+TEST(Pnm, PamTypesOfOtherColoursAreRefused) {
+    const std::string cmyk =
+        "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE CMYK\nENDHDR\n"s + bytesOf({0, 255, 255, 0});
+    EXPECT_THAT(pnmError(cmyk), HasSubstr("is a PAM image of the type CMYK"));
+    const std::string rgba = "P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\n"s +
+                             bytesOf({255, 0, 0, 255});
+    EXPECT_THAT(decode(rgba).pixels, ElementsAre(Rgb(1.0f, 0.0f, 0.0f)));
+}
+
+TEST(Pfm, BlanksBehindTheScale) {
+    const std::string pixel = littleEndian(0x3f800000u, 4);
+    for (const std::string& end : {"\n"s, " \n"s, "  \t\n"s, "\r\n"s})
+        EXPECT_THAT(decode("Pf\n1 1\n-1.0" + end + pixel).pixels, ElementsAre(Rgb(1.0f)));
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ const WrongMember kWrongMembers[] = {
     {R"("version":"2.0")", R"("version":"1.0")",
      "asset.version: glTF 1.0 is not supported; convert the file to glTF 2.0"},
     {R"("version":"2.0")", R"("version":true)", "asset.version: expected a string, got true"},
+    {R"("version":"2.0")", R"("version":"2.0","minVersion":"2.1")",
+     "asset.minVersion: glTF 2.1 is not supported"},
     {R"("asset":{"version":"2.0"},)", "", "the document: the member 'asset' is missing"},
     {R"("scene":0)", R"("scene":1)", "scene: index 1 is out of range: scenes has 1 elements"},
     {R"("scene":0)", R"("scene":"0")", "scene: expected an index into scenes, got \"0\""},

@@ -76,7 +76,7 @@ TEST_F(GltfNodes, SkinsMoveVerticesToTheirJoints) {
     EXPECT_EQ(
         failure(file.embedded(oneMesh(
             mesh, R"("nodes":[{"mesh":0,"skin":0}],"scenes":[{"nodes":[0]}],"skins":[{"joints":[0]}])"))),
-        "m.gltf: error: accessors[1]: joint 1 of 1");
+        "m.gltf: error: accessors[1]: joint 1 is out of range: the skin has 1 joints");
     read(file.embedded(oneMesh(
         kPositions, R"("nodes":[{"mesh":0,"skin":0}],"scenes":[{"nodes":[0]}],"skins":[{"joints":[0]}])")));
     EXPECT_THAT(notesText(), HasSubstr("warning: skinned primitives without joints and weights"));

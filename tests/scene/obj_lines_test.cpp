@@ -172,7 +172,7 @@ TEST_F(ObjLines, LoadingReportsProgressAndStops) {
     std::vector<double> fractions;
     LoadControl control;
     control.progress = [&](const std::string& step, double fraction) {
-        if (step == "reading mesh.obj") fractions.push_back(fraction);
+        if (step == "parsing mesh.obj") fractions.push_back(fraction);
     };
     loadScene(path, notes_, control);
     EXPECT_GT(fractions.size(), 100u);

@@ -114,7 +114,7 @@ TEST_F(ObjNumbers, MissingNumbersAreErrors) {
     EXPECT_EQ(failure("v 1\n" + kFace), "mesh.obj:1:2: error: expected 3 numbers, got 1");
     EXPECT_EQ(failure("v 0 0 # end\n" + kFace), "mesh.obj:1:2: error: expected 3 numbers, got 2");
     EXPECT_EQ(failure("vn 0 0\n" + kFace), "mesh.obj:1:3: error: expected 3 numbers, got 2");
-    EXPECT_EQ(failure("vt\n" + kFace), "mesh.obj:1:3: error: expected 1 numbers, got 0");
+    EXPECT_EQ(failure("vt\n" + kFace), "mesh.obj:1:3: error: expected 1 number, got 0");
 }
 
 TEST_F(ObjNumbers, ExtraNumbersAreWeightsOrColours) {
@@ -160,7 +160,7 @@ TEST_F(ObjNumbers, ColoursAreDecodedFromSrgb) {
 TEST_F(ObjNumbers, ColoursOutOfRange) {
     const auto bytes = readWithColors("v 0 0 0 255 0 51\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nf 1 2 3\n");
     EXPECT_NEAR(bytes->colors[0].b, 0.0331048f, 1e-6f) << "0.2";
-    EXPECT_EQ(notesText(), "mesh.obj: warning: colours of vertices above 1; all are read as 0 to 255\n");
+    EXPECT_EQ(notesText(), "mesh.obj: warning: vertex colours above 2; all are read as 0 to 255\n");
     const auto odd = readWithColors("v 0 0 0 -1 0 0.5\nv 1 0 0\nv 0 1 0 nan 0 0\nf 1 2 3\n");
     EXPECT_EQ(odd->colors[0].r, 0.0f);
     EXPECT_EQ(odd->colors[1], Rgb(1.0f));

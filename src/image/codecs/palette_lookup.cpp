@@ -8,7 +8,7 @@ void PaletteLookup::report(const ImageFile& file) const {
     if (invalid_ > 0)
         file.warn(fmt::format(
             "pixels with indices beyond the palette are black (pixels: {}, first index: {}, colours: {})",
-            invalid_, first_, palette_.size()));
+            invalid_, firstInvalid_, palette_.size()));
 }
 
 }  // namespace rayscope::image

@@ -7,14 +7,17 @@
 
 namespace rayscope::image {
 
-/// Looks up colours of a palette and counts the indices beyond it, which are black.
+/// Looks up colours of a palette and counts the indices outside of it, which are black.
 class PaletteLookup {
   public:
-    explicit PaletteLookup(const std::vector<Rgb>& palette) : palette_(palette) {}
+    /// `firstIndex`: that of the first colour.
+    explicit PaletteLookup(const std::vector<Rgb>& palette, std::size_t firstIndex = 0)
+        : palette_(palette), firstIndex_(firstIndex) {}
 
     Rgb colorOf(std::size_t index) {
-        if (index < palette_.size()) return palette_[index];
-        if (invalid_++ == 0) first_ = index;
+        if (index >= firstIndex_ && index - firstIndex_ < palette_.size())
+            return palette_[index - firstIndex_];
+        if (invalid_++ == 0) firstInvalid_ = index;
         return Rgb(0.0f);
     }
 
@@ -24,7 +27,7 @@ class PaletteLookup {
   private:
     const std::vector<Rgb>& palette_;
     long long invalid_ = 0;
-    std::size_t first_ = 0;
+    std::size_t firstIndex_, firstInvalid_ = 0;
 };
 
 }  // namespace rayscope::image

@@ -31,6 +31,14 @@ Layout takePnmHeader(PortableHeader& header, char kind) {
     return layout;
 }
 
+/// The types that the specification defines; the depth says which one it is. Others would be read as wrong
+/// colours.
+void checkTupleType(const ImageFile& file, std::string_view type) {
+    for (const std::string_view known : {"BLACKANDWHITE", "GRAYSCALE", "RGB"})
+        if (type == known || (type.starts_with(known) && type.substr(known.size()) == "_ALPHA")) return;
+    file.refuse(fmt::format("is a PAM image of the type {}, which is not read; convert it to PPM", type));
+}
+
 Layout takePamHeader(const ImageFile& file, PortableHeader& header) {
     Layout layout{.depth = 0, .maximum = 0};
     for (;;) {
@@ -45,7 +53,7 @@ Layout takePamHeader(const ImageFile& file, PortableHeader& header) {
         else if (key == "MAXVAL")
             layout.maximum = header.takeNumber("MAXVAL");
         else if (key == "TUPLTYPE")
-            header.takeWord();  // the depth says the same
+            checkTupleType(file, header.takeWord());
         else
             file.damaged("the header lacks ENDHDR");
     }

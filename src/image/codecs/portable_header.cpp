@@ -71,6 +71,9 @@ bool PortableHeader::takeBit() {
 FileBytes PortableHeader::takePixels(std::size_t needed) {
     if (at_ < text_.size() && text_[at_] == '#')
         at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
+    // Blanks before the line end, in a file that is just so much longer.
+    const std::size_t lineEnd = std::min(text_.find_first_not_of(" \t", at_), text_.size());
+    if (lineEnd > at_ && text_.size() - lineEnd == needed + 1 && text_[lineEnd] == '\n') at_ = lineEnd;
     if (text_.substr(at_).starts_with("\r\n") && text_.size() - at_ - 2 >= needed) ++at_;
     if (at_ < text_.size()) ++at_;
     if (text_.size() - at_ < needed) file_.damaged(kEndsTooEarly);

@@ -81,8 +81,7 @@ class PixelReader {
         if (header_.kind == kColor) return colorOf(pixel, header_.pixelBits);
         if (header_.kind == kGrey) return Rgb(decodeByte(static_cast<std::uint8_t>(byteAt(pixel, 0))));
         const std::size_t index = header_.pixelBits == 8 ? byteAt(pixel, 0) : littleEndian16(pixel, 0);
-        // Indices below the first colour become large ones.
-        return lookup_.colorOf(index - header_.firstColor);
+        return lookup_.colorOf(index);
     }
 
     Rgb colorOf(FileBytes bytes, std::uint32_t bits) const {
@@ -100,7 +99,7 @@ class PixelReader {
     ByteCursor cursor_;
     std::vector<float> fiveBits_ = srgbTable(31);
     std::vector<Rgb> map_;
-    PaletteLookup lookup_{map_};
+    PaletteLookup lookup_{map_, header_.firstColor};
     std::uint32_t left_ = 0;
     bool repeated_ = false;
     Rgb color_{0.0f};

@@ -27,6 +27,10 @@ bool isOfMaterials(std::string_view extension) {
 
 void checkVersion(const JsonObject& root) {
     const std::string version = root.requiredObject("asset").textOrNumber("version");
+    const std::string least = root.requiredObject("asset").text("minVersion", "2.0");
+    if (least != "2" && least != "2.0")
+        root.fail("asset.minVersion",
+                  fmt::format("glTF {} is not supported; export the file as glTF 2.0", least));
     if (version == "2" || version.starts_with("2.")) return;
     if (version == "1" || version.starts_with("1."))
         root.fail("asset.version",

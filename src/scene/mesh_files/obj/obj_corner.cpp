@@ -13,7 +13,8 @@ bool parseIndex(const char*& at, const char* end, std::int64_t& value) {
     const bool isNegative = at != end && *at == '-';
     if (at != end && (*at == '-' || *at == '+')) ++at;
     if (at == end || *at < '0' || *at > '9') return false;
-    constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
+    // Larger ones are out of range in any case; sums with the number of elements do not overflow.
+    constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max() / 4;
     std::int64_t sum = 0;
     for (; at != end && *at >= '0' && *at <= '9'; ++at)
         sum = sum > (kLargest - 9) / 10 ? kLargest : sum * 10 + (*at - '0');

@@ -47,9 +47,10 @@ void addColors(const ParsedObj& obj, MeshData& mesh, Oddities& oddities) {
     for (const Rgb& color : obj.colors)
         for (int i = 0; i < 3; ++i)
             if (std::isfinite(color[i])) largest = std::max(largest, color[i]);
-    const float scale = largest > 1.0f ? 1.0f / 255.0f : 1.0f;
-    if (largest > 1.0f)
-        oddities.add(Severity::Warning, "colours of vertices above 1; all are read as 0 to 255");
+    // Rounding may put colours from 0 to 1 slightly above 1.
+    const bool areBytes = largest > 2.0f;
+    const float scale = areBytes ? 1.0f / 255.0f : 1.0f;
+    if (areBytes) oddities.add(Severity::Warning, "vertex colours above 2; all are read as 0 to 255");
     std::size_t without = 0, outside = 0;
     mesh.colors.reserve(obj.corners.size());
     for (const Corner& corner : obj.corners) {
