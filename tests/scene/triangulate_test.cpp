@@ -159,6 +159,16 @@ TEST(Triangulate, ALargePolygonCanBeStopped) {
     EXPECT_EQ(last, 101u);
 }
 
+/// A test of every corner against all corners at the same place would take hours.
+TEST(Triangulate, OutlinesThatRepeatTheirCornersAreNotSimple) {
+    const std::vector<glm::vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 100000; ++i) points.insert(points.end(), square.begin(), square.begin() + 3 + i % 2);
+    std::vector<glm::uvec3> triangles(points.size() - 2, glm::uvec3(~0u));
+    EXPECT_FALSE(scene::triangulate(points, triangles));
+    for (const glm::uvec3& t : triangles) ASSERT_LT(std::max({t.x, t.y, t.z}), points.size());
+}
+
 TEST(Triangulate, InvalidPolygonsStillFillAllTriangles) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const auto& points : {std::vector<glm::vec3>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},

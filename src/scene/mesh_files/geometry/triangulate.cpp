@@ -66,6 +66,20 @@ bool hasArea(std::span<const glm::vec3> points) {
     return false;
 }
 
+/// Whether the outline goes round the same corners again and again: an outline that does not cross itself has
+/// most of its corners once, those of bridges twice, and comes back to a corner at most after two others.
+bool repeatsCorners(std::vector<glm::dvec2> flat) {
+    constexpr std::size_t kFew = 64;
+    if (flat.size() <= kFew) return false;
+    const auto before = [](const glm::dvec2& a, const glm::dvec2& b) {
+        return a.x < b.x || (a.x == b.x && a.y < b.y);
+    };
+    const std::size_t corners = flat.size();
+    std::sort(flat.begin(), flat.end(), before);
+    const auto distinct = std::unique(flat.begin(), flat.end()) - flat.begin();
+    return 4 * static_cast<std::size_t>(distinct) < corners;
+}
+
 }  // namespace
 
 bool triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triangles,
@@ -82,6 +96,10 @@ bool triangulate(std::span<const glm::vec3> points, std::span<glm::uvec3> triang
     if (isStrictlyConvex(flat)) {
         makeFan(ring, triangles);
         return true;
+    }
+    if (repeatsCorners(flat)) {
+        makeFan(ring, triangles);
+        return false;
     }
     return EarClipper(flat).clip(triangles, progress);
 }
