@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "scene/imported_mesh.h"
 #include "scene/mesh_files/gltf/scene_graph.h"
 #include "scene/mesh_files/gltf/vertex_reader.h"
-#include "scene/imported_mesh.h"
 
 namespace rayscope::scene {
 

@@ -2,8 +2,8 @@
 #include <map>
 #include <tuple>
 
-#include "scene/mesh_files/gltf/resources.h"
 #include "scene/imported_mesh.h"
+#include "scene/mesh_files/gltf/resources.h"
 
 namespace rayscope::scene {
 

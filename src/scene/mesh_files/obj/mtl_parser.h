@@ -2,8 +2,8 @@
 #include <rayscope/scene.h>
 
 #include "scene/mesh_files/obj/mtl_texture.h"
-#include "scene/oddities.h"
 #include "scene/mesh_files/obj/tinyobj_mtl.h"
+#include "scene/oddities.h"
 
 namespace rayscope::scene {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/oddities.h"
 #include "scene/mesh_files/obj/skipped_statements.h"
+#include "scene/oddities.h"
 
 namespace rayscope::scene {
 

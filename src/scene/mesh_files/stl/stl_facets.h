@@ -2,8 +2,8 @@
 // Readers of the two kinds of STL files.
 #include "base/block_reader.h"
 #include "scene/load_step.h"
-#include "scene/oddities.h"
 #include "scene/mesh_files/geometry/vertex_table.h"
+#include "scene/oddities.h"
 
 namespace rayscope::scene {
 

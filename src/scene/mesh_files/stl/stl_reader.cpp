@@ -8,8 +8,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "scene/mesh_files/text/foreign_format.h"
 #include "scene/mesh_files/stl/stl_facets.h"
+#include "scene/mesh_files/text/foreign_format.h"
 
 namespace rayscope::scene {
 

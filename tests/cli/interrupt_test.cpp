@@ -1,0 +1,57 @@
+// Signals while a command loads and renders.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <rayscope/image.h>
+
+#include "support/run_program.h"
+
+namespace rayscope {
+namespace {
+
+using test::ProgramResult;
+using test::run;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+TEST(Interrupt, WritesTheImage) {
+    const TemporaryFolder folder;
+    // In the foreground, because otherwise the signal goes to the process group as well, and two stop at
+    // once.
+    const ProgramResult result =
+        run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
+                        "' render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_EQ(readImage(folder / "a.png").width, 100);
+}
+
+/// A scene file that takes long to read: a pipe whose blocks arrive after 1.2 and after 2.2 seconds. The
+/// signal comes between them.
+ProgramResult interruptSlowLoad(const TemporaryFolder& folder, const std::string& arguments) {
+    const std::string block = "head -c 70000 /dev/zero | tr '\\0' '#'";
+    return run(folder, "rm -f s.toml; mkfifo s.toml; { sleep 1.2; " + block + "; sleep 1; " + block +
+                           "; } >s.toml & timeout --foreground --preserve-status -s INT 1.7 '" +
+                           RAYSCOPE_PROGRAM + "' " + arguments);
+}
+
+TEST(Interrupt, EndsALongLoadThatShowsItsSteps) {
+    const TemporaryFolder folder;
+    const ProgramResult result = interruptSlowLoad(folder, "render s.toml --progress json -o a.png");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("\"step\":\"reading s.toml\""));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+TEST(Interrupt, EndsTheLoadOfEveryCommand) {
+    const TemporaryFolder folder;
+    for (const char* command : {"info", "probe --pixel 1,1", "trade", "lab", "bench"}) {
+        const ProgramResult result = interruptSlowLoad(folder, std::string(command) + " s.toml");
+        EXPECT_EQ(result.exitCode, 130) << command << result.err;
+        EXPECT_EQ(result.out, "") << command;
+    }
+}
+
+}  // namespace
+}  // namespace rayscope
