@@ -12,8 +12,7 @@ namespace rayscope::image {
 
 namespace {
 
-constexpr std::size_t kFileHeader = 14, kOs2Header = 12, kInfoHeader = 40, kHeaderWithMasks = 52,
-                      kV4Header = 108, kV5Header = 124;
+constexpr std::size_t kFileHeader = 14, kOs2Header = 12, kInfoHeader = 40, kV4Header = 108, kV5Header = 124;
 
 enum BmpCompression : std::uint32_t {
     kNone,

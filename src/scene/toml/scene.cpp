@@ -225,15 +225,16 @@ class SceneBuilder {
         for (auto&& [key, body] : readTable({path_, *node, "settings"})) {
             const TomlValue value{path_, body, key.str()};
             const SourcePosition position = positionIn(path_, key.source());
-            const auto info = std::find_if(known.begin(), known.end(),
-                                           [&](const SettingInfo& i) { return i.key == key.str(); });
+            const std::string_view name = key.str();
+            const auto info =
+                std::find_if(known.begin(), known.end(), [&](const SettingInfo& i) { return i.key == name; });
             const std::string text = settingText(value, info == known.end() ? nullptr : &*info);
             try {
-                assign(scratch, key.str(), text);
+                assign(scratch, name, text);
             } catch (const InputError& error) {
                 throw InputError(error.diagnostic().message, position);
             }
-            scene_.settings.push_back({std::string(key.str()), text, position});
+            scene_.settings.push_back({std::string(name), text, position});
         }
     }
 
