@@ -144,8 +144,8 @@ def explain(ours, others):
     readable = [other for other in others.values() if not other.error and other.triangles]
     if ours.error.startswith("crash") or "no answer" in ours.error:
         return "unexplained"
-    if ours.error and not readable:
-        return ""
+    if not readable:
+        return "" if ours.error else "read here only"
     if any(feature in ours.error for feature in FEATURES):
         return "refused"
     if ours.error:
