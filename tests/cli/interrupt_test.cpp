@@ -27,12 +27,12 @@ TEST(Interrupt, WritesTheImage) {
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
 }
 
-/// A scene file that takes long to read: a pipe whose blocks arrive after 1.2 and after 2.2 seconds. The
+/// A scene file that takes long to read: a pipe whose blocks arrive after 1.2 and after 3.7 seconds. The
 /// signal comes between them.
 ProgramResult interruptSlowLoad(const TemporaryFolder& folder, const std::string& arguments) {
     const std::string block = "head -c 70000 /dev/zero | tr '\\0' '#'";
-    return run(folder, "rm -f s.toml; mkfifo s.toml; { sleep 1.2; " + block + "; sleep 1; " + block +
-                           "; } >s.toml & timeout --foreground --preserve-status -s INT 1.7 '" +
+    return run(folder, "rm -f s.toml; mkfifo s.toml; { sleep 1.2; " + block + "; sleep 2.5; " + block +
+                           "; } >s.toml & timeout --foreground --preserve-status -s INT 2.5 '" +
                            RAYSCOPE_PROGRAM + "' " + arguments);
 }
 
