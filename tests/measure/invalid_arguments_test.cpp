@@ -14,21 +14,10 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-RenderRequest smallRequest() {
-    SceneDescription scene;
-    scene.materials = {test::material(Rgb(0.5f))};
-    scene.meshes = {test::quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
-    RenderRequest request;
-    request.scene = std::make_shared<const SceneDescription>(scene);
-    request.camera = test::frontCamera(3.0f);
-    request.width = request.height = 32;
-    return request;
-}
-
 TEST(InvalidArguments, ErrorTarget) {
     EXPECT_THROW(renderToTarget({}), std::invalid_argument);
     ErrorTargetRequest request;
-    request.render = smallRequest();
+    request.render = test::squareRequest(32);
     const auto rejects = [&](auto edit) {
         ErrorTargetRequest edited = request;
         edit(edited);
@@ -60,7 +49,7 @@ TEST(InvalidArguments, EstimateError) {
 TEST(InvalidArguments, Trade) {
     EXPECT_THROW(measureTrade({}), std::invalid_argument);
     TradeRequest request;
-    request.render = smallRequest();
+    request.render = test::squareRequest(32);
     request.budgetSeconds = kNaN;
     EXPECT_THROW(measureTrade(request), std::invalid_argument);
     request.budgetSeconds = 1.0;
@@ -71,7 +60,7 @@ TEST(InvalidArguments, Trade) {
 TEST(InvalidArguments, Lab) {
     EXPECT_THROW(runLab({}), std::invalid_argument);
     LabRequest request;
-    request.scene = smallRequest().scene;
+    request.scene = test::squareRequest(32).scene;
     request.quick = true;
     for (const int rays : {0, -1}) {
         request.raysPerTestPoint = rays;

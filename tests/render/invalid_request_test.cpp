@@ -15,13 +15,7 @@ namespace {
 using testing::HasSubstr;
 
 RenderRequest validRequest() {
-    SceneDescription scene;
-    scene.materials = {test::material(Rgb(0.5f))};
-    scene.meshes = {test::quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
-    RenderRequest request;
-    request.scene = std::make_shared<const SceneDescription>(scene);
-    request.camera = test::frontCamera(3.0f);
-    request.width = request.height = 8;
+    RenderRequest request = test::squareRequest(8);
     request.settings.spp = 1;
     return request;
 }

@@ -1,5 +1,6 @@
 #pragma once
 // Small scenes for tests with an exact result.
+#include <rayscope/render_session.h>
 #include <rayscope/scene.h>
 
 #include <memory>
@@ -40,6 +41,18 @@ inline CameraDescription frontCamera(float distance, float fov = 50.0f) {
     camera.lookFrom = {0.0f, 0.0f, distance};
     camera.fov = fov;
     return camera;
+}
+
+/// An image of a square that fills the view, `size` pixels wide and high.
+inline RenderRequest squareRequest(int size) {
+    SceneDescription scene;
+    scene.materials = {material(Rgb(0.5f))};
+    scene.meshes = {quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0})};
+    RenderRequest request;
+    request.scene = std::make_shared<const SceneDescription>(scene);
+    request.camera = frontCamera(3.0f);
+    request.width = request.height = size;
+    return request;
 }
 
 inline std::shared_ptr<const trace::World> compileScene(SceneDescription scene, const Settings& settings,

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstring>
 
+#include "base/little_endian.h"
 #include "base/lower_case.h"
 #include "scene/mesh_files/text/foreign_format.h"
 #include "scene/source_files.h"
@@ -17,12 +18,6 @@ namespace {
 
 constexpr std::string_view kGlbMagic = "glTF";
 
-std::uint32_t littleEndian(std::string_view file, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<unsigned char>(file[at + i]);
-    return value;
-}
-
 GltfBytes bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 GltfContainer splitGlb(std::string_view file, const std::string& path, Oddities& oddities) {
@@ -32,7 +27,7 @@ GltfContainer splitGlb(std::string_view file, const std::string& path, Oddities&
     constexpr std::size_t kHeader = 12, kChunkHeader = 8;
     constexpr std::uint32_t kJson = 0x4E4F534A, kBinary = 0x004E4942;
     if (file.size() < kHeader) fail(fmt::format("it ends after {} bytes", file.size()));
-    const std::uint32_t version = littleEndian(file, 4), length = littleEndian(file, 8);
+    const std::uint32_t version = base::littleEndian32(file, 4), length = base::littleEndian32(file, 8);
     if (version != 2)
         throw InputError(fmt::format("glTF {} is not supported; convert the file to glTF 2.0", version),
                          {path});
@@ -44,7 +39,7 @@ GltfContainer splitGlb(std::string_view file, const std::string& path, Oddities&
     GltfContainer container{.isBinary = true};
     for (std::size_t at = kHeader; at < length;) {
         if (length - at < kChunkHeader) fail("a chunk ends in its header");
-        const std::uint32_t size = littleEndian(file, at), type = littleEndian(file, at + 4);
+        const std::uint32_t size = base::littleEndian32(file, at), type = base::littleEndian32(file, at + 4);
         const bool isFirst = at == kHeader;
         at += kChunkHeader;
         if (size > length - at) fail(fmt::format("a chunk of {} bytes where {} are left", size, length - at));

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/lower_case.h"
 #include "scene/mesh_files/obj/mtl_reader.h"
 #include "scene/mesh_files/obj/referenced_file.h"
 #include "scene/mesh_files/text/text_lines.h"
@@ -16,12 +17,7 @@ namespace {
 
 std::string plainName(std::string_view name) { return std::string(unquoted(trimmed(withoutComment(name)))); }
 
-std::string lowerCaseName(std::string_view name) {
-    std::string lower = plainName(name);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return lower;
-}
+std::string lowerCaseName(std::string_view name) { return base::lowerCase(plainName(name)); }
 
 /// The file names in the arguments of mtllib, in which blanks separate names or belong to them: pieces that
 /// end in quotes or in .mtl; without these, words.

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/little_endian.h"
 #include "scene/mesh_files/stl/stl_facets.h"
 #include "scene/mesh_files/text/foreign_format.h"
 
@@ -16,12 +17,6 @@ namespace rayscope::scene {
 namespace {
 
 constexpr std::string_view kMark = "\xef\xbb\xbf";  // of UTF-8
-
-std::uint32_t wordAt(std::string_view bytes, std::size_t offset) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 4; i-- > 0;) value = value << 8 | static_cast<std::uint8_t>(bytes[offset + i]);
-    return value;
-}
 
 bool isTextCharacter(char c) {
     const auto code = static_cast<unsigned char>(c);
@@ -63,7 +58,8 @@ bool hasPlausibleFacets(std::string_view start) {
     const std::size_t count = std::min(kMost, start.size() / kStlFacetSize);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < 12; ++k)
-            if (!(std::abs(std::bit_cast<float>(wordAt(start, i * kStlFacetSize + 4 * k))) < kLargest))
+            if (!(std::abs(std::bit_cast<float>(base::littleEndian32(start, i * kStlFacetSize + 4 * k))) <
+                  kLargest))
                 return false;
     return true;
 }
@@ -77,7 +73,7 @@ struct StlKind {
 StlKind detect(const std::string& path, base::BlockReader& input, Oddities& oddities) {
     const std::string_view start = input.peek(kStlHeaderSize + 100 * kStlFacetSize);
     const std::optional<std::uint64_t> size = input.size();
-    const std::uint64_t count = start.size() >= kStlHeaderSize ? wordAt(start, 80) : 0;
+    const std::uint64_t count = start.size() >= kStlHeaderSize ? base::littleEndian32(start, 80) : 0;
     const bool isExact = start.size() >= kStlHeaderSize && size == kStlHeaderSize + kStlFacetSize * count;
     if (isExact && count > 0) return {true, count};
     if (startsAsAscii(start)) return {};

@@ -14,8 +14,8 @@ struct Magic {
 using namespace std::string_view_literals;
 constexpr std::string_view kUtf16 = "is text in UTF-16; save it as UTF-8 or ASCII";
 constexpr std::array kMagics{
-    Magic{"\xff\xfe"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
-    Magic{"\xfe\xff"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
+    Magic{"\xff\xfe"sv, kUtf16},
+    Magic{"\xfe\xff"sv, kUtf16},
     Magic{"\x1f\x8b"sv, "is compressed with gzip; decompress it first (gunzip)"},
     Magic{"BZh"sv, "is compressed with bzip2; decompress it first (bunzip2)"},
     Magic{"\xfd"
