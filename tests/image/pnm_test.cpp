@@ -16,6 +16,7 @@ using namespace std::string_literals;
 using test::bytesOf;
 using test::decode;
 using test::linearOf;
+using test::littleEndian;
 using test::notesOf;
 using testing::AllOf;
 using testing::ElementsAre;
