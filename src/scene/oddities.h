@@ -22,6 +22,10 @@ class Oddities {
     /// "(N times, first here)" behind those that occurred more than once.
     void report(Diagnostics& notes) const;
 
+    /// The first messages, for the error about a file in which nothing usable is left: `separator` and the
+    /// text, each; "" if there are none.
+    std::string behind(std::string_view separator) const;
+
   private:
     struct Kind {
         Severity severity;

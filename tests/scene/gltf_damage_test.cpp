@@ -90,6 +90,7 @@ const WrongMember kWrongMembers[] = {
     {R"("scene":0)", R"("scene":0,"extensionsRequired":["EXT_texture_webp"])",
      "the file requires the extension EXT_texture_webp, which is not supported"},
     {R"("scenes":[{"nodes":[0]}])", R"("scenes":[{}])", "the scene of the file has no triangles"},
+    {R"("POSITION":)", R"("POSITIONS":)", "the scene of the file has no triangles; "},
     {R"("scenes":[{"nodes":[0]}])", R"("scenes":{})", "scenes: expected an array, got {}"}};
 
 TEST_F(GltfDamage, WrongMembersAreNamed) {

@@ -73,6 +73,7 @@ TEST_F(ObjLines, EncodingsAreRead) {
     EXPECT_EQ(notesText(), "mesh.obj: note: bytes that are not UTF-8; read as Windows-1252 (Latin-1)\n");
     expectTriangle("# © Müller\n" + kFile);
     EXPECT_EQ(notesText(), "");
+    EXPECT_THAT(failure("\xff\xfe\0\0v\0\0\0"s), ::testing::HasSubstr("it is text in UTF-32"));
 }
 
 TEST_F(ObjLines, ZeroBytesAreBlanks) {

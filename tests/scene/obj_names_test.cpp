@@ -60,13 +60,26 @@ TEST_F(ObjNames, FilesElsewhereAreFoundBesideTheObj) {
     }
 }
 
+TEST_F(ObjNames, FilesWithNamesInWindows1252) {
+    for (const std::string& name : {std::string("caf\xe9.mtl"), std::string("\x80 5.mtl")}) {
+        write(name, kRedMtl);
+        EXPECT_EQ(kdWith(name), kRed) << name;
+        EXPECT_EQ(notesText().find("not found"), std::string::npos) << notesText();
+    }
+    write("caf\xc3\xa9.mtl", kRedMtl);
+    EXPECT_EQ(kdWith("caf\xc3\xa9.mtl"), kRed);
+}
+
 TEST_F(ObjNames, MissingFilesAndMaterialsAreWarnings) {
     EXPECT_EQ(kdWith("gone.mtl"), kDefault);
     EXPECT_EQ(notesText(),
               "mesh.obj:1: warning: material file 'gone.mtl' is not found; default materials are used\n");
+    write("a.mtl", kRedMtl);
+    read("mtllib gone.mtl\nmtllib a.mtl\n" + kTriangle + "usemtl red\nf 1 2 3\n");
+    EXPECT_EQ(notesText(),
+              "mesh.obj:1: warning: material file 'gone.mtl' is not found; no material of it is used\n");
     EXPECT_EQ(kdWith(""), kDefault);
     EXPECT_THAT(notesText(), HasSubstr("mesh.obj:1: warning: mtllib without a file name; ignored\n"));
-    write("a.mtl", kRedMtl);
     EXPECT_EQ(kdWith("a.mtl", "blue"), kDefault);
     EXPECT_EQ(notesText(), "mesh.obj:5: warning: undefined material 'blue'; a default material is used\n");
     read("mtllib a.mtl\n" + kTriangle + "usemtl x\nf 1 2 3\nusemtl y\nf 1 2 3\nusemtl z\nf 1 2 3\n");

@@ -59,6 +59,8 @@ TEST_F(PlyHeader, HeaderErrorsHaveTheirLine) {
         {"\x1f\x8b\x08" + kPlyTriangle, "gzip"},
         {std::string("\xff\xfep\0l\0y\0\n\0", 10), "UTF-16"},
         {std::string("p\0l\0y\0\n\0f\0", 10), "UTF-16"},
+        {std::string("p\0\0\0l\0\0\0y\0\0\0", 12), "UTF-32"},
+        {std::string("\0\0\0p\0\0\0l\0\0\0y", 12), "UTF-32"},
         {"solid x\nfacet", "is an STL file; rename it to .stl"},
         {"ply\nformat ascii 1.0\nelement vertex 3\n", "3: error: the file ends in its header"},
         {replaced("format ascii 1.0\n", ""), "no line 'format"},

@@ -125,7 +125,8 @@ TEST_F(Stl, OtherFilesAreRefusedByName) {
         {"\x1f\x8b\x08" + noise, "gzip"},
         {std::string("PK\x03\x04") + std::string(400, '\0'), "ZIP"},
         {std::string("s\0o\0l\0i\0d\0 \0x\0\n\0", 16) + std::string(400, '\0'), "UTF-16"},
-        {"\xff\xfe" + std::string(400, '\0'), "UTF-16"},
+        {"\xff\xfes" + std::string(400, '\0'), "UTF-16"},
+        {std::string("\xff\xfe\0\0s\0\0\0", 8), "UTF-32"},
     };
     for (const Case& c : cases) EXPECT_THAT(failure(c.text), HasSubstr(c.message));
 }

@@ -44,6 +44,7 @@ TEST_F(TomlLimits, OtherEncodingsAreNamed) {
                                                     "\0v\0e",
                                                     6))),
                 HasSubstr("UTF-16"));
+    EXPECT_THAT(errorOf(write("a.toml", std::string("\xff\xfe\0\0v\0\0\0", 8))), HasSubstr("UTF-32"));
     EXPECT_THAT(errorOf(write("a.toml", "\x1f\x8b\x08")), HasSubstr("gzip"));
     EXPECT_THAT(errorOf(write("a.toml", "version = 1\r[material.a]\r")), HasSubstr("CR alone"));
     EXPECT_THAT(errorOf(write("a.toml", "version = 1\ntitle = \"caf\xe9\"\n")),

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/mesh_files/text/text_encoding.h"
 #include "scene/progress_stream.h"
 #include "scene/toml/values.h"
 
@@ -105,6 +106,7 @@ bool endsWithinCharacter(std::string_view text) {
 
 /// What the file is instead of UTF-8 text with lines, and what to do; "" if it may be that.
 std::string_view foreignText(std::string_view text) {
+    if (isUtf32(text)) return "UTF-32 text; save it as UTF-8";
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return "UTF-16 text; save it as UTF-8";
     if (text.starts_with("\x1f\x8b")) return "a gzip archive; unpack it first";
     if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)

@@ -47,7 +47,8 @@ ImportedMesh readGltf(const std::string& path, const ImportContext& context) {
     GltfGeometry geometry(path, document, accessors, placements.meshes, context.withColors, oddities);
     LoadStep step(context.control, stepName(path), placements.meshes.size());
     readMeshes(document, placements, accessors, step, geometry);
-    if (geometry.isEmpty()) throw InputError("the scene of the file has no triangles", {path});
+    if (geometry.isEmpty())
+        throw InputError("the scene of the file has no triangles" + oddities.behind("; "), {path});
 
     ImportedMesh result;
     GltfMaterialConverter converter(path, document, resources, context.textures, context.notes, oddities);

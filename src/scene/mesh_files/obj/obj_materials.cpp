@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "base/lower_case.h"
 #include "scene/mesh_files/obj/mtl_reader.h"
@@ -109,7 +110,12 @@ class MaterialLibrary {
                               slot.line);
             if (!found && slot.line > 0 && !slot.name.empty()) undefined.push_back(&slot);
         }
-        if (!undefined.empty() && !isIncomplete_) {
+        const std::string_view consequence =
+            undefined.empty() ? "no material of it is used" : "default materials are used";
+        for (const MissingLibrary& library : missing_)
+            oddities_.add(Severity::Warning, fmt::format("{}; {}", library.problem, consequence),
+                          library.line);
+        if (!undefined.empty() && missing_.empty()) {
             const std::string others =
                 undefined.size() > 1 ? fmt::format(" and {} more", undefined.size() - 1) : "";
             oddities_.add(Severity::Warning,
@@ -121,6 +127,12 @@ class MaterialLibrary {
     }
 
   private:
+    /// A material file that cannot be read, and the line that names it.
+    struct MissingLibrary {
+        std::string problem;
+        int line;
+    };
+
     static std::string nameOf(const ParsedObj::Named& slot) {
         if (slot.line == 0) return "default";
         std::string name = plainName(slot.name);
@@ -135,11 +147,9 @@ class MaterialLibrary {
     void openFile(std::string_view written, int line) {
         const auto found = findReferenced(path_, written);
         if (!found) {
-            isIncomplete_ = true;
-            oddities_.add(Severity::Warning,
-                          fmt::format("material file '{}' {}; default materials are used",
-                                      referencedName(written), whyNotFound(path_, written)),
-                          line);
+            missing_.push_back(
+                {fmt::format("material file '{}' {}", referencedName(written), whyNotFound(path_, written)),
+                 line});
             return;
         }
         if (!opened_.insert(found->path).second) return;
@@ -156,11 +166,8 @@ class MaterialLibrary {
                 names_.add(std::move(material));
             }
         } catch (const InputError& error) {
-            isIncomplete_ = true;
-            oddities_.add(Severity::Warning,
-                          fmt::format("material file {}: {}; default materials are used", found->path,
-                                      error.diagnostic().message),
-                          line);
+            missing_.push_back(
+                {fmt::format("material file {}: {}", found->path, error.diagnostic().message), line});
         }
     }
 
@@ -169,7 +176,7 @@ class MaterialLibrary {
     Oddities& oddities_;
     MaterialNames names_;
     std::set<std::string> opened_;
-    bool isIncomplete_ = false;
+    std::vector<MissingLibrary> missing_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <vector>
 
+#include "scene/mesh_files/text/text_encoding.h"
 #include "scene/mesh_files/text/text_lines.h"
 #include "scene/source_files.h"
 
@@ -34,6 +35,9 @@ std::vector<std::string> spellings(std::string_view written) {
     add(std::string(plain));
     add(std::string(unquoted(plain)));
     add(unescaped(unquoted(plain)));
+    // Files that were named by a program with this code page, in a text file of the same encoding.
+    for (std::size_t i = 0, count = names.size(); i < count; ++i)
+        if (std::optional<std::string> name = utf8ToWindows1252(names[i])) add(std::move(*name));
     return names;
 }
 

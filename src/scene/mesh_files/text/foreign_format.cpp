@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "scene/mesh_files/text/text_encoding.h"
+
 namespace rayscope::scene {
 
 namespace {
@@ -13,6 +15,7 @@ struct Magic {
 };
 using namespace std::string_view_literals;
 constexpr std::string_view kUtf16 = "is text in UTF-16; save it as UTF-8 or ASCII";
+constexpr std::string_view kUtf32 = "is text in UTF-32; save it as UTF-8 or ASCII";
 constexpr std::array kMagics{
     Magic{"\xff\xfe"sv, kUtf16},
     Magic{"\xfe\xff"sv, kUtf16},
@@ -64,6 +67,7 @@ bool looksLikeUtf16(std::string_view start) {
 }  // namespace
 
 std::string_view foreignFormat(std::string_view start, std::string_view own) {
+    if (isUtf32(start)) return kUtf32;
     if (looksLikeUtf16(start)) return kUtf16;
     for (const Magic& magic : kMagics)
         if (magic.format != own && start.starts_with(magic.bytes)) return magic.meaning;

@@ -63,7 +63,27 @@ constexpr std::array<char16_t, 32> kWindows1252{
     0x2039, 0x152,  0x8d,   0x17d,  0x8f,   0x90,   0x2018, 0x2019, 0x201c, 0x201d, 0x2022,
     0x2013, 0x2014, 0x2dc,  0x2122, 0x161,  0x203a, 0x153,  0x9d,   0x17e,  0x178};
 
+/// The code point of the valid sequence of `length` bytes at `at`.
+char32_t codeAt(std::string_view bytes, std::size_t at, std::size_t length) {
+    const auto byte = [&](std::size_t i) { return char32_t(static_cast<unsigned char>(bytes[at + i])); };
+    if (length == 1) return byte(0);
+    char32_t code = byte(0) & (0x7fu >> length);
+    for (std::size_t i = 1; i < length; ++i) code = code << 6 | (byte(i) & 0x3f);
+    return code;
+}
+
 }  // namespace
+
+bool isUtf32(std::string_view bytes) {
+    using namespace std::string_view_literals;
+    if (bytes.starts_with("\xff\xfe\0\0"sv) || bytes.starts_with("\0\0\xfe\xff"sv)) return true;
+    const std::size_t groups = std::min<std::size_t>(bytes.size(), 64) / 4;
+    if (groups < 2) return false;
+    std::size_t zeros[4] = {0, 0, 0, 0};
+    for (std::size_t i = 0; i < 4 * groups; ++i) zeros[i % 4] += bytes[i] == '\0';
+    const bool hasMiddle = zeros[1] == groups && zeros[2] == groups;
+    return hasMiddle && ((zeros[0] == 0 && zeros[3] == groups) || (zeros[0] == groups && zeros[3] == 0));
+}
 
 std::optional<ByteOrder> utf16Order(std::string_view bytes) {
     if (bytes.starts_with("\xff\xfe")) return ByteOrder::Little;
@@ -121,6 +141,24 @@ std::string windows1252ToUtf8(std::string_view bytes) {
         append(text, code < 0xa0 ? char32_t(kWindows1252[code - 0x80u]) : char32_t(code));
     }
     return text;
+}
+
+std::optional<std::string> utf8ToWindows1252(std::string_view text) {
+    std::string bytes;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = sequenceLength(text, at);
+        if (length == 0) return {};
+        const char32_t code = codeAt(text, at, length);
+        const auto special = std::find(kWindows1252.begin(), kWindows1252.end(), code);
+        if (special != kWindows1252.end())
+            bytes += static_cast<char>(0x80 + (special - kWindows1252.begin()));
+        else if (code < 0x80 || (code >= 0xa0 && code < 0x100))
+            bytes += static_cast<char>(code);
+        else
+            return {};
+        at += length;
+    }
+    return bytes;
 }
 
 }  // namespace rayscope::scene

@@ -5,6 +5,9 @@
 
 namespace rayscope::scene {
 
+/// Whether the bytes are UTF-32: by a byte order mark, or because three of four of the first bytes are zero.
+bool isUtf32(std::string_view bytes);
+
 enum class ByteOrder { Little, Big };
 
 /// The byte order mark in UTF-8.
@@ -23,5 +26,9 @@ bool isUtf8(std::string_view bytes);
 /// Valid sequences of UTF-8 stay, all other bytes are read as Windows-1252, a superset of the printable part
 /// of Latin-1.
 std::string windows1252ToUtf8(std::string_view bytes);
+
+/// The bytes that windows1252ToUtf8() reads as this text, and that are not UTF-8; nothing if a character is
+/// not in Windows-1252.
+std::optional<std::string> utf8ToWindows1252(std::string_view text);
 
 }  // namespace rayscope::scene

@@ -62,6 +62,7 @@ std::string readTextFile(const std::string& path, std::string_view format, Oddit
         throw InputError(fmt::format("not a file in {} format: it {}", format, meaning), {path});
     };
     std::string text = readSource(path, control);
+    if (isUtf32(text)) refuse(foreignFormat(text, format));
     if (const std::optional<ByteOrder> order = utf16Order(text)) {
         text = utf16ToUtf8(text, *order);
         oddities.add(Severity::Note, "the text is UTF-16");
