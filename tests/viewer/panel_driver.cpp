@@ -244,6 +244,7 @@ void expectToggle(PanelDriver& driver, const std::string& label, const bool& val
     const bool before = value;
     driver.click(label);
     EXPECT_NE(value, before) << label;
+    for (int i = 0; i < 3; ++i) driver.frame();  // what the value shows or hides may move the control
     driver.click(label);
     EXPECT_EQ(value, before) << label;
 }
