@@ -111,6 +111,8 @@ void PanelDriver::recordPixel(int x, int y) {
     workspace.rays.recordPixel(workspace.render.currentWorld(), workspace.edit, workspace.imageSize(),
                                {x, y, 0}, nullptr);
     waitFor("replay", [this] { return !workspace.rays.busy(); });
+    workspace.rays.diagnose();
+    waitFor("diagnosis", [this] { return !workspace.rays.busy(); });
 }
 
 const ui::Item* PanelDriver::find(std::string_view label, Kind kind) const {
@@ -244,7 +246,6 @@ void expectToggle(PanelDriver& driver, const std::string& label, const bool& val
     const bool before = value;
     driver.click(label);
     EXPECT_NE(value, before) << label;
-    for (int i = 0; i < 3; ++i) driver.frame();  // what the value shows or hides may move the control
     driver.click(label);
     EXPECT_EQ(value, before) << label;
 }

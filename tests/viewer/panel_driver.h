@@ -34,7 +34,8 @@ class PanelDriver {
     void waitFor(const char* what, const std::function<bool()>& condition);
     /// Frames until the world of the current state is compiled.
     void waitForWorld();
-    /// Records the rays of a pixel of the current picture, as the key R does.
+    /// Records the rays of a pixel of the current picture, as the key R does, and waits for its diagnosis,
+    /// whose text moves the controls below it.
     void recordPixel(int x, int y);
 
     /// Labels are paths "Tab/Section/Label", without leading parts where the rest is unique; see items.h.
