@@ -24,11 +24,10 @@ void Oddities::report(Diagnostics& notes) const {
     }
 }
 
-std::string Oddities::behind(std::string_view separator) const {
+std::string Oddities::appendix() const {
     constexpr std::size_t kMost = 3;
     std::string text;
-    for (std::size_t i = 0; i < std::min(kMost, kinds_.size()); ++i)
-        text.append(separator).append(kinds_[i].text);
+    for (std::size_t i = 0; i < std::min(kMost, kinds_.size()); ++i) text += "; " + kinds_[i].text;
     return text;
 }
 

@@ -22,9 +22,9 @@ class Oddities {
     /// "(N times, first here)" behind those that occurred more than once.
     void report(Diagnostics& notes) const;
 
-    /// The first messages, for the error about a file in which nothing usable is left: `separator` and the
-    /// text, each; "" if there are none.
-    std::string behind(std::string_view separator) const;
+    /// The first kinds as an appendix to the error about a file in which nothing usable is left: "; " and the
+    /// text of each, without counts. Empty if there are none.
+    std::string appendix() const;
 
   private:
     struct Kind {

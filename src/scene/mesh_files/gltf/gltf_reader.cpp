@@ -48,7 +48,7 @@ ImportedMesh readGltf(const std::string& path, const ImportContext& context) {
     LoadStep step(context.control, stepName(path), placements.meshes.size());
     readMeshes(document, placements, accessors, step, geometry);
     if (geometry.isEmpty())
-        throw InputError("the scene of the file has no triangles" + oddities.behind("; "), {path});
+        throw InputError("the scene of the file has no triangles" + oddities.appendix(), {path});
 
     ImportedMesh result;
     GltfMaterialConverter converter(path, document, resources, context.textures, context.notes, oddities);

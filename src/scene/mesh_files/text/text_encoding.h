@@ -27,8 +27,8 @@ bool isUtf8(std::string_view bytes);
 /// of Latin-1.
 std::string windows1252ToUtf8(std::string_view bytes);
 
-/// The bytes that windows1252ToUtf8() reads as this text, and that are not UTF-8; nothing if a character is
-/// not in Windows-1252.
+/// The text in Windows-1252, the inverse of windows1252ToUtf8(); nothing if the text is not UTF-8 or has a
+/// character that the code page lacks.
 std::optional<std::string> utf8ToWindows1252(std::string_view text);
 
 }  // namespace rayscope::scene
