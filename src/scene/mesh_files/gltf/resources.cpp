@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstring>
 
+#include "base/base64.h"
 #include "base/little_endian.h"
 #include "base/lower_case.h"
 #include "scene/mesh_files/text/foreign_format.h"
@@ -71,29 +72,6 @@ std::string percentDecoded(std::string_view text) {
     return result;
 }
 
-/// Nothing if the text is not base64.
-std::optional<std::string> base64Decoded(std::string_view text) {
-    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::array<int, 256> values;
-    values.fill(-1);
-    for (std::size_t i = 0; i < kDigits.size(); ++i)
-        values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
-    while (text.ends_with('=')) text.remove_suffix(1);
-    if (text.size() % 4 == 1) return std::nullopt;
-    std::string result;
-    result.reserve(text.size() / 4 * 3 + 2);
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const int value = values[static_cast<unsigned char>(c)];
-        if (value < 0) return std::nullopt;
-        bits = bits << 6 | static_cast<std::uint32_t>(value);
-        count += 6;
-        if (count >= 8) result += static_cast<char>(bits >> (count -= 8) & 0xFF);
-    }
-    return result;
-}
-
 /// The part of a URI before its first colon, in lower case; empty if there is none. One letter is a drive of
 /// Windows.
 std::string schemeOf(std::string_view uri) {
@@ -111,7 +89,7 @@ std::string dataUriContent(std::string_view uri, const std::string& place, const
     if (comma == uri.npos) fail("has no comma");
     const std::string_view content = uri.substr(comma + 1);
     if (!uri.substr(0, comma).ends_with(";base64")) return percentDecoded(content);
-    auto decoded = base64Decoded(content);
+    auto decoded = base::base64Decoded(content);
     if (!decoded) fail("is not valid base64");
     return *std::move(decoded);
 }
