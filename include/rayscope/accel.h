@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 namespace rayscope {
 
@@ -80,6 +81,21 @@ class Accel {
     /// length.
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded) const;
+
+    /// Replaces `found` with all hits in (tMin, tMax], in order of t and at equal t of the primitive numbers.
+    /// A ray that enters and leaves a sphere has two hits with it. A ray through a shared edge or vertex of a
+    /// mesh has one hit there if it passes to the other side of the surface, and an even number if it only
+    /// touches it, so that the number of crossings of a closed mesh is even for rays that begin outside.
+    void crossings(const Ray& ray, std::vector<Hit>& found) const;
+
+    /// The size of the result of crossings().
+    std::size_t countCrossings(const Ray& ray) const;
+
+    /// Whether `point` lies inside the surfaces: the parity of the crossings of a ray from it, for closed
+    /// meshes and spheres of any orientation. Where closed surfaces overlap, a point inside two of them is
+    /// outside. A point on the surface, or as close to it as rounding, may be either. False for an infinite
+    /// or NaN coordinate.
+    bool contains(const glm::vec3& point) const;
 
     /// The binary tree; null when empty or not kept.
     const bvh::BinaryTree* binaryTree() const;

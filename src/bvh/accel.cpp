@@ -10,6 +10,7 @@
 #include "bvh/layout/primitive_refs.h"
 #include "bvh/layout/statistics.h"
 #include "bvh/layout/wide_tree.h"
+#include "bvh/traversal/crossings.h"
 #include "bvh/traversal/traverse.h"
 
 namespace rayscope {
@@ -28,6 +29,12 @@ struct Accel::State {
     void setWide(bvh::WideTree&& layout) {
         wide = std::move(layout);
         view = wide.view();
+    }
+    void crossings(const Ray& ray, bvh::kernel::CrossingSink sink) const {
+        if (kernels)
+            kernels->crossings(view, bvh::rayData(ray), sink);
+        else
+            bvh::crossings(tree, input, ray, sink);
     }
     double cost() const { return kernels ? bvh::sahCostOf(wide) : bvh::statisticsOf(tree).sahCost; }
 };
@@ -157,6 +164,25 @@ void Accel::anyHits(std::span<const Ray> rays, std::span<std::uint8_t> occluded)
         return;
     }
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i]);
+}
+
+void Accel::crossings(const Ray& ray, std::vector<Hit>& found) const {
+    found.clear();
+    if (state_) state_->crossings(ray, bvh::appendTo(found));
+    bvh::sortCrossings(found);
+}
+
+std::size_t Accel::countCrossings(const Ray& ray) const {
+    std::size_t count = 0;
+    if (state_)
+        state_->crossings(
+            ray, {[](void* to, const bvh::kernel::HitData&) { ++*static_cast<std::size_t*>(to); }, &count});
+    return count;
+}
+
+bool Accel::contains(const glm::vec3& point) const {
+    // Any direction gives the same parity; this one is parallel to no axis and few edges.
+    return countCrossings({point, {0.267f, 0.802f, 0.535f}}) % 2 != 0;
 }
 
 const bvh::BinaryTree* Accel::binaryTree() const {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <rayscope/diagnostics.h>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <chrono>
@@ -26,13 +28,13 @@ static_assert(sizeof(Ray) == 32 && offsetof(Ray, direction) == 12 && offsetof(Ra
 static_assert(sizeof(Hit) == 16 && offsetof(Hit, primitive) == 4 && offsetof(Hit, u) == 8);
 static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
 
-/// Rays per step: 32 MiB in, at most 16 MiB out.
+/// Rays per step: 32 MiB in, at most 16 MiB out, unless a ray has more than one hit.
 constexpr std::size_t kRaysPerStep = std::size_t{1} << 20;
 
 struct CastOptions {
     SceneOptions scene;
     std::string rays, output;
-    bool any = false, quiet = false;
+    bool any = false, all = false, quiet = false;
 };
 
 /// A ray file, read in steps.
@@ -52,10 +54,10 @@ class RayFile {
         if (file_) std::fclose(file_);
     }
 
-    /// Reads the next rays, fewer at the end of the file. Returns false if there are none.
-    bool next(std::vector<Ray>& rays) {
-        rays.resize(kRaysPerStep);
-        const std::size_t bytes = std::fread(rays.data(), 1, kRaysPerStep * sizeof(Ray), file_);
+    /// Reads up to `count` rays, fewer at the end of the file. Returns false if there are none.
+    bool next(std::vector<Ray>& rays, std::size_t count) {
+        rays.resize(count);
+        const std::size_t bytes = std::fread(rays.data(), 1, count * sizeof(Ray), file_);
         if (std::ferror(file_)) throw InputError("read error", {path_});
         read_ += bytes;
         if (bytes % sizeof(Ray) != 0) throwMalformed(read_);
@@ -81,25 +83,77 @@ struct CastCounts {
     double seconds = 0.0;  ///< of the queries alone
 };
 
-/// Traces one step of rays and appends the results to the file.
-void castRays(const trace::World& world, std::span<const Ray> rays, bool any, base::AtomicFile& output,
-              CastCounts& counts) {
-    std::vector<Hit> hits(any ? 0 : rays.size());
-    std::vector<std::uint8_t> occluded(any ? rays.size() : 0);
-    const auto start = std::chrono::steady_clock::now();
-    if (any)
-        render::castAny(world, rays, occluded);
-    else
+std::string_view bytesOf(const auto& records) {
+    const auto bytes = std::as_bytes(std::span(records));
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Adds the seconds of its lifetime to a sum.
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+    ~Stopwatch() {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Each traces one step of rays, appends the results to the file and returns the number of hits.
+
+std::uint64_t castClosest(const trace::World& world, std::span<const Ray> rays, base::AtomicFile& output,
+                          double& seconds) {
+    std::vector<Hit> hits(rays.size());
+    {
+        const Stopwatch stopwatch(seconds);
         render::castClosest(world, rays, hits);
-    counts.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    counts.rays += rays.size();
-    for (const Hit& hit : hits) counts.hits += hit.primitive != kNoPrimitive;
-    for (const std::uint8_t hit : occluded) counts.hits += hit;
-    const auto bytes = any ? std::as_bytes(std::span(occluded)) : std::as_bytes(std::span(hits));
-    output.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    }
+    output.write(bytesOf(hits));
+    return static_cast<std::uint64_t>(
+        std::ranges::count_if(hits, [](const Hit& hit) { return hit.primitive != kNoPrimitive; }));
+}
+
+std::uint64_t castAny(const trace::World& world, std::span<const Ray> rays, base::AtomicFile& output,
+                      double& seconds) {
+    std::vector<std::uint8_t> occluded(rays.size());
+    {
+        const Stopwatch stopwatch(seconds);
+        render::castAny(world, rays, occluded);
+    }
+    output.write(bytesOf(occluded));
+    return static_cast<std::uint64_t>(std::ranges::count(occluded, 1));
+}
+
+std::uint64_t castAll(const trace::World& world, std::span<const Ray> rays, base::AtomicFile& output,
+                      double& seconds) {
+    std::vector<std::vector<Hit>> hitsOfRays;
+    {
+        const Stopwatch stopwatch(seconds);
+        hitsOfRays = render::castAll(world, rays);
+    }
+    std::uint64_t total = 0;
+    for (const std::vector<Hit>& hits : hitsOfRays) {
+        output.write(bytesOf(std::array{static_cast<std::uint32_t>(hits.size())}));
+        output.write(bytesOf(hits));
+        total += hits.size();
+    }
+    return total;
+}
+
+/// Rays of the next step with --all, such that its hits take about as much memory as those of a step
+/// without, if they have as many hits as the rays so far.
+std::size_t raysOfNextStep(const CastCounts& counts) {
+    if (counts.rays == 0) return 1024;
+    const double hitsPerRay = static_cast<double>(counts.hits) / static_cast<double>(counts.rays);
+    return static_cast<std::size_t>(std::max(1.0, static_cast<double>(kRaysPerStep) / (2.0 + hitsPerRay)));
 }
 
 int runCast(const CastOptions& options) {
+    if (options.any && options.all) throw UsageError("--all", "cannot be combined with --any; choose one");
     const InterruptGuard interrupt;
     RayFile file(options.rays);
     base::AtomicFile output(options.output);
@@ -111,8 +165,12 @@ int runCast(const CastOptions& options) {
     arena.run([&] {
         const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1});
         std::vector<Ray> rays;
-        while (!interrupt.interrupted() && file.next(rays))
-            castRays(*world, rays, options.any, output, counts);
+        const auto cast = options.all ? castAll : options.any ? castAny : castClosest;
+        while (!interrupt.interrupted() &&
+               file.next(rays, options.all ? raysOfNextStep(counts) : kRaysPerStep)) {
+            counts.hits += cast(*world, rays, output, counts.seconds);
+            counts.rays += rays.size();
+        }
     });
     if (interrupt.interrupted()) return kInterrupted;
     output.commit();
@@ -133,12 +191,14 @@ std::function<int()> setUpCast(OptionList& list) {
         .required()
         .writes(Option::Output::File);
     list.add("--any", &options->any, "Any-hit queries: whether there is a hit, not the closest one");
+    list.add("--all", &options->all, "All hits of each ray in order of t, not the closest one");
     list.add("-q,--quiet", &options->quiet, "Print errors only");
     list.setDetails(
         "A ray is 32 bytes, 8 little-endian float32: origin xyz, direction xyz, tMin, tMax. A result is 16 "
         "bytes: float32 t, uint32 primitive (triangles first, then spheres; 4294967295 for a miss), float32 "
-        "u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0. A negative tMin "
-        "counts as 0.");
+        "u, v; with --any it is one byte, 1 if a primitive is hit in (tMin, tMax], else 0; with --all it is "
+        "a "
+        "uint32 count and as many results of 16 bytes. A negative tMin counts as 0.");
     return [options] { return runCast(*options); };
 }
 

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kGrain = 2048;
 
 template <class Query>
-void forBlocks(std::size_t count, Query query) {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, count, kGrain),
+void forBlocks(std::size_t count, Query query, std::size_t grain = kGrain) {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, count, grain),
                               [&](const auto& range) { query(range.begin(), range.size()); });
 }
 
@@ -32,6 +32,17 @@ void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
         world.anyHits(rays.subspan(first, count), 0.0f, occluded.subspan(first, count));
     });
+}
+
+std::vector<std::vector<Hit>> castAll(const trace::World& world, std::span<const Ray> rays) {
+    std::vector<std::vector<Hit>> hits(rays.size());
+    forBlocks(
+        rays.size(),
+        [&](std::size_t first, std::size_t count) {
+            for (std::size_t i = first; i < first + count; ++i) world.crossings(rays[i], 0.0f, hits[i]);
+        },
+        1);
+    return hits;
 }
 
 }  // namespace rayscope::render

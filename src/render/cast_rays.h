@@ -2,6 +2,7 @@
 #include <rayscope/ray.h>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "trace/world.h"
 
@@ -11,5 +12,8 @@ namespace rayscope::render {
 /// calling arena. Both spans have the same length.
 void castClosest(const trace::World& world, std::span<const Ray> rays, std::span<Hit> hits);
 void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded);
+
+/// The hits of ray i, in order, for all rays.
+std::vector<std::vector<Hit>> castAll(const trace::World& world, std::span<const Ray> rays);
 
 }  // namespace rayscope::render

@@ -1,5 +1,6 @@
 #include "trace/world.h"
 
+#include "bvh/traversal/crossings.h"
 #include "bvh/traversal/traverse.h"
 
 namespace rayscope::trace {
@@ -13,6 +14,13 @@ bool closestHitInGroup(const MotionGroup& group, bool useBvh, const Ray& ray, Hi
 
 bool anyHitInGroup(const MotionGroup& group, bool useBvh, const Ray& ray) {
     return useBvh ? group.accel->anyHit(ray) : bvh::anyHitBruteForce(group.geometry->input, ray);
+}
+
+void crossingsInGroup(const MotionGroup& group, bool useBvh, const Ray& ray, std::vector<Hit>& found) {
+    if (useBvh)
+        group.accel->crossings(ray, found);
+    else
+        found = bvh::crossingsBruteForce(group.geometry->input, ray);
 }
 
 }  // namespace
@@ -48,6 +56,19 @@ void World::anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_
     if (!moves && settings.bvh && !motionGroups.empty())
         return motionGroups[0].accel->anyHits(rays, occluded);
     for (std::size_t i = 0; i < rays.size(); ++i) occluded[i] = anyHit(rays[i], time);
+}
+
+void World::crossings(const Ray& ray, float time, std::vector<Hit>& found) const {
+    found.clear();
+    std::vector<Hit> inGroup;
+    for (const MotionGroup& group : motionGroups) {
+        crossingsInGroup(group, settings.bvh, moves ? group.geometry->inRestFrame(ray, time) : ray, inGroup);
+        for (Hit hit : inGroup) {
+            hit.primitive += group.firstPrimitive;
+            found.push_back(hit);
+        }
+    }
+    bvh::sortCrossings(found);
 }
 
 PrimitiveLocation World::locatePrimitive(std::uint32_t primitive) const {

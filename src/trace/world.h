@@ -77,6 +77,9 @@ class World {
     void closestHits(std::span<const Ray> rays, float time, std::span<Hit> hits) const;
     void anyHits(std::span<const Ray> rays, float time, std::span<std::uint8_t> occluded) const;
 
+    /// Replaces `found` with all hits of the ray, as Accel::crossings().
+    void crossings(const Ray& ray, float time, std::vector<Hit>& found) const;
+
     /// Whether a shadow ray is a single any-hit query whose result does not depend on time.
     bool canDeferShadowRays() const { return !attenuatesShadows && !moves; }
 

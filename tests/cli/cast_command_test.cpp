@@ -15,6 +15,7 @@ namespace {
 using test::ProgramResult;
 using test::run;
 using test::TemporaryFolder;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -70,6 +71,91 @@ TEST(CastCommand, HitsAreThoseOfClosedForms) {
     }
     EXPECT_EQ(run(folder, "rayscope cast s.toml --rays rays -o any --any -q").exitCode, 0);
     EXPECT_EQ(test::readText(folder / "any"), std::string("\1\1\1\0\0\0\0\0", 8));
+}
+
+/// The hits of each ray in a file of `cast --all`.
+std::vector<std::vector<Hit>> allHitsOf(const std::string& bytes) {
+    std::vector<std::vector<Hit>> rays;
+    for (std::size_t at = 0; at < bytes.size();) {
+        std::uint32_t count;
+        if (bytes.size() - at < sizeof count) throw std::runtime_error("cut off in a count");
+        std::memcpy(&count, bytes.data() + at, sizeof count);
+        at += sizeof count;
+        if (bytes.size() - at < count * sizeof(Hit)) throw std::runtime_error("cut off in hits");
+        rays.push_back(recordsOf<Hit>(bytes.substr(at, count * sizeof(Hit))));
+        at += count * sizeof(Hit);
+    }
+    return rays;
+}
+
+TEST(CastCommand, AllHitsAreThoseOfClosedForms) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    const std::vector<Ray> rays{
+        {{0.25f, 0.5f, 3.0f}, {0, 0, -1}, 0, kInfinity},                // the triangle
+        {{5.0f, 0.0f, 3.0f}, {0, 0, -1}, 0, kInfinity},                 // into the sphere and out of it
+        {{5.0f, 0.0f, 3.0f}, {0, 0, -1}, 0, 3.0f},                      // ends inside
+        {{5.0f, 0.0f, 0.0f}, {0, 0, -2}, 0, kInfinity},                 // begins inside
+        {{-1.0f, -1.0f, 0.0f}, {0, 0, 1}, 0, kInfinity},                // a miss
+        {{0.25f, 0.25f, 1.0f}, {4.75f, -0.25f, -1.0f}, 0, kInfinity}};  // past the triangle's edge
+    folder.write("rays", bytesOf(rays));
+    const ProgramResult result = run(folder, "rayscope cast s.toml --rays rays -o hits --all");
+    ASSERT_EQ(result.exitCode, 0) << result.err;
+    const std::vector<std::vector<Hit>> hits = allHitsOf(test::readText(folder / "hits"));
+    ASSERT_EQ(hits.size(), rays.size());
+    const auto distances = [&](std::size_t ray) {
+        std::vector<float> t;
+        for (const Hit& hit : hits[ray]) t.push_back(hit.t);
+        return t;
+    };
+    EXPECT_THAT(distances(0), ElementsAre(3.0f));
+    EXPECT_THAT(distances(1), ElementsAre(2.0f, 4.0f));
+    EXPECT_THAT(distances(2), ElementsAre(2.0f));
+    EXPECT_THAT(distances(3), ElementsAre(0.5f));
+    EXPECT_THAT(distances(4), ElementsAre());
+    EXPECT_EQ(hits[1][0].primitive, 1u);
+    EXPECT_EQ(hits[1][1].primitive, 1u);
+    EXPECT_THAT(result.err, HasSubstr("6 rays, " + std::to_string(5 + hits[5].size()) + " hits"));
+}
+
+TEST(CastCommand, AllHitsHaveTheSameBitsForAnyThreadsAndBvh) {
+    const TemporaryFolder folder;
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> position(-2.0f, 2.0f), direction(-1.0f, 1.0f);
+    std::vector<Ray> rays(3000);
+    for (Ray& ray : rays)
+        ray = {{position(random), position(random), position(random)},
+               {direction(random), direction(random), direction(random)},
+               0.0f,
+               kInfinity};
+    folder.write("rays", bytesOf(rays));
+    run(folder, "rayscope cast builtin:spheres --rays rays -o one -t 1 --all");
+    run(folder, "rayscope cast builtin:spheres --rays rays -o closest");
+    const std::string expected = test::readText(folder / "one");
+    const std::vector<std::vector<Hit>> all = allHitsOf(expected);
+    const std::vector<Hit> closest = recordsOf<Hit>(test::readText(folder / "closest"));
+    ASSERT_EQ(all.size(), rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(all[i].empty(), closest[i].primitive == kNoPrimitive) << i;
+        if (all[i].empty()) continue;
+        EXPECT_EQ(all[i][0].t, closest[i].t) << i;
+        EXPECT_EQ(all[i][0].primitive, closest[i].primitive) << i;
+    }
+    for (const char* options : {"-t 4", "--set bvh=false", "--set bvh_layout=binary", "--set isa=scalar"}) {
+        const auto result =
+            run(folder, std::string("rayscope cast builtin:spheres --rays rays -o other --all ") + options);
+        ASSERT_EQ(result.exitCode, 0) << result.err;
+        EXPECT_EQ(test::readText(folder / "other"), expected) << options;
+    }
+}
+
+TEST(CastCommand, AllAndAnyExcludeEachOther) {
+    const TemporaryFolder folder;
+    writeScene(folder);
+    folder.write("rays", "");
+    const ProgramResult result = run(folder, "rayscope cast s.toml --rays rays -o hits --all --any");
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.err, HasSubstr("--all: cannot be combined with --any"));
 }
 
 TEST(CastCommand, HitsHaveTheSameBitsForAnyThreadsAndBvh) {

@@ -5,6 +5,12 @@
 
 namespace rayscope::bvh::kernel {
 
+/// Receives the crossings of one ray, in any order.
+struct CrossingSink {
+    void (*add)(void* to, const HitData& crossing);
+    void* to;
+};
+
 struct Kernels {
     /// Leaves `hit` as it is on a miss.
     bool (*closestHit)(const WideTreeView& tree, RayData ray, HitData& hit);
@@ -12,6 +18,8 @@ struct Kernels {
     /// The same for many rays of eight floats each; a miss gives a default Hit.
     void (*closestHits)(const WideTreeView& tree, const float* rays, HitData* hits, size_t count);
     void (*anyHits)(const WideTreeView& tree, const float* rays, uint8_t* occluded, size_t count);
+    /// All hits in (tMin, tMax], in any order.
+    void (*crossings)(const WideTreeView& tree, RayData ray, CrossingSink sink);
 };
 
 extern const Kernels kPortableKernels, kSse2Kernels, kAvx2Kernels, kAvx512Kernels;

@@ -5,4 +5,4 @@
 #include "bvh/kernel/stream.inl"
 
 const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kAvx2Kernels = {closestHit, anyHit, closestHits,
-                                                                            anyHits};
+                                                                            anyHits, crossings};

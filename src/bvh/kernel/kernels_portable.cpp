@@ -4,7 +4,7 @@
 #include "bvh/kernel/lanes_portable.inl"
 // clang-format on
 #include "bvh/kernel/kernels.h"
-#include "bvh/kernel/traverse_wide.inl"
+#include "bvh/kernel/single_rays.inl"
 
 const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kPortableKernels = {
-    closestHit, anyHit, closestHitsSequential, anyHitsSequential};
+    closestHit, anyHit, closestHitsSequential, anyHitsSequential, crossings};

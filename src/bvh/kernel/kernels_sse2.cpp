@@ -6,4 +6,4 @@
 #include "bvh/kernel/stream.inl"
 
 const rayscope::bvh::kernel::Kernels rayscope::bvh::kernel::kSse2Kernels = {closestHit, anyHit, closestHits,
-                                                                            anyHits};
+                                                                            anyHits, crossings};

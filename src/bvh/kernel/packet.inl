@@ -4,7 +4,7 @@
 // tested once for all of them, by interval arithmetic: the least and largest origins and reciprocals of
 // directions bound the distances at which any of the rays is in a box (Boulos, Wald and Shirley
 // 2006). At leaves every ray is tested, eight at a time against one triangle.
-#include "bvh/kernel/traverse_wide.inl"
+#include "bvh/kernel/single_rays.inl"
 
 namespace rayscope::bvh::kernel {
 namespace {

@@ -38,18 +38,28 @@ void sphereBox(const float* sphere, float (&planes)[8]) {
     }
 }
 
-bool hitsSphere(RayData ray, const float* sphere, float bound, HitData& found) {
-    double near, far;
-    if (!intersectSphere(ray, sphere, near, far)) return false;
+int crossSphere(RayData ray, const float* sphere, float bound, HitData (&found)[2]) {
+    double roots[2];
+    if (!intersectSphere(ray, sphere, roots[0], roots[1])) return 0;
     float planes[8];
     sphereBox(sphere, planes);
-    if (!std::all_of(planes, planes + 8, [](float x) { return std::isfinite(x); })) return false;
-    found.u = found.v = 0.0f;
+    if (!std::all_of(planes, planes + 8, [](float x) { return std::isfinite(x); })) return 0;
     const BoxRay box(ray);
     const float tMin = std::max(ray[6], 0.0f);
-    const Float4 lower = load4(planes), upper = load4(planes + 4);
-    return acceptHit(box, tMin, near, lower, upper, bound, found.t) ||
-           acceptHit(box, tMin, far, lower, upper, bound, found.t);
+    int count = 0;
+    for (const double root : roots) {
+        found[count] = {};
+        count += acceptHit(box, tMin, root, load4(planes), load4(planes + 4), bound, found[count].t);
+    }
+    return count;
+}
+
+bool hitsSphere(RayData ray, const float* sphere, float bound, HitData& found) {
+    HitData both[2];
+    if (crossSphere(ray, sphere, bound, both) == 0) return false;
+    found.t = both[0].t;
+    found.u = found.v = 0.0f;
+    return true;
 }
 
 }  // namespace rayscope::bvh::kernel

@@ -12,6 +12,10 @@ bool intersectSphere(RayData ray, const float* sphere, double& near, double& far
 /// general.
 void sphereBox(const float* sphere, float (&planes)[8]);
 
+/// The intersections of the ray with a sphere up to `bound`, with t, u and v. Returns how many there are: the
+/// ray enters and leaves the sphere, or one of the two lies outside (tMin, bound].
+int crossSphere(RayData ray, const float* sphere, float bound, HitData (&found)[2]);
+
 /// Tests one sphere up to `bound`; on success `found` has t, u and v.
 bool hitsSphere(RayData ray, const float* sphere, float bound, HitData& found);
 

@@ -198,17 +198,17 @@ RAYSCOPE_INLINE void traverseClosest(const WideTreeView& tree, ChildRef from, co
     }
 }
 
-/// Children in any order, up to the first hit.
-template <class BoxLanes, TraversalObserver O = NullTraversalObserver>
-RAYSCOPE_INLINE bool traverseAny(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                 FastShear& shear, QueryState& state, O&& observer = {}) {
+/// Children in any order, until `visit(leaf)` returns true. Returns whether it did.
+template <class BoxLanes, class Visit, TraversalObserver O = NullTraversalObserver>
+RAYSCOPE_INLINE bool traverseUnordered(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
+                                       const QueryState& state, const Visit& visit, O&& observer = {}) {
     ChildRef stack[kStackSize];
     int stackSize = 0;
     ChildRef ref = from;
     while (true) {
         if constexpr (isObserved<O>) observer.visit(ref, state.best.t);
         if (ref & kTagMask) {
-            if (visitLeaf<true>(tree, shear, ref, state, observer)) return true;
+            if (visit(ref)) return true;
         } else {
             const WideNode& node = tree.nodes[ref];
             Lanes entry;
@@ -223,6 +223,14 @@ RAYSCOPE_INLINE bool traverseAny(const WideTreeView& tree, ChildRef from, const 
         if (stackSize == 0) return false;
         ref = stack[--stackSize];
     }
+}
+
+/// Up to the first hit.
+template <class BoxLanes, TraversalObserver O = NullTraversalObserver>
+RAYSCOPE_INLINE bool traverseAny(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
+                                 FastShear& shear, QueryState& state, O&& observer = {}) {
+    const auto visit = [&](ChildRef leaf) { return visitLeaf<true>(tree, shear, leaf, state, observer); };
+    return traverseUnordered(tree, from, lanes, state, visit, observer);
 }
 
 /// Calls `traverse` with a query and the ray in all lanes, prepared in float where its numbers are in range.
@@ -242,28 +250,6 @@ RAYSCOPE_INLINE void withPreparedRay(const WideTreeView& tree, RayData ray, cons
     }
 }
 
-[[maybe_unused]] bool closestHit(const WideTreeView& tree, RayData ray, HitData& hit) {
-    if (!isTraceable(ray)) return false;
-    bool found;
-    withPreparedRay(tree, ray, [&](const auto& lanes, QueryState& state) {
-        FastShear shear{};
-        traverseClosest(tree, tree.root, lanes, shear, state);
-        found = state.best.primitive != kNoPrimitive;
-        if (found) hit = state.best;
-    });
-    return found;
-}
-
-[[maybe_unused]] bool anyHit(const WideTreeView& tree, RayData ray) {
-    if (!isTraceable(ray)) return false;
-    bool found;
-    withPreparedRay(tree, ray, [&](const auto& lanes, QueryState& state) {
-        FastShear shear{};
-        found = traverseAny(tree, tree.root, lanes, shear, state);
-    });
-    return found;
-}
-
 /// The traversal of closestHit() or anyHit() with an observer, which receives the hit. Returns whether there
 /// is one. The ray must be traceable.
 template <TraversalObserver O>
@@ -279,20 +265,6 @@ RAYSCOPE_INLINE bool traverseObserved(const WideTreeView& tree, RayData ray, boo
         }
     });
     return found;
-}
-
-/// Ray by ray.
-[[maybe_unused]] void closestHitsSequential(const WideTreeView& tree, const float* rays, HitData* hits,
-                                            size_t count) {
-    for (size_t i = 0; i < count; ++i) {
-        hits[i] = {kInfinity, kNoPrimitive, 0.0f, 0.0f};
-        closestHit(tree, rays + 8 * i, hits[i]);
-    }
-}
-
-[[maybe_unused]] void anyHitsSequential(const WideTreeView& tree, const float* rays, uint8_t* occluded,
-                                        size_t count) {
-    for (size_t i = 0; i < count; ++i) occluded[i] = anyHit(tree, rays + 8 * i);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// All hits of one ray with the wide tree. Include after one of the lanes_*.inl.
+#include "bvh/kernel/kernels.h"
+#include "bvh/kernel/traverse_wide.inl"
+
+namespace rayscope::bvh::kernel {
+namespace {
+
+/// Passes all hits with the primitives of a leaf to `sink`.
+RAYSCOPE_INLINE void visitLeafForAll(const WideTreeView& tree, FastShear& shear, ChildRef leaf,
+                                     const QueryState& state, CrossingSink sink) {
+    if (leaf >= kSphereTag) {
+        const SphereRecord& record = tree.spheres[leaf & kSphereIndexMask];
+        HitData found[2];
+        const int count = crossSphere(state.ray, record.sphere, state.best.t, found);
+        for (int i = 0; i < count; ++i) {
+            found[i].primitive = record.primitive;
+            sink.add(sink.to, found[i]);
+        }
+        return;
+    }
+    shear.prepareOnce(state.ray, static_cast<float>(state.scale));
+    const TriangleBlock& block = tree.blocks[leaf & kBlockIndexMask];
+    unsigned possible = filterTriangles(block, leaf, shear, state.tMin, state.bound).possible;
+    if (possible == 0) return;
+    const BlockRay ray(state.ray, shear);
+    for (; possible != 0; possible &= possible - 1) {
+        HitData found;
+        if (ray.hits(block, __builtin_ctz(possible), state.best.t, found)) sink.add(sink.to, found);
+    }
+}
+
+void crossings(const WideTreeView& tree, RayData ray, CrossingSink sink) {
+    if (!isTraceable(ray)) return;
+    withPreparedRay(tree, ray, [&](const auto& lanes, const QueryState& state) {
+        FastShear shear{};
+        traverseUnordered(tree, tree.root, lanes, state, [&](ChildRef leaf) {
+            visitLeafForAll(tree, shear, leaf, state, sink);
+            return false;
+        });
+    });
+}
+
+}  // namespace
+}  // namespace rayscope::bvh::kernel
