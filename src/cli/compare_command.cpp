@@ -10,7 +10,9 @@
 #include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/error_map_file.h"
 #include "cli/output_files.h"
+#include "cli/verdicts.h"
 #include "post/display_transform.h"
 
 namespace rayscope::cli {
@@ -23,6 +25,7 @@ struct CompareCommandOptions {
     double range = 0.0;
     int tile = 32;
     CompareOptions measure;
+    VerdictOptions verdict;
     bool json = false;
 };
 
@@ -61,15 +64,6 @@ std::vector<MapRegion> tilesOf(const Image<double>& map, int size) {
     return tiles;
 }
 
-/// False colour in display formats, the values in the others.
-void writeMap(const std::string& path, const Image<double>& map, double range) {
-    RgbImage picture = applyColorMap(map, range);
-    if (!post::isDisplayFormat(path))
-        for (std::size_t i = 0; i < map.pixels.size(); ++i)
-            picture.pixels[i] = Rgb(static_cast<float>(map.pixels[i]));
-    writeImage(path, picture);
-}
-
 double rangeOf(const CompareCommandOptions& options, const Image<double>& map, ErrorMetric metric) {
     if (options.range > 0.0) return options.range;
     return metric == ErrorMetric::Flip ? 1.0 : scoreOf(map, ErrorMetric::Max);
@@ -87,7 +81,7 @@ void writeTiles(const CompareCommandOptions& options, const Image<double>& map, 
     if (options.map.ends_with(".csv"))
         base::writeFileAtomically(options.map, table);
     else
-        writeMap(options.map, tiles, rangeOf(options, tiles, metric));
+        writeErrorMap(options.map, tiles, rangeOf(options, tiles, metric));
 }
 
 /// Prints how many pixels are not finite. Returns whether there are any.
@@ -102,8 +96,22 @@ bool reportNonFinite(const CompareCommandOptions& options, const ErrorMeasures& 
     return errors.nonFiniteImage + errors.nonFiniteReference > 0;
 }
 
+int runVerdict(const CompareCommandOptions& options, ErrorMetric metric) {
+    if (!options.map.empty())
+        throw UsageError("--map",
+                         "writes the tiles of two images, without a verdict; leave out the options "
+                         "of verdicts");
+    measure::GradingRules rules = options.verdict.rules();
+    rules.measure = options.measure;
+    if (options.failAbove) rules.metrics.push_back({metric, *options.failAbove});
+    return runVerdicts(options.image, options.reference, options.verdict, rules, options.difference,
+                       options.json);
+}
+
 int runCompare(const CompareCommandOptions& options) {
     const ErrorMetric metric = errorMetricNamed(options.metric);
+    if (options.verdict.isAsked() || isFolder(options.image) || isFolder(options.reference))
+        return runVerdict(options, metric);
     Diagnostics notes;
     const RgbImage image = readImage(options.image, &notes);
     const RgbImage reference =
@@ -119,7 +127,7 @@ int runCompare(const CompareCommandOptions& options) {
     OutputFiles files;
     if (!options.difference.empty()) {
         const double range = rangeOf(options, map, metric);
-        files.write(options.difference, [&] { writeMap(options.difference, map, range); });
+        files.write(options.difference, [&] { writeErrorMap(options.difference, map, range); });
         if (post::isDisplayFormat(options.difference) && !options.json)
             base::print("{}: {} of each pixel, from black for 0 to white for {:.6g}\n",
                         base::printable(options.difference), options.metric, range);
@@ -139,8 +147,10 @@ int runCompare(const CompareCommandOptions& options) {
 
 std::function<int()> setUpCompare(OptionList& list) {
     auto options = std::make_shared<CompareCommandOptions>();
-    list.add("A", &options->image, "The image: .png .exr .pfm .hdr .jpg .ppm …").required();
-    list.add("B", &options->reference, "The reference image, of the same size").required();
+    list.add("A", &options->image, "The image: .png .exr .pfm .hdr .jpg .ppm …; or a folder of images")
+        .required();
+    list.add("B", &options->reference, "The reference image, of the same size; or a folder of images")
+        .required();
     list.add("-o,--output", &options->difference,
              "Write the error of each pixel as an image: in false colour (.png .ppm) or as values (.exr .pfm "
              ".hdr)")
@@ -166,9 +176,13 @@ std::function<int()> setUpCompare(OptionList& list) {
              "Viewing distance for FLIP, in pixels per degree")
         .from(1.0, 1000.0)
         .showDefault();
+    options->verdict.addTo(list);
     list.add("--json", &options->json, "Print JSON");
     list.setDetails(
-        "rmse, relmse, smape and max compare linear values; ssim and flip compare what a display shows.");
+        "rmse, relmse, smape and max compare linear values; ssim and flip compare what a display shows.\n"
+        "An option of verdicts, or two folders, gives one line per pair of images, passes or fails, instead "
+        "of "
+        "the metrics, and exit code 4 if one fails. Images of folders are paired by name.");
     return [options] { return runCompare(*options); };
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/check_argument.h"
 #include "base/nearest_name.h"
+#include "image/metrics/check_images.h"
 #include "image/metrics/perceptual_metrics.h"
 #include "math/vectors.h"
 
@@ -20,16 +21,6 @@ constexpr std::array<std::string_view, 6> kNames{"rmse", "relmse", "smape", "max
 /// Added to the denominators of relative metrics, so that they stay finite where the reference is black.
 constexpr double kEpsilon = 0.01;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-void checkImages(const RgbImage& image, const RgbImage& reference) {
-    base::checkArgument(hasAllPixels(image) && hasAllPixels(reference),
-                        "image or reference: pixels.size() is not width * height");
-    if (image.width != reference.width || image.height != reference.height)
-        throw InputError(
-            fmt::format("image sizes differ: {} x {} and {} x {} pixels; render both with the same --size",
-                        image.width, image.height, reference.width, reference.height));
-    if (image.empty()) throw InputError("the images have no pixels");
-}
 
 /// Filters grow with the pixels per degree: at the limit they are some hundred pixels wide.
 void checkOptions(const CompareOptions& options) {
@@ -109,7 +100,7 @@ ErrorMetric errorMetricNamed(std::string_view name) {
 
 Image<double> errorMap(const RgbImage& image, const RgbImage& reference, ErrorMetric metric,
                        const CompareOptions& options) {
-    checkImages(image, reference);
+    image::checkComparable(image, reference);
     checkOptions(options);
     checkMetric(metric);
     const bool perceptual = metric == ErrorMetric::Ssim || metric == ErrorMetric::Flip;
@@ -123,6 +114,16 @@ Image<double> errorMap(const RgbImage& image, const RgbImage& reference, ErrorMe
             map.pixels[i] = pixelError(a, r, metric);
     }
     return map;
+}
+
+void image::checkComparable(const RgbImage& image, const RgbImage& reference) {
+    base::checkArgument(hasAllPixels(image) && hasAllPixels(reference),
+                        "image or reference: pixels.size() is not width * height");
+    if (image.width != reference.width || image.height != reference.height)
+        throw InputError(
+            fmt::format("image sizes differ: {} x {} and {} x {} pixels; render both with the same --size",
+                        image.width, image.height, reference.width, reference.height));
+    if (image.empty()) throw InputError("the images have no pixels");
 }
 
 double scoreOf(const Image<double>& map, ErrorMetric metric) {
