@@ -5,13 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <utility>
 
 #include "base/parse_number.h"
 #include "base/temporary_files.h"
@@ -49,48 +47,6 @@ bool isPipeOrDevice(const std::string& path) {
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-/// A new file in the folder of `target`, deleted by the destructor unless it was moved to the target.
-class TemporaryFile {
-  public:
-    explicit TemporaryFile(const fs::path& target) {
-        static std::atomic<unsigned> serial{0};
-        // Another run may have had this process number and left its file. Its names end somewhere.
-        constexpr int kAttempts = 10000;
-        for (int i = 0; i < kAttempts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
-            const std::string name =
-                ".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(serial++) + ".tmp";
-            path_ = target.parent_path() / name;
-            descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        }
-        if (descriptor_ >= 0) name_.emplace(path_.string());
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() {
-        if (descriptor_ >= 0) ::close(descriptor_);
-        if (name_) ::unlink(path_.c_str());
-    }
-
-    int descriptor() const { return descriptor_; }
-
-    /// Closes the file and renames it to `target`. Returns false and sets errno on failure.
-    bool moveTo(const fs::path& target) {
-        struct stat old {};
-        if (::stat(target.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777) != 0)
-            return false;
-        // Network file systems may report a full disk only here.
-        if (::close(std::exchange(descriptor_, -1)) != 0) return false;
-        if (::rename(path_.c_str(), target.c_str()) != 0) return false;
-        name_.reset();
-        return true;
-    }
-
-  private:
-    fs::path path_;
-    int descriptor_ = -1;
-    std::optional<TemporaryName> name_;  ///< while the file exists
-};
-
 /// Returns false and sets errno unless all bytes were written.
 bool writeAll(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -125,37 +81,47 @@ class OpenDevice {
 };
 
 /// A temporary file for `target`. Throws InputError, with the position `path`, if its folder cannot hold one.
-std::unique_ptr<TemporaryFile> createBeside(const fs::path& target, const std::string& path) {
+std::unique_ptr<TemporaryFile> createBeside(const fs::path& target, const std::string& path,
+                                            FileAccess access = FileAccess::Default) {
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) throw InputError("is a folder, not a file", {path});
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
         throw InputError("cannot be written: no folder '" + folder.string() + "'; create it first", {path});
-    return std::make_unique<TemporaryFile>(target);
+    return std::make_unique<TemporaryFile>(folder, access == FileAccess::Owner ? 0600 : 0666);
 }
 
 }  // namespace
 
 struct AtomicFile::State {
-    explicit State(const std::string& p) : path(p) {
+    State(const std::string& p, FileAccess a) : path(p), access(a) {
         if (path.empty()) throw InputError("the name of the file to write is empty");
         if (isPipeOrDevice(path)) {
             device = std::make_unique<OpenDevice>(path);
         } else {
             target = destinationOf(path);
-            temporary = createBeside(target, path);
+            temporary = createBeside(target, path, access);
         }
         if (descriptor() < 0) throwCannotWrite(path, errno);
     }
     int descriptor() const { return device ? device->descriptor() : temporary->descriptor(); }
 
+    /// Returns false and sets errno on failure.
+    bool keepPermissions() const {
+        struct stat old {};
+        return access == FileAccess::Owner || ::stat(target.c_str(), &old) != 0 ||
+               ::fchmod(temporary->descriptor(), old.st_mode & 07777) == 0;
+    }
+
     std::string path;
+    FileAccess access;
     fs::path target;
     std::unique_ptr<OpenDevice> device;
     std::unique_ptr<TemporaryFile> temporary;
 };
 
-AtomicFile::AtomicFile(const std::string& path) : state_(std::make_unique<State>(path)) {}
+AtomicFile::AtomicFile(const std::string& path, FileAccess access)
+    : state_(std::make_unique<State>(path, access)) {}
 AtomicFile::~AtomicFile() = default;
 
 void AtomicFile::write(std::string_view bytes) {
@@ -163,8 +129,9 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-    if (state_->temporary && !state_->temporary->moveTo(state_->target))
-        throwCannotWrite(state_->path, errno);
+    const State& s = *state_;
+    if (s.temporary && !(s.keepPermissions() && s.temporary->moveTo(s.target)))
+        throwCannotWrite(s.path, errno);
 }
 
 void writeFileAtomically(const std::string& path, std::string_view bytes) {

@@ -5,6 +5,12 @@
 
 namespace rayscope::base {
 
+/// Who may access a file that is written.
+enum class FileAccess {
+    Default,  ///< the permissions of the file that is replaced, or those that the umask leaves
+    Owner     ///< nobody but the user
+};
+
 /// Creates or replaces a file atomically: writes a temporary file in the same folder and renames it. The
 /// target of a symbolic link is replaced, not the link; pipes and devices are written to directly. Throws
 /// InputError with the file and the reason.
@@ -14,7 +20,7 @@ void writeFileAtomically(const std::string& path, std::string_view bytes);
 /// times, then commit(). Without commit() an existing file stays unchanged.
 class AtomicFile {
   public:
-    explicit AtomicFile(const std::string& path);
+    explicit AtomicFile(const std::string& path, FileAccess access = FileAccess::Default);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;

@@ -114,24 +114,59 @@ TEST(AtomicFile, UnwritableFoldersAreErrors) {
     ::chmod(folder.path().c_str(), 0700);
 }
 
-TEST(AtomicFile, StaleTemporaryFilesDoNotBlock) {
+using Kind = base::TemporaryFile::Kind;
+
+TEST(TemporaryFile, HasNoNameBeforeItIsMoved) {
     const TemporaryFolder folder;
-    // More than this test program has made so far, so that the next numbers are taken.
-    for (int i = 0; i < 300; ++i)
-        folder.write(".rayscope-" + std::to_string(::getpid()) + "-" + std::to_string(i) + ".tmp", "stale");
-    base::writeFileAtomically(folder.file("a"), "new");
+    const int probe = ::open(folder.path().c_str(), O_WRONLY | O_TMPFILE, 0600);
+    if (probe < 0) GTEST_SKIP() << "the file system has no files without names";
+    ::close(probe);
+    base::TemporaryFile file(folder.path(), 0640);
+    ASSERT_EQ(::write(file.descriptor(), "new", 3), 3);
+    EXPECT_EQ(folder.entries(), 0u);
+    EXPECT_TRUE(file.moveTo(folder / "a"));
     EXPECT_EQ(readText(folder / "a"), "new");
-    EXPECT_EQ(folder.entries(), 301u);
+    EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(AtomicFile, SignalHandlersCanDeleteTemporaryFiles) {
+TEST(TemporaryFile, ReplacesAFileAndLeavesNothing) {
+    for (const Kind kind : {Kind::UnnamedIfPossible, Kind::Named}) {
+        const TemporaryFolder folder;
+        folder.write("a", "old");
+        base::TemporaryFile file(folder.path(), 0600, kind);
+        ASSERT_EQ(::write(file.descriptor(), "new", 3), 3);
+        EXPECT_EQ(readText(folder / "a"), "old");
+        EXPECT_TRUE(file.moveTo(folder / "a"));
+        EXPECT_EQ(readText(folder / "a"), "new");
+        EXPECT_EQ(folder.entries(), 1u);
+    }
+}
+
+TEST(TemporaryFile, DeletesItsNameUnlessMoved) {
     const TemporaryFolder folder;
-    base::AtomicFile file(folder.file("a"));
-    file.write("half");
+    {
+        const base::TemporaryFile file(folder.path(), 0600, Kind::Named);
+        EXPECT_EQ(folder.entries(), 1u);
+    }
+    EXPECT_EQ(folder.entries(), 0u);
+    base::TemporaryFile file(folder.path(), 0600);
+    EXPECT_FALSE(file.moveTo(folder / "no" / "a"));
+    EXPECT_EQ(errno, ENOENT);
+}
+
+TEST(TemporaryFile, NamesDiffer) {
+    const TemporaryFolder folder;
+    const base::TemporaryFile one(folder.path(), 0600, Kind::Named), two(folder.path(), 0600, Kind::Named);
+    EXPECT_EQ(folder.entries(), 2u);
+}
+
+TEST(TemporaryFile, SignalHandlersCanDeleteIt) {
+    const TemporaryFolder folder;
+    base::TemporaryFile file(folder.path(), 0600, Kind::Named);
     EXPECT_EQ(folder.entries(), 1u);
     base::removeTemporaryFiles();
     EXPECT_EQ(folder.entries(), 0u);
-    EXPECT_THAT(inputErrorOf([&] { file.commit(); }), HasSubstr("cannot be written"));
+    EXPECT_FALSE(file.moveTo(folder / "a"));
 }
 
 TEST(AtomicFile, DescriptorsAreContinued) {

@@ -3,17 +3,22 @@
 #include <rayscope/diagnostics.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
-#include "base/atomic_file.h"
+#include "base/private_file.h"
 #include "base/user_folders.h"
 
 namespace rayscope::viewer {
 
 RecentFiles::RecentFiles(std::filesystem::path file) : file_(std::move(file)) {
-    std::ifstream stream(file_);
-    for (std::string line; paths_.size() < kMaxCount && std::getline(stream, line);)
-        if (!line.empty()) paths_.push_back(line);
+    constexpr std::size_t kMaxBytes = kMaxCount * 4096;  // of paths that the system can open
+    if (file_.empty()) return;
+    try {
+        std::istringstream stream(base::readPrivateFile(file_.string(), kMaxBytes).value_or(""));
+        for (std::string line; paths_.size() < kMaxCount && std::getline(stream, line);)
+            if (!line.empty()) paths_.push_back(line);
+    } catch (const InputError&) {  // then the list is empty
+    }
 }
 
 void RecentFiles::add(const std::string& scene) {
@@ -23,14 +28,12 @@ void RecentFiles::add(const std::string& scene) {
     paths_.insert(paths_.begin(), path);
     if (paths_.size() > kMaxCount) paths_.resize(kMaxCount);
     if (file_.empty()) return;
-    std::error_code ignored;
-    std::filesystem::create_directories(file_.parent_path(), ignored);
     std::string text;
     // A name with a line feed would be read as two.
     for (const std::string& line : paths_)
         if (line.find('\n') == std::string::npos) text += line + '\n';
     try {
-        base::writeFileAtomically(file_.string(), text);
+        base::writePrivateFile(file_.string(), text);
     } catch (const InputError&) {  // then the list is not stored
     }
 }
