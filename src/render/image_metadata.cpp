@@ -6,9 +6,11 @@
 
 namespace rayscope::render {
 
+std::string softwareName() { return "Rayscope " RAYSCOPE_VERSION; }
+
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples) {
-    ImageMetadata metadata = {{"Software", "Rayscope " RAYSCOPE_VERSION},
+    ImageMetadata metadata = {{"Software", softwareName()},
                               {"scene", std::filesystem::path(scene.path).filename().string()},
                               {"seed", std::to_string(seed)},
                               {"samples", std::to_string(samples)}};

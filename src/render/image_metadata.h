@@ -7,6 +7,9 @@
 
 namespace rayscope::render {
 
+/// Name and version of the program.
+std::string softwareName();
+
 /// The metadata of an image file: program and version, scene, settings, seed, samples per pixel.
 ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
                             int samples);

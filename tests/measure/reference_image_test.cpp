@@ -1,15 +1,21 @@
 #include "measure/trade/reference_image.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <random>
 
+#include "measure/trade/film_file.h"
+#include "support/expect_input_error.h"
 #include "support/image_distance.h"
 #include "support/temporary_folder.h"
 
 namespace rayscope {
 namespace {
+
+using testing::HasSubstr;
 
 trace::CompileRequest requestFor(const std::string& name, int size) {
     Diagnostics notes;
@@ -90,23 +96,89 @@ TEST(ReferenceImage, RejectsDamagedAndForeignFiles) {
     reference.save(folder.file("r.films"));
     const std::string good = test::readText(folder / "r.films");
 
-    const auto loads = [&](const std::string& scene, int size, const std::string& content) {
-        folder.write("t.films", content);
+    const auto problemOf = [&](const std::string& scene, int size, const std::string& content) {
+        const std::string file = folder.write("t.films", content);
         measure::ReferenceImage fresh(requestFor(scene, size), workers);
-        const bool loaded = fresh.load(folder.file("t.films"));
-        EXPECT_EQ(fresh.samples(), loaded ? 2 : 0);
-        return loaded;
+        const std::string problem = test::inputErrorOf([&] { fresh.load(file); });
+        EXPECT_EQ(fresh.samples(), 0);
+        return problem;
     };
-    EXPECT_TRUE(loads("builtin:cornell", 40, good));
+    measure::ReferenceImage same(requestFor("builtin:cornell", 40), workers);
+    EXPECT_TRUE(same.load(folder.file("r.films")));
+    EXPECT_EQ(same.samples(), 2);
     std::string flipped = good;
     flipped[good.size() / 2] = static_cast<char>(flipped[good.size() / 2] ^ 1);
-    EXPECT_FALSE(loads("builtin:cornell", 40, flipped));
-    EXPECT_FALSE(loads("builtin:cornell", 40, good.substr(0, good.size() - 1)));
-    EXPECT_FALSE(loads("builtin:cornell", 40, ""));
-    EXPECT_FALSE(loads("builtin:cornell", 41, good));
-    EXPECT_FALSE(loads("builtin:cornell-area", 40, good));
+    EXPECT_THAT(problemOf("builtin:cornell", 40, flipped), HasSubstr("is damaged"));
+    EXPECT_THAT(problemOf("builtin:cornell", 40, good.substr(0, good.size() - 1)),
+                HasSubstr("is incomplete"));
+    EXPECT_THAT(problemOf("builtin:cornell", 40, good + "x"), HasSubstr("bytes, more than"));
+    EXPECT_THAT(problemOf("builtin:cornell", 40, ""), HasSubstr("another scene or version"));
+    EXPECT_THAT(problemOf("builtin:cornell", 41, good), HasSubstr("another scene or version"));
+    EXPECT_THAT(problemOf("builtin:cornell-area", 40, good), HasSubstr("another scene or version"));
     measure::ReferenceImage fresh(requestFor("builtin:cornell", 40), workers);
     EXPECT_FALSE(fresh.load(folder.file("missing.films")));
+}
+
+/// Films of 40 x 40 pixels, all tiles with the same samples and sums.
+std::pair<std::unique_ptr<render::Film>, std::unique_ptr<render::Film>> filmsWith(
+    int samples, const render::PixelSums& sums) {
+    const auto make = [&] {
+        auto film = std::make_unique<render::Film>(40, 40, PixelBounds{0, 40, 0, 40});
+        for (int tile = 0; tile < film->tileCount(); ++tile) {
+            render::Film::TileCopy copy;
+            film->read(tile, copy);
+            for (render::PixelSums& pixel : copy.pixels) pixel = sums;
+            copy.samples = samples;
+            film->commit(tile, std::move(copy));
+        }
+        return film;
+    };
+    return {make(), make()};
+}
+
+TEST(ReferenceImage, RejectsWellFormedFilesThatNoRenderWrote) {
+    const test::TemporaryFolder folder;
+    render::ThreadArena workers(2);
+    measure::ReferenceImage reference(requestFor("builtin:cornell", 40), workers);
+    const std::string file = folder.file("t.films");
+    const auto [a, b] = filmsWith(4, {RgbSum(2.0), 1.0});
+    measure::saveFilms(file, reference.contentHash(), *a, *b);
+    EXPECT_THAT(test::inputErrorOf([&] { reference.load(file); }), HasSubstr("rendered anew differ"));
+    EXPECT_EQ(reference.samples(), 0);
+}
+
+TEST(FilmFile, RefusesWhatNoRenderCanHaveMade) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.file("t.films");
+    const auto [good, other] = filmsWith(4, {RgbSum(2.0), 1.0});
+    measure::saveFilms(file, "hash", *good, *other);
+    const std::string content = test::readText(file);
+    const render::PixelSums possible{RgbSum(2.0), 1.0};
+    const std::tuple<int, render::PixelSums, const char*> cases[] = {
+        {-1, possible, "-1 samples"},
+        {(1 << 20) + 1, possible, "1048577 samples"},
+        {0, possible, "impossible"},
+        {4, {RgbSum(NAN), 1.0}, "impossible"},
+        {4, {RgbSum(2.0), INFINITY}, "impossible"},
+        {4, {RgbSum(2.0), -1.0}, "impossible"},
+        {4, {RgbSum(3.0), 1.0}, "impossible"},
+    };
+    for (const auto& [samples, sums, problem] : cases) {
+        const auto [a, b] = filmsWith(samples, sums);
+        EXPECT_THAT(test::inputErrorOf([&] { measure::saveFilms(file, "hash", *a, *b); }),
+                    HasSubstr(problem));
+        // The first tile of a well-formed file, with the checksum that belongs to it.
+        std::string changed = content.substr(0, content.size() - sizeof(std::uint64_t));
+        const std::size_t at = changed.find('\n') + 1;
+        std::memcpy(changed.data() + at, &samples, sizeof samples);
+        std::memcpy(changed.data() + at + sizeof samples, &sums, sizeof sums);
+        const std::uint64_t sum = measure::filmFileChecksum(changed);
+        changed.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+        folder.write("t.films", changed);
+        render::Film c(40, 40, {0, 40, 0, 40}), d(40, 40, {0, 40, 0, 40});
+        EXPECT_THAT(test::inputErrorOf([&] { measure::loadFilms(file, "hash", c, d); }), HasSubstr(problem));
+        EXPECT_EQ(c.completeSamples(), 0);
+    }
 }
 
 TEST(ReferenceImage, CanBeExtendedAfterAStop) {

@@ -1,6 +1,10 @@
 #include "measure/trade/reference_image.h"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <rayscope/diagnostics.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +13,8 @@
 #include "measure/trade/film_file.h"
 #include "post/display_transform.h"
 #include "render/render_pass.h"
+#include "sampling/hash.h"
+#include "trace/radiance.h"
 
 namespace rayscope::measure {
 
@@ -36,6 +42,18 @@ glm::dvec3 difference(const RgbImage& a, const RgbImage& b, std::size_t i) {
     return glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]);
 }
 
+int samplesOf(const std::array<std::unique_ptr<render::Film>, 2>& halves) {
+    return std::min(halves[0]->completeSamples(), halves[1]->completeSamples());
+}
+
+/// As a film adds them up.
+RgbSum radianceSum(const trace::World& world, std::uint64_t seed, int x, int y, int samples) {
+    trace::NullObserver observer;
+    RgbSum sum(0.0);
+    for (int i = 0; i < samples; ++i) sum += trace::radiance(world, seed, {x, y, i}, observer).radiance;
+    return sum;
+}
+
 }  // namespace
 
 bool converges(const std::vector<std::pair<int, double>>& history) {
@@ -48,14 +66,17 @@ ReferenceImage::ReferenceImage(trace::CompileRequest request, render::ThreadAren
                                const trace::World* previous, const std::stop_token& stop)
     : request_(std::move(request)), workers_(workers) {
     world_ = workers_.run([&] { return trace::compile(request_, previous, stop); });
-    for (auto& half : halves_)
-        half = std::make_unique<render::Film>(request_.width, request_.height,
-                                              PixelBounds{0, request_.width, 0, request_.height});
+    halves_ = emptyHalves();
 }
 
-int ReferenceImage::samples() const {
-    return std::min(halves_[0]->completeSamples(), halves_[1]->completeSamples());
+ReferenceImage::Halves ReferenceImage::emptyHalves() const {
+    const PixelBounds whole{0, request_.width, 0, request_.height};
+    Halves halves;
+    for (auto& half : halves) half = std::make_unique<render::Film>(request_.width, request_.height, whole);
+    return halves;
 }
+
+int ReferenceImage::samples() const { return samplesOf(halves_); }
 
 bool ReferenceImage::extend(int samples, const std::stop_token& stop) {
     render::RenderCounters counters;
@@ -97,8 +118,32 @@ long long ReferenceImage::nonFinitePixels() const {
 
 std::string ReferenceImage::contentHash() const { return filmContentHash(request_, *world_); }
 
+/// Whether some pixels, about 2^18 samples of them, have the sums that rendering gives.
+bool ReferenceImage::isRendered(const Halves& halves) const {
+    constexpr int kMostPixels = 16, kSamples = 1 << 18;
+    const int pixels = std::clamp(kSamples / std::max(1, samplesOf(halves)), 1, kMostPixels);
+    std::atomic<bool> isEqual{true};
+    oneapi::tbb::parallel_for(0, pixels, [&](int i) {
+        const auto half = static_cast<std::size_t>(i) % halves.size();
+        const std::uint64_t random = sampling::hashPair(kSeeds[half], static_cast<std::uint64_t>(i));
+        const auto below = [](std::uint64_t value, int end) {
+            return static_cast<int>(value % static_cast<std::uint64_t>(end));
+        };
+        const int x = below(random, request_.width), y = below(random >> 32, request_.height);
+        int samples = 0;
+        const render::PixelSums stored = halves[half]->sums(x, y, samples);
+        if (stored.radiance != radianceSum(*world_, kSeeds[half], x, y, samples)) isEqual = false;
+    });
+    return isEqual;
+}
+
 bool ReferenceImage::load(const std::string& path) {
-    return halves_[0]->completeSamples() == 0 && loadFilms(path, contentHash(), *halves_[0], *halves_[1]);
+    Halves loaded = emptyHalves();
+    if (samples() > 0 || !loadFilms(path, contentHash(), *loaded[0], *loaded[1])) return false;
+    if (!workers_.run([&] { return isRendered(loaded); }))
+        throw InputError("is not a film of this scene: pixels that were rendered anew differ", {path});
+    halves_ = std::move(loaded);
+    return true;
 }
 
 void ReferenceImage::save(const std::string& path) const {

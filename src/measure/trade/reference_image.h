@@ -32,17 +32,22 @@ class ReferenceImage {
     RgbImage mean() const;
     long long nonFinitePixels() const;
 
-    /// Saves both halves to a file and loads them. load() returns false and changes nothing if the file does
-    /// not exist, is damaged, or has another contentHash().
+    /// Saves both halves to a file and loads them; see film_file.h. load() renders some pixels anew and
+    /// compares them bit for bit. It returns false if the file does not exist, and throws InputError if it is
+    /// not what save() of the same contentHash() wrote; nothing is changed then.
     std::string contentHash() const;
     bool load(const std::string& path);
     void save(const std::string& path) const;
 
   private:
+    using Halves = std::array<std::unique_ptr<render::Film>, 2>;
+    Halves emptyHalves() const;
+    bool isRendered(const Halves& halves) const;
+
     trace::CompileRequest request_;
     render::ThreadArena& workers_;
     std::shared_ptr<const trace::World> world_;
-    std::array<std::unique_ptr<render::Film>, 2> halves_;
+    Halves halves_;
 };
 
 /// Whether the error of a reference falls as expected; `history` has an entry per doubling of the samples.

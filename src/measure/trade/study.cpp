@@ -10,6 +10,7 @@
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
 #include "base/check_argument.h"
+#include "base/printable_text.h"
 #include "measure/statistics/deadline.h"
 #include "measure/trade/candidates.h"
 #include "measure/trade/content_hash.h"
@@ -111,6 +112,15 @@ bool TradeStudy::pilot() {
     return true;
 }
 
+void TradeStudy::loadReference(const std::string& file) {
+    try {
+        result_.reference.fromCache = reference_->load(file);
+    } catch (const InputError& error) {
+        result_.remarks.push_back(fmt::format("the cached reference {} was ignored: it {}",
+                                              base::quoted(file), error.diagnostic().message));
+    }
+}
+
 void TradeStudy::buildReference() {
     TradeReference& about = result_.reference;
     const double begin = elapsed(), end = begin + 0.5 * (request_.budgetSeconds - begin);
@@ -118,7 +128,7 @@ void TradeStudy::buildReference() {
                                                   world_.get(), request_.stop);
     const std::string file =
         request_.cacheFolder.empty() ? "" : request_.cacheFolder + "/" + reference_->contentHash() + ".films";
-    about.fromCache = !file.empty() && reference_->load(file);
+    if (!file.empty()) loadReference(file);
     double lastSeconds = 0.0;
     for (int target = std::max(4, 2 * reference_->samples()); target <= 1 << 20 && !stopped(); target *= 2) {
         reportProgress("reference");

@@ -29,6 +29,7 @@ class TradeStudy {
 
   private:
     bool pilot();
+    void loadReference(const std::string& file);
     void buildReference();
     void firstBlock();
     void laterBlocks();
