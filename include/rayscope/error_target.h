@@ -59,8 +59,8 @@ struct ErrorTargetRequest {
 };
 
 struct ErrorTargetResult {
-    RgbImage mean;  ///< of both halves, linear
-    std::shared_ptr<const trace::World> world;
+    RgbImage mean;                              ///< of both halves, linear
+    std::shared_ptr<const trace::World> world;  ///< null if it was stopped before the scene was compiled
     StopReason reason = StopReason::Reached;
     std::string text;  ///< one sentence: why it stopped, and the error
     ErrorEstimate estimate;

@@ -7,6 +7,7 @@
 #include "base/json_text.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/scene_options.h"
 #include "math/vectors.h"
 #include "measure/bench/bench.h"
@@ -170,14 +171,18 @@ measure::BenchRow benchScene(const std::string& name, const BenchCommandOptions&
 
 int runBenchCommand(const BenchCommandOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
+    OutputFiles files;
     for (const std::string& scene : options.scenes) {
         const measure::BenchRow row = benchScene(scene, options);
         print(row);
         base::flushOutput();
         rows.push_back(json(row));
+        if (options.jsonFile.empty()) continue;
+        // After each scene, so that an interrupt leaves what was measured.
+        files.write(options.jsonFile,
+                    [&] { base::writeFileAtomically(options.jsonFile, base::jsonText(rows)); });
     }
-    if (!options.jsonFile.empty()) base::writeFileAtomically(options.jsonFile, base::jsonText(rows));
-    return kSuccess;
+    return files.exitCode(kSuccess);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "base/console.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
+#include "cli/interrupt_stop_source.h"
 #include "cli/scene_options.h"
 #include "render/cast_rays.h"
 #include "render/thread_arena.h"
@@ -154,7 +154,7 @@ std::size_t raysOfNextStep(const CastCounts& counts) {
 
 int runCast(const CastOptions& options) {
     if (options.any && options.all) throw UsageError("--all", "cannot be combined with --any; choose one");
-    const InterruptGuard interrupt;
+    const InterruptStopSource interrupt;
     RayFile file(options.rays);
     base::AtomicFile output(options.output);
     RenderRequest request = openScene(options.scene, options.quiet, progressStyle("", options.quiet));
@@ -163,7 +163,8 @@ int runCast(const CastOptions& options) {
     render::ThreadArena arena(options.scene.threads);
     CastCounts counts;
     arena.run([&] {
-        const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1});
+        const auto world = trace::compile({request.scene, request.settings, request.camera, 1, 1}, nullptr,
+                                          interrupt.token());
         std::vector<Ray> rays;
         const auto cast = options.all ? castAll : options.any ? castAny : castClosest;
         while (!interrupt.interrupted() &&

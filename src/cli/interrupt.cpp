@@ -18,8 +18,8 @@ static_assert(std::atomic<int>::is_always_lock_free);
 void onInterrupt(int signal) {
     const bool isFirst = interruptCount.fetch_add(1) == 0;
     if (guards > 0 && isFirst) return;
+    if (guards > 0) endInterrupted();
     base::removeTemporaryFiles();
-    if (guards > 0) _exit(kInterrupted);
     // The default action ends the program with the status of the signal.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -45,5 +45,10 @@ InterruptGuard::InterruptGuard() {
 InterruptGuard::~InterruptGuard() { --guards; }
 
 bool InterruptGuard::interrupted() const { return interruptCount > 0; }
+
+void endInterrupted() noexcept {
+    base::removeTemporaryFiles();
+    _exit(kInterrupted);
+}
 
 }  // namespace rayscope::cli

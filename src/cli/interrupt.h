@@ -18,4 +18,7 @@ class InterruptGuard {
     bool interrupted() const;
 };
 
+/// Ends the program with exit code 130, without temporary files.
+[[noreturn]] void endInterrupted() noexcept;
+
 }  // namespace rayscope::cli

@@ -41,7 +41,7 @@ void showProgress(Progress& progress, double fraction, double remaining) {
 }
 
 int runLabCommand(const LabOptions& options) {
-    const InterruptStopSource interrupt;
+    InterruptStopSource interrupt;
     LabRequest request = requestOf(options);
     request.stop = interrupt.token();
     Progress progress(progressStyle(options.progress, options.quiet));
@@ -49,6 +49,7 @@ int runLabCommand(const LabOptions& options) {
         showProgress(progress, fraction, remaining);
     };
 
+    interrupt.keepResult("interrupted: the reports of the finished test points are written");
     const LabResult result = runLab(request);
     progress.clear();
     if (options.json)

@@ -5,11 +5,10 @@ namespace rayscope::cli {
 LoadProgress::LoadProgress(ProgressStyle style)
     : progress_(style),
       control_{.progress = [this](const std::string& step, double fraction) { show(step, fraction); },
-               .stop = {}} {}
+               .stop = interrupt_.token()} {}
 
 void LoadProgress::show(const std::string& step, double fraction) {
     constexpr double kQuietSeconds = 1.0, kInterval = 0.1;
-    if (interrupt_.interrupted()) throw Stopped();
     const auto secondsSince = [now = Clock::now()](Clock::time_point then) {
         return std::chrono::duration<double>(now - then).count();
     };

@@ -2,12 +2,13 @@
 #include <rayscope/scene.h>
 #include <chrono>
 
-#include "cli/interrupt.h"
+#include "cli/interrupt_stop_source.h"
 #include "cli/progress.h"
 
 namespace rayscope::cli {
 
-/// Shows the steps of a load that takes longer than a second, and ends it with Stopped at the first Ctrl+C.
+/// Shows the steps of a load that takes longer than a second, and ends it with Stopped at the first
+/// interrupt.
 class LoadProgress {
   public:
     explicit LoadProgress(ProgressStyle style);
@@ -18,7 +19,7 @@ class LoadProgress {
 
     void show(const std::string& step, double fraction);
 
-    InterruptGuard interrupt_;
+    InterruptStopSource interrupt_;
     Progress progress_;
     Clock::time_point start_ = Clock::now(), shown_ = start_;
     LoadControl control_;

@@ -107,6 +107,10 @@ void OutputFiles::write(const std::string& name, const std::function<void()>& wo
         base::printMessage("{}\n", error.what());
     } catch (const std::bad_alloc&) {
         base::printMessage("{}\n", toString({Severity::Error, "out of memory; cannot be written", {name}}));
+    } catch (const Stopped&) {
+        throw;
+    } catch (const std::exception& error) {
+        base::printMessage("{}\n", toString({Severity::Error, error.what(), {name}}));
     }
     failed_ = true;
 }

@@ -17,7 +17,7 @@ void checkDestinations(const OptionList& list);
 /// Writes several outputs: one that fails does not prevent the others.
 class OutputFiles {
   public:
-    /// Runs `work`. Prints the error if it throws InputError or runs out of memory while writing `name`.
+    /// Runs `work`. Prints the exception that it throws while writing `name`, except Stopped.
     void write(const std::string& name, const std::function<void()>& work);
     bool failed() const { return failed_; }
     /// kInputError if an output failed, else `code`.

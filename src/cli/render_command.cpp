@@ -4,7 +4,6 @@
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
 #include <rayscope/display.h>
-#include <rayscope/probe.h>
 #include <rayscope/render_image.h>
 #include <unistd.h>
 
@@ -19,15 +18,12 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
+#include "cli/non_finite_report.h"
 #include "cli/output_files.h"
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
-#include "math/vectors.h"
-#include "probe/non_finite.h"
-#include "render/film.h"
-#include "render/probe_command.h"
 #include "render/thread_arena.h"
 #include "trace/world.h"
 
@@ -129,10 +125,15 @@ void checkOptions(const RenderCommandOptions& options) {
         checkAovDestination(options, aovPath(options.outputs.front(), infoOf(aovNamed(name)).name));
 }
 
+/// Throws Stopped.
 void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
-               const ImageMetadata& metadata) {
+               const ImageMetadata& metadata, const std::stop_token& stop) {
     if (options.aovs.empty() || !image.world) return;
-    const std::vector<RgbImage> images = renderAovs(image, options.aovs, {options.scene.threads, {}});
+    std::vector<RgbImage> images;
+    files.write(aovPath(options.outputs.front(), options.aovs.front()), [&] {
+        images = renderAovs(image, options.aovs, {options.scene.threads, stop});
+    });
+    if (images.empty()) return;
     for (std::size_t i = 0; i < images.size(); ++i) {
         const std::string path = aovPath(options.outputs.front(), options.aovs[i]);
         files.write(path, [&] { writeImage(path, images[i], metadata); });
@@ -149,46 +150,6 @@ void writeImages(OutputFiles& files, const RenderCommandOptions& options, const 
             else
                 writeRenderedImage(output, image.mean, settings, metadata);
         });
-}
-
-/// The first sample of a pixel that is not finite, and why; sample 0 if each of them is finite.
-struct NonFiniteSample {
-    int index = 0;
-    std::string cause = "the sum of its samples overflows";
-};
-
-NonFiniteSample firstNonFiniteSample(const RenderedImage& image, glm::ivec2 pixel) {
-    int samples = image.status.samples;
-    if (image.film) image.film->sums(pixel.x, pixel.y, samples);
-    for (int index = 0; index < samples; ++index) {
-        const RayTree tree = probeSample(*image.world, image.request.seed, {pixel.x, pixel.y, index});
-        if (std::string cause = probe::causeOfNonFinite(tree, *image.world); !cause.empty())
-            return {index, cause};
-    }
-    return {};
-}
-
-/// Lists the pixels that are not finite, with the cause and the probe command of the first. Returns whether
-/// there are any.
-bool reportNonFinite(const RenderedImage& image) {
-    const RgbImage& mean = image.mean;
-    constexpr int kNamed = 8;
-    int count = 0;
-    std::string names;
-    glm::ivec2 first(0);
-    for (int y = 0; y < mean.height; ++y) {
-        for (int x = 0; x < mean.width; ++x) {
-            if (math::isFinite(mean.at(x, y))) continue;
-            if (count == 0) first = {x, y};
-            if (count++ < kNamed) names += fmt::format(" ({}, {})", x, y);
-        }
-    }
-    if (count == 0) return false;
-    const NonFiniteSample sample = firstNonFiniteSample(image, first);
-    base::printMessage("error: {} pixels are NaN or infinite:{}{}; in the first, {}; to inspect it: {}\n",
-                       count, names, count > kNamed ? " …" : "", base::printable(sample.cause),
-                       render::probeCommand(image.request, {first.x, first.y, sample.index}));
-    return true;
 }
 
 Rendered renderSamples(const RenderRequest& request, const RenderCommandOptions& options,
@@ -223,7 +184,7 @@ Rendered renderUntilAccurate(const RenderRequest& request, const RenderCommandOp
     image.status.elapsedSeconds = result.seconds;
     image.status.rays = result.rays;
     image.status.nonFiniteSamples = result.nonFiniteSamples;
-    image.status.buildSeconds = result.world->buildReport.seconds;
+    if (result.world) image.status.buildSeconds = result.world->buildReport.seconds;
     image.world = result.world;
     image.mean = std::move(result.mean);
     if (!options.quiet || result.reason != StopReason::Reached) rendered.message = result.text;
@@ -238,7 +199,7 @@ void writeStats(const RenderCommandOptions& options, const RenderedImage& image,
 }
 
 int runRender(const RenderCommandOptions& options) {
-    const InterruptStopSource interrupt;
+    InterruptStopSource interrupt;
     const auto start = std::chrono::steady_clock::now();
     checkOptions(options);
     RenderRequest request =
@@ -249,14 +210,21 @@ int runRender(const RenderCommandOptions& options) {
     }
     request.region = regionFor(options, request);
     request.keepBinaryTrees = false;
+    interrupt.keepResult(
+        "interrupted: the image so far is processed and written; a second interrupt ends the program without "
+        "it");
 
-    const Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
-                                                      : renderSamples(request, options, interrupt);
+    Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
+                                                : renderSamples(request, options, interrupt);
     const RenderedImage& image = rendered.image;
     const ImageMetadata metadata = metadataOf(request, image.status.samples);
     OutputFiles files;
     writeImages(files, options, image, metadata);
-    if (rendered.exitCode != kInterrupted) writeAovs(files, options, image, metadata);
+    try {
+        writeAovs(files, options, image, metadata, interrupt.token());
+    } catch (const Stopped&) {
+        rendered.exitCode = kInterrupted;
+    }
     files.write(options.statsFile, [&] {
         writeStats(options, image,
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

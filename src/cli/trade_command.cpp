@@ -69,7 +69,7 @@ void writeReports(OutputFiles& files, const TradeResult& result, const std::stri
 }
 
 int runTrade(const TradeOptions& options) {
-    const InterruptStopSource interrupt;
+    InterruptStopSource interrupt;
     TradeRequest request;
     request.render = openScene(options.scene, options.quiet, progressStyle(options.progress, options.quiet));
     request.budgetSeconds = options.budget;
@@ -80,6 +80,7 @@ int runTrade(const TradeOptions& options) {
     request.progress = [&](const TradeProgress& p) { showProgress(progress, p); };
 
     TradeResult result;
+    interrupt.keepResult("interrupted: the reports of the measurements so far are written");
     try {
         result = measureTrade(request);
     } catch (const Stopped&) {

@@ -17,24 +17,24 @@ bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::
     // Threads take tiles in order from one counter, for locality and an even load. The two counters also give
     // the thread sanitizer, which cannot see the synchronisation within TBB, the order of set-up, tasks and
     // return.
-    std::atomic<int> next, finished;
+    std::atomic<int> next, completed;
     next.store(0);
-    finished.store(0);
+    completed.store(0);
     const int tiles = film.tileCount();
     oneapi::tbb::parallel_for(
         oneapi::tbb::blocked_range<int>(0, tiles, 1),
         [&](const oneapi::tbb::blocked_range<int>& range) {
             for (int i = range.begin(); i != range.end(); ++i) {
                 const int tile = next.fetch_add(1);
-                if (!control.endsEarly())
+                const bool isComplete =
+                    !control.endsEarly() &&
                     renderTile(world, seed, film, tile, targetSamples[static_cast<std::size_t>(tile)],
                                control.stop, counters);
-                finished.fetch_add(1);
+                completed.fetch_add(isComplete ? 1 : 0);
             }
         },
         oneapi::tbb::simple_partitioner{});
-    finished.load();
-    return !control.endsEarly();
+    return completed.load() == tiles;
 }
 
 }  // namespace rayscope::render

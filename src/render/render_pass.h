@@ -16,7 +16,8 @@ struct PassControl {
 };
 
 /// Renders every tile of the film up to `targetSamples` on the threads of the calling arena. Returns false if
-/// it was stopped; the film is valid in either case, and a later pass continues it.
+/// tiles were left out or dropped because of a stop; the film is valid in either case, and a later pass
+/// continues it.
 bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int targetSamples,
                 const PassControl& control, RenderCounters& counters);
 

@@ -127,8 +127,7 @@ bool RenderSession::State::renderPasses(const RenderRequest& request, const rend
     }
     const std::scoped_lock guard(lock);
     status.elapsedSeconds += render::secondsSince(started);
-    // A stop that comes while the last tiles are in flight stops nothing.
-    return complete || film->completeSamples() >= wanted;
+    return complete;
 }
 
 }  // namespace rayscope

@@ -53,5 +53,29 @@ TEST(Interrupt, EndsTheLoadOfEveryCommand) {
     }
 }
 
+TEST(Interrupt, EndsALoadThatCannotBeStopped) {
+    const TemporaryFolder folder;
+    // Opening a pipe that nobody writes to blocks.
+    for (const char* arguments :
+         {"info s.toml", "render s.toml -o a.png", "cast s.toml --rays s.toml -o h"}) {
+        const ProgramResult result = run(
+            folder, std::string("rm -f s.toml; mkfifo s.toml; timeout --foreground --preserve-status -k 60 "
+                                "-s INT 1 '") +
+                        RAYSCOPE_PROGRAM + "' " + arguments);
+        EXPECT_EQ(result.exitCode, 130) << arguments << "\n" << result.err;
+    }
+}
+
+TEST(Interrupt, SaysSoIfTheImageStillTakesLong) {
+    const TemporaryFolder folder;
+    const ProgramResult result =
+        run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
+                        "' render builtin:triangle --size 3000x3000 --spp 1000000 --set bloom=true --set "
+                        "bloom_size=60 -o a.ppm");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("interrupted: the image so far is processed and written"));
+    EXPECT_EQ(readImage(folder / "a.ppm").width, 3000);
+}
+
 }  // namespace
 }  // namespace rayscope

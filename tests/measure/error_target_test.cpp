@@ -249,6 +249,18 @@ TEST(ErrorTarget, ReportsTheStopReason) {
     EXPECT_EQ(renderToTarget(request).reason, StopReason::Interrupted);
 }
 
+TEST(ErrorTarget, AStopWhileTheSceneIsCompiledGivesABlackImage) {
+    ErrorTargetRequest request = targetRequest("builtin:cornell", 32, 0.01);
+    std::stop_source stop;
+    stop.request_stop();
+    request.stop = stop.get_token();
+    const ErrorTargetResult result = renderToTarget(request);
+    EXPECT_EQ(result.reason, StopReason::Interrupted);
+    EXPECT_THAT(result.text, HasSubstr("interrupted before its error could be estimated"));
+    EXPECT_EQ(result.world, nullptr);
+    EXPECT_EQ(result.mean.pixels, RgbImage(32, 32, Rgb(0.0f)).pixels);
+}
+
 TEST(ErrorTarget, ForecastsRemainingTimeAndErrorAtTheTimeLimit) {
     ErrorTargetRequest request = targetRequest("builtin:cornell-area", 48, 0.0008);
     request.timeLimit = 1000.0;

@@ -44,6 +44,8 @@ class TargetRender {
     ErrorTargetResult run();
 
   private:
+    void compile();
+    void renderSamples();
     void pilot();
     bool extendTo(int samples);
     void estimate(int samples);
@@ -53,6 +55,9 @@ class TargetRender {
     double secondsPerSample() const;
     ErrorForecast forecast() const;
     void finish(StopReason reason);
+    StopReason reasonOfStop() const {
+        return request_.stop.stop_requested() ? StopReason::Interrupted : StopReason::TimeLimit;
+    }
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     const ErrorTargetRequest& request_;
@@ -85,22 +90,37 @@ TargetRender::TargetRender(const ErrorTargetRequest& request)
     render::setCrashContext(render::crashContextOf(render));
     limit_ =
         std::make_unique<measure::Deadline>(request.timeLimit > 0.0 ? request.timeLimit : 1e8, request.stop);
-    trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width, render.height};
-    if (sampling::dependsOnSampleCount(compiled.settings.sampler))
+    if (sampling::dependsOnSampleCount(render.settings.sampler))
         throw InputError(
             "the jittered sampler needs a fixed number of samples; use sampler=sobol with --target-error");
-    result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, request.stop); });
     halves_ = std::make_unique<measure::HalfFilms>(render.width, render.height, region_);
 }
 
 ErrorTargetResult TargetRender::run() {
+    try {
+        compile();
+        renderSamples();
+    } catch (const Stopped&) {  // while compiling
+        finish(reasonOfStop());
+    }
+    return std::move(result_);
+}
+
+void TargetRender::compile() {
+    const RenderRequest& render = request_.render;
+    const trace::CompileRequest compiled{render.scene, render.settings, render.camera, render.width,
+                                         render.height};
+    result_.world = workers_.run([&] { return trace::compile(compiled, nullptr, limit_->token()); });
+}
+
+void TargetRender::renderSamples() {
     if (request_.adaptive) pilot();
     timed_.emplace_back(0.0, elapsed());
     for (int samples = kFirstEstimate;; samples = measure::roundUpSampleCount(samples + 1)) {
         const int most = std::max(kFirstEstimate, request_.maxSamples / 2);
         samples = std::min(samples, most);
         if (!extendTo(samples)) {
-            finish(request_.stop.stop_requested() ? StopReason::Interrupted : StopReason::TimeLimit);
+            finish(reasonOfStop());
             break;
         }
         estimate(samples);
@@ -113,7 +133,6 @@ ErrorTargetResult TargetRender::run() {
             break;
         }
     }
-    return std::move(result_);
 }
 
 /// Measures the noise of each tile with samples that are then discarded, so that the number of samples of a
