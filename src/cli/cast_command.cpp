@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <chrono>
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
+#include <cstddef>
 
 #include "base/atomic_file.h"
 #include "base/console.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/interrupt_stop_source.h"
+#include "cli/ray_file.h"
 #include "cli/scene_options.h"
 #include "render/cast_rays.h"
 #include "render/thread_arena.h"
@@ -23,59 +21,14 @@ namespace rayscope::cli {
 
 namespace {
 
-// The records of the files have the memory layout of the structs.
-static_assert(sizeof(Ray) == 32 && offsetof(Ray, direction) == 12 && offsetof(Ray, tMin) == 24);
+// The records of the file have the memory layout of the struct.
 static_assert(sizeof(Hit) == 16 && offsetof(Hit, primitive) == 4 && offsetof(Hit, u) == 8);
-static_assert(std::endian::native == std::endian::little, "ray files are little-endian");
-
-/// Rays per step: 32 MiB in, at most 16 MiB out, unless a ray has more than one hit.
-constexpr std::size_t kRaysPerStep = std::size_t{1} << 20;
+static_assert(std::endian::native == std::endian::little, "files of hits are little-endian");
 
 struct CastOptions {
     SceneOptions scene;
     std::string rays, output;
     bool any = false, all = false, quiet = false;
-};
-
-/// A ray file, read in steps.
-class RayFile {
-  public:
-    explicit RayFile(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "rb")) {
-        std::error_code ignored;
-        if (std::filesystem::is_directory(path, ignored))
-            throw InputError("is a folder, not a ray file", {path});
-        if (!file_) throw InputError("cannot be read: " + std::generic_category().message(errno), {path});
-        const auto size = std::filesystem::file_size(path, ignored);
-        if (!ignored && size % sizeof(Ray) != 0) throwMalformed(size);
-    }
-    RayFile(const RayFile&) = delete;
-    RayFile& operator=(const RayFile&) = delete;
-    ~RayFile() {
-        if (file_) std::fclose(file_);
-    }
-
-    /// Reads up to `count` rays, fewer at the end of the file. Returns false if there are none.
-    bool next(std::vector<Ray>& rays, std::size_t count) {
-        rays.resize(count);
-        const std::size_t bytes = std::fread(rays.data(), 1, count * sizeof(Ray), file_);
-        if (std::ferror(file_)) throw InputError("read error", {path_});
-        read_ += bytes;
-        if (bytes % sizeof(Ray) != 0) throwMalformed(read_);
-        rays.resize(bytes / sizeof(Ray));
-        return !rays.empty();
-    }
-
-  private:
-    [[noreturn]] void throwMalformed(std::uintmax_t size) const {
-        throw InputError(
-            fmt::format("not a ray file: its size of {} bytes is not a multiple of 32 (8 little-endian "
-                        "float32: origin xyz, direction xyz, tMin, tMax)",
-                        size),
-            {path_});
-    }
-    std::string path_;
-    std::FILE* file_;
-    std::uintmax_t read_ = 0;
 };
 
 struct CastCounts {
@@ -149,7 +102,8 @@ std::uint64_t castAll(const trace::World& world, std::span<const Ray> rays, base
 std::size_t raysOfNextStep(const CastCounts& counts) {
     if (counts.rays == 0) return 1024;
     const double hitsPerRay = static_cast<double>(counts.hits) / static_cast<double>(counts.rays);
-    return static_cast<std::size_t>(std::max(1.0, static_cast<double>(kRaysPerStep) / (2.0 + hitsPerRay)));
+    return static_cast<std::size_t>(
+        std::max(1.0, static_cast<double>(RayFile::kRaysPerStep) / (2.0 + hitsPerRay)));
 }
 
 int runCast(const CastOptions& options) {
@@ -168,7 +122,7 @@ int runCast(const CastOptions& options) {
         std::vector<Ray> rays;
         const auto cast = options.all ? castAll : options.any ? castAny : castClosest;
         while (!interrupt.interrupted() &&
-               file.next(rays, options.all ? raysOfNextStep(counts) : kRaysPerStep)) {
+               file.next(rays, options.all ? raysOfNextStep(counts) : RayFile::kRaysPerStep)) {
             counts.hits += cast(*world, rays, output, counts.seconds);
             counts.rays += rays.size();
         }
