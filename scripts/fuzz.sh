@@ -1,64 +1,53 @@
 #!/usr/bin/env bash
 # scripts/fuzz.sh [SECONDS [TARGET…]]: builds the fuzzers of tests/fuzz with Clang and runs each for SECONDS seconds (default
-# 60), on all processors. Without targets it runs all of them: png jpeg bmp tga hdr pfm pnm exr obj mtl ply stl gltf scene settings
-# films. Inputs that extended the coverage are kept in build/fuzz/corpus and used again by the next run; inputs that fail are
-# kept in build/fuzz/failures. The exit status is 1 if there are any.
+# 60), on all processors, or on JOBS of them. Without targets it runs all of tests/fuzz/targets.cpp. A line per target
+# tells how many inputs were tried and what they covered. Inputs that extended the coverage are kept in build/fuzz/corpus and
+# used again by the next run; inputs that fail are kept in build/fuzz/failures. The exit status is 1 if there are any. The
+# targets that trace rays are tried by corpus_test alone, because Clang does not compile the kernels.
+#
+# scripts/fuzz.sh --store: replaces the stored corpus, tests/fuzz/corpus, by the fewest inputs of build/fuzz/corpus and of the
+# stored one that together cover the same, the smallest first, up to 40 kB per target.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-seconds=${1:-60}
+stored=$root/tests/fuzz/corpus corpus=$root/build/fuzz/corpus failures=$root/build/fuzz/failures
+programs=$root/build/fuzz/tests/fuzz
+mapfile -t known < <(sed '/^#ifndef/,/^#endif/d' "$root/tests/fuzz/targets.cpp" | grep -oP '\{"\K[a-z]+(?=", fuzz)')
+listed() { [[ " ${known[*]} " == *" $1 "* ]]; }
+
+store=
+[[ ${1:-} != --store ]] || { store=yes; shift; }
+seconds=60
+if [[ -z $store && $# -gt 0 ]]; then
+    seconds=$1
+    shift
+fi
 [[ $seconds =~ ^[0-9]+$ ]] || fail "expected a number of seconds, got '$seconds'"
-shift || true
+jobs=${JOBS:-$(nproc)}
+[[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "JOBS: expected a number of processors, got '$jobs'"
 targets=("$@")
-((${#targets[@]})) || targets=(png jpeg bmp tga hdr pfm pnm exr obj mtl ply stl gltf scene settings films)
+((${#targets[@]})) || targets=("${known[@]}")
+for target in "${targets[@]}"; do listed "$target" || fail "unknown target '$target'; expected one of: ${known[*]}"; done
 
 install_packages "${build_packages[@]}" "${fuzz_packages[@]}"
-build fuzz "${targets[*]/#/fuzz_}"
-
-corpus=$root/build/fuzz/corpus failures=$root/build/fuzz/failures
+build fuzz 'fuzzer exr_seeds'
 mkdir -p "$failures"
+python3 "$root/tests/fuzz/make_seeds.py" "$corpus"
+"$programs/exr_seeds" "$corpus/exr"
 
-# seed_image TARGET: small images of the kinds that ImageMagick writes.
-seed_image() {
-    local folder=$corpus/$1 depth colours
-    case $1 in
-        png) colours=(PNG8: PNG24: PNG32: PNG48:) ;;
-        bmp) colours=(BMP: BMP2: BMP3:) ;;
-        pnm) colours=(PBM: PGM: PPM:) ;;
-        exr) colours=(EXR:) ;;
-        *) colours=("${1^^}:") ;;
-    esac
-    for depth in 8 16; do
-        for kind in "${colours[@]}"; do
-            convert -size 7x5 gradient:red-blue -depth "$depth" "$kind$folder/$depth-${kind%:}" 2>/dev/null || true
-            convert -size 7x5 gradient: -colorspace Gray -depth "$depth" -compress RLE "$kind$folder/grey-$depth-${kind%:}" \
-                2>/dev/null || true
-            convert -size 3x9 plasma: -interlace Plane -compress None "$kind$folder/plain-$depth-${kind%:}" 2>/dev/null || true
-        done
-    done
-}
-
-# seed TARGET: the files from which the mutations start.
-seed() {
-    mkdir -p "$corpus/$1"
-    case $1 in
-        scene) cp "$root"/scenes/*.toml "$corpus/$1" ;;
-        obj | mtl) cp "$root"/scenes/*."$1" "$corpus/$1" 2>/dev/null || true ;;
-        settings) printf 'spp=4' >"$corpus/$1/spp" ;;
-        png | jpeg | bmp | tga | hdr | pfm | pnm | exr) seed_image "$1" ;;
-    esac
-}
+# last NAME LOG: the last number that libFuzzer printed behind this name.
+last() { grep -oP "\b$1: \K[0-9]+" "$2" | tail -n 1; }
 
 # run TARGET: prints the totals of libFuzzer; its last lines if an input failed.
 run() {
-    local target=$1 log dictionary=$root/tests/fuzz/dictionaries/$1.dict options=()
+    local target=$1 log=$failures/$1.log dictionary=$root/tests/fuzz/dictionaries/$1.dict options=()
     [[ ! -f $dictionary ]] || options+=("-dict=$dictionary")
-    log=$failures/$target.log
-    if "$root/build/fuzz/tests/fuzz/fuzz_$target" "$corpus/$target" -max_total_time="$seconds" -timeout=10 \
-        -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="$failures/$target-" "${options[@]}" >"$log" 2>&1; then
-        printf '%-9s %s executions, coverage %s\n' "$target" \
-            "$(grep -oP 'number_of_executed_units: \K.*' "$log")" "$(grep -oP 'cov: \K[0-9]+' "$log" | tail -n 1)"
+    mkdir -p "$corpus/$target" "$stored/$target"
+    if "$programs/fuzz_$target" "$corpus/$target" "$stored/$target" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=4096 \
+        -print_final_stats=1 -close_fd_mask=1 -artifact_prefix="$failures/$target-" "${options[@]}" >"$log" 2>&1; then
+        printf '%-9s %s executions, %s edges, %s features\n' "$target" \
+            "$(grep -oP 'number_of_executed_units: \K.*' "$log")" "$(last cov "$log")" "$(last ft "$log")"
         rm "$log"
     else
         printf '%-9s failed:\n' "$target"
@@ -67,7 +56,26 @@ run() {
     fi
 }
 
-for target in "${targets[@]}"; do seed "$target"; done
-export -f run
-export root corpus failures seconds
-printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I '{}' bash -c 'run {}'
+# keep TARGET: the stored corpus of a target.
+keep() {
+    local target=$1 merged size total=0 file
+    merged=$(mktemp -d)
+    "$programs/fuzz_$target" -merge=1 -close_fd_mask=3 "$merged" "$stored/$target" "$corpus/$target" 2>/dev/null ||
+        fail "$target: the inputs could not be merged"
+    rm -rf "${stored:?}/$target"
+    mkdir -p "$stored/$target"
+    while read -r size file; do
+        ((total += size + 100, total <= 40000)) || break
+        cp "$file" "$stored/$target/$(basename "$file" | cut -c 1-12)"
+    done < <(find "$merged" -type f -printf '%s %p\n' | sort -n)
+    printf '%-9s %s inputs\n' "$target" "$(find "$stored/$target" -type f | wc -l)"
+    rm -rf "$merged"
+}
+
+if [[ -n $store ]]; then
+    for target in "${targets[@]}"; do keep "$target"; done
+    exit
+fi
+export -f run last
+export root stored corpus failures seconds programs
+printf '%s\n' "${targets[@]}" | xargs -P "$jobs" -I '{}' bash -c 'run {}'

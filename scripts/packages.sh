@@ -23,4 +23,5 @@ optional_packages=(
 )
 
 # What scripts/fuzz.sh needs besides build_packages.
-fuzz_packages=(clang imagemagick)
+fuzz_packages=(clang imagemagick libopenexr-dev python3)
+

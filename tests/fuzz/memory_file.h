@@ -1,35 +1,32 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
+
+#include "fuzz/targets.h"
+#include "support/temporary_folder.h"
 
 namespace rayscope::test {
 
-/// A folder in memory with one file, for parsers that read paths.
+/// A file in a folder of its own, for parsers that read paths; in memory where the system has such a folder.
 class MemoryFile {
   public:
-    explicit MemoryFile(const std::string& name) {
-        std::string folder = "/dev/shm/rayscope-fuzz-XXXXXX";
-        if (!::mkdtemp(folder.data())) std::abort();
-        folder_ = folder;
-        path_ = folder + "/" + name;
-    }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-    ~MemoryFile() { std::filesystem::remove_all(folder_); }
+    explicit MemoryFile(std::string_view name) : path_(folder_.file(name)) {}
 
-    const std::string& write(const std::uint8_t* data, std::size_t size) const {
+    const std::string& path() const { return path_; }
+    const TemporaryFolder& folder() const { return folder_; }
+
+    /// Returns the path.
+    const std::string& write(FuzzInput input) const {
         std::ofstream(path_, std::ios::binary)
-            .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+            .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
         return path_;
     }
 
   private:
-    std::string folder_, path_;
+    TemporaryFolder folder_;
+    std::string path_;
 };
 
 }  // namespace rayscope::test
