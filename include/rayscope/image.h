@@ -10,6 +10,9 @@
 
 namespace rayscope {
 
+/// Throws OutOfMemory (memory.h) unless there is memory for an image of this size.
+void requireImageMemory(int width, int height, std::size_t bytesPerPixel);
+
 /// A rectangle of pixels, row by row from the top left corner; pixels.size() == width * height.
 template <class Pixel>
 struct Image {
@@ -18,9 +21,10 @@ struct Image {
     std::vector<Pixel> pixels;
 
     Image() = default;
-    /// Throws std::invalid_argument if the width or height is negative.
+    /// Throws std::invalid_argument if the width or height is negative, and OutOfMemory (memory.h).
     Image(int w, int h, Pixel fill = Pixel{}) : width(w), height(h) {
         if (w < 0 || h < 0) throw std::invalid_argument("image: negative width or height");
+        requireImageMemory(w, h, sizeof(Pixel));
         pixels.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), fill);
     }
 
@@ -59,7 +63,7 @@ inline constexpr long long kMaxImagePixels = 1LL << 28;
 /// content, and docs/formats.md lists what is read of each. Integer samples are decoded with the sRGB curve,
 /// unless the file states another one; alpha is ignored. Appends to `notes`, unless it is null, what was
 /// ignored or approximated and what is odd about the file. Throws InputError if the file is missing, empty,
-/// damaged, in another format or larger than kMaxImagePixels.
+/// damaged, in another format or larger than kMaxImagePixels, and OutOfMemory (memory.h).
 RgbImage readImage(const std::string& path, Diagnostics* notes = nullptr);
 
 /// readImage() for a file in memory; `name` is its name in messages.

@@ -5,6 +5,7 @@
 #include <rayscope/vector.h>
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,8 +60,10 @@ struct RayTree {
     RgbSum radiance{0.0};
 };
 
-/// Traces one sample again with a recorder: the code of the render, with the same bits.
-RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name);
+/// Traces one sample again with a recorder: the code of the render, with the same bits. Throws Stopped
+/// (diagnostics.h) on a stop request, and OutOfMemory (memory.h) for a sample with too many rays.
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name,
+                    const std::stop_token& stop = {});
 
 /// The radiance along each segment of the tree: the contributions of its vertex and all later ones, divided
 /// by its throughput (0 where that is 0). Indexed like `nodes`.
@@ -81,9 +84,11 @@ struct ReplayResult {
     std::vector<RgbSum> values;  ///< of the samples
     bool good() const { return matchesFilm && sumMatches; }
 };
-/// `beforeSample`, if given, is called before each sample and may throw to stop.
+/// `beforeSample`, if given, is called before each sample and may throw to stop. `stop` is checked within
+/// samples, too, and throws Stopped.
 ReplayResult verifyReplay(const trace::World& world, const render::Film& film, std::uint64_t seed, int x,
-                          int y, const std::function<void()>& beforeSample = {});
+                          int y, const std::function<void()>& beforeSample = {},
+                          const std::stop_token& stop = {});
 
 /// The tree as indented text and as JSON.
 std::string toText(const RayTree& tree, const trace::World& world);

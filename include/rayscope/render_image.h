@@ -9,9 +9,9 @@
 namespace rayscope {
 
 struct RenderOptions {
-    int threads = 0;                                    ///< 0: one per core
-    double timeLimit = 0.0;                             ///< seconds, compilation included; 0: none
-    std::stop_token stop;                               ///< stops after the tiles in flight
+    int threads = 0;         ///< 0: one per core
+    double timeLimit = 0.0;  ///< seconds, compilation included; 0: none
+    std::stop_token stop;    ///< stops after the tiles in flight that end within half a second
     std::function<void(const RenderStatus&)> progress;  ///< called about 20 times per second and at the end
 };
 
@@ -30,7 +30,7 @@ struct RenderedImage {
 };
 
 /// Renders until all samples are computed, the time limit is reached or a stop is requested, and blocks until
-/// then. Throws InputError if the scene cannot be rendered.
+/// then. Throws InputError if the scene cannot be rendered, and OutOfMemory (memory.h).
 RenderedImage renderImage(const RenderRequest& request, const RenderOptions& options = {});
 
 /// Compiles the scene of the request for probes, without rendering. Throws InputError.

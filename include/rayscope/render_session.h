@@ -57,6 +57,7 @@ struct RenderStatus {
     std::uint64_t rays = 0;              ///< traced for the current film, of all kinds
     std::uint64_t nonFiniteSamples = 0;  ///< NaN or infinite; they are part of the film
     std::string message;                 ///< the error, if the state is Failed
+    bool outOfMemory = false;            ///< whether it failed for lack of memory
 };
 
 /// One tile: the mean of each pixel so far, linear.
@@ -86,7 +87,7 @@ class RenderSession {
     void resume();
     /// Drops the tiles in flight; the film stays, and a later submit() of the same request continues it.
     void cancel();
-    /// Like cancel(), but completes the tiles in flight.
+    /// Like cancel(), but completes the tiles in flight that end within half a second.
     void finishTiles();
 
     RenderStatus status() const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
+
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
@@ -19,6 +21,7 @@ std::align_val_t alignmentFor(std::size_t bytes) {
 }  // namespace
 
 void* allocateBig(std::size_t bytes) {
+    requireMemory(bytes, "a smaller scene", "a BVH or another large array");
     // A last huge page that is at least 7/8 used is allocated whole.
     const std::size_t inHugePages = (bytes + kHugePage / 8) / kHugePage * kHugePage;
     void* const memory = ::operator new(std::max(bytes, inHugePages), alignmentFor(bytes));

@@ -9,7 +9,8 @@
 namespace rayscope::base {
 
 /// Allocates memory aligned to a cache line, from two megabytes on in huge pages where the system has them:
-/// fewer page faults, and fewer TLB misses than with 4 KiB pages. Throws std::bad_alloc.
+/// fewer page faults, and fewer TLB misses than with 4 KiB pages. Throws
+/// std::bad_alloc, and OutOfMemory beyond the memory limit.
 void* allocateBig(std::size_t bytes);
 void freeBig(void* memory, std::size_t bytes) noexcept;
 

@@ -7,10 +7,15 @@
 #include <filesystem>
 #include <system_error>
 
+#include "base/memory_budget.h"
+#include "base/printable_text.h"
+
 namespace rayscope::base {
 
 namespace {
 [[noreturn]] void throwCannotRead(const std::string& path, int error) {
+    // Readers that go on without a file, such as a texture, must not do so for lack of memory.
+    if (error == ENOMEM) throwOutOfMemoryWhile("reading " + printable(path), "a smaller scene");
     throw InputError("cannot be read: " + std::generic_category().message(error), {path});
 }
 }  // namespace
@@ -35,9 +40,12 @@ std::string readFile(const std::string& path, const ReadProgress& progress) {
     std::string bytes;
     const auto expected = std::filesystem::file_size(path, unknownSize);
     const std::uintmax_t size = unknownSize ? 0 : expected;
+    requireMemory(size, "a smaller file", "the file {}", printable(path));
     bytes.reserve(size);
     char block[1 << 16];
     while (const std::size_t count = readBytes(file.get(), path, block, sizeof block)) {
+        if (bytes.capacity() - bytes.size() < count)
+            requireMemory(2 * bytes.capacity(), "a smaller file", "the file {}", printable(path));
         bytes.append(block, count);
         if (progress) progress(bytes.size(), size);
     }

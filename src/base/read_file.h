@@ -11,8 +11,8 @@ namespace rayscope::base {
 /// to end the reading.
 using ReadProgress = std::function<void(std::uintmax_t done, std::uintmax_t total)>;
 
-/// All bytes of a file or pipe. Throws InputError with the path and the reason. `progress` is called for each
-/// block.
+/// All bytes of a file or pipe. Throws InputError with the path and the reason, and OutOfMemory. `progress`
+/// is called for each block.
 std::string readFile(const std::string& path, const ReadProgress& progress = {});
 
 struct CloseFile {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "base/check_argument.h"
+#include "base/memory_budget.h"
 #include "bvh/builders/build.h"
 #include "bvh/builders/refit.h"
 #include "bvh/isa.h"
@@ -41,6 +42,9 @@ struct Accel::State {
 
 namespace {
 
+/// Memory that every builder needs per primitive; docs/bvh.md has the figures.
+constexpr std::uint64_t kPeakBytes = 100;
+
 template <class Enum>
 void checkEnumerator(Enum value, Enum last, std::string_view name) {
     base::checkArgument(value >= Enum{} && value <= last, "{} is enumerator {}; expected 0 … {}", name,
@@ -73,6 +77,9 @@ Accel Accel::build(const AccelInput& input, const BuildSettings& settings) {
     state.settings.stop = {};
     checkEnumerators(settings);
     const bvh::kernel::Kernels& kernels = bvh::kernelsFor(settings.isa);
+    bvh::checkPrimitiveCount(input);
+    const std::size_t primitives = input.triangles.size() + input.spheres.size();
+    base::requireMemory(kPeakBytes * primitives, "a smaller scene", "the BVH of {} primitives", primitives);
     state.tree = bvh::buildBinaryTree(input, settings);
     state.summary = {.binaryNodes = state.tree.nodes.size(),
                      .binaryLevels = state.tree.levels,

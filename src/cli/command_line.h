@@ -103,7 +103,7 @@ class OptionList {
 struct Command {
     std::string_view name, summary;
     /// Adds the options and returns the function that runs the command with what they were set to; its result
-    /// is the exit code.
+    /// is the exit code. The list must outlive the function.
     std::function<int()> (*setUp)(OptionList& options);
 };
 

@@ -1,27 +1,43 @@
 #include "cli/commands.h"
 
+#include <memory>
+
 #include "cli/command_line.h"
+#include "cli/memory_option.h"
 
 namespace rayscope::cli {
 
 namespace {
 
+/// The options of a command and --memory-limit, for commands that allocate by their input.
+template <CommandSetUp* setUp, bool opensWindow = false>
+std::function<int()> limited(OptionList& list) {
+    std::function<int()> run = setUp(list);
+    auto memory = std::make_shared<MemoryOption>();
+    memory->addTo(list);
+    return [run = std::move(run), memory = std::move(memory), &list] {
+        memory->apply(list, opensWindow);
+        return run();
+    };
+}
+
 constexpr Command kCommands[] = {
 #ifdef RAYSCOPE_VIEWER
-    {"view", "Open the window (the default command)", setUpView},
+    {"view", "Open the window (the default command)", limited<setUpView, true>},
 #endif
-    {"render", "Render a scene to an image file", setUpRender},
-    {"probe", "Print the ray tree of a pixel, its BVH traversals and a diagnosis", setUpProbe},
-    {"info", "Print the contents, the requirements and the lint findings of a scene", setUpInfo},
+    {"render", "Render a scene to an image file", limited<setUpRender>},
+    {"probe", "Print the ray tree of a pixel, its BVH traversals and a diagnosis", limited<setUpProbe>},
+    {"info", "Print the contents, the requirements and the lint findings of a scene", limited<setUpInfo>},
     {"bench", "Measure build time, rays per second and memory, compared with Embree where it is installed",
-     setUpBench},
-    {"cast", "Trace a file of rays", setUpCast},
+     limited<setUpBench>},
+    {"cast", "Trace a file of rays", limited<setUpCast>},
     {"trade",
      "Measure rendering time against error on this scene, parameter by parameter, and recommend settings for "
      "several time budgets",
-     setUpTrade},
-    {"lab", "Test numerical robustness: many scales and offsets, compared with exact arithmetic", setUpLab},
-    {"compare", "Measure the error of an image against a reference image", setUpCompare},
+     limited<setUpTrade>},
+    {"lab", "Test numerical robustness: many scales and offsets, compared with exact arithmetic",
+     limited<setUpLab>},
+    {"compare", "Measure the error of an image against a reference image", limited<setUpCompare>},
     {"settings", "List every setting: name, meaning, unit, range, default", setUpSettings},
 };
 

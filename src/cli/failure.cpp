@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/console.h"
+#include "base/memory_budget.h"
 #include "base/temporary_files.h"
 #include "cli/commands.h"
 
@@ -29,8 +30,10 @@ void printError(std::string_view text) noexcept {
 }
 
 // No allocation: there may be no memory left.
-void printOutOfMemory() noexcept {
-    base::writeMessage("error: out of memory; try a smaller --size or a smaller scene\n");
+void printOutOfMemory(const std::bad_alloc& error) noexcept {
+    base::writeMessage("error: ");
+    base::writeMessage(base::messageOf(error));
+    base::writeMessage("\n");
 }
 
 void printNoThread() noexcept {
@@ -64,10 +67,10 @@ int reportFailure() noexcept {
     } catch (const InputError& error) {
         base::writeMessage(error.what());
         base::writeMessage("\n");
-    } catch (const std::bad_alloc&) {
-        printOutOfMemory();
+    } catch (const std::bad_alloc& error) {
+        printOutOfMemory(error);
     } catch (const std::length_error&) {  // of a vector that no memory could hold
-        printOutOfMemory();
+        printOutOfMemory({});
     } catch (const Stopped&) {
         return kInterrupted;
     } catch (const std::system_error& error) {

@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/console.h"
 #include "base/file_suffix.h"
+#include "base/memory_budget.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
 
@@ -105,8 +106,8 @@ void OutputFiles::write(const std::string& name, const std::function<void()>& wo
         return work();
     } catch (const InputError& error) {
         base::printMessage("{}\n", error.what());
-    } catch (const std::bad_alloc&) {
-        base::printMessage("{}\n", toString({Severity::Error, "out of memory; cannot be written", {name}}));
+    } catch (const std::bad_alloc& error) {
+        base::printMessage("{}\n", toString({Severity::Error, base::messageOf(error), {name}}));
     } catch (const Stopped&) {
         throw;
     } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/check_argument.h"
+#include "base/memory_budget.h"
 #include "base/nearest_name.h"
 #include "math/vectors.h"
 #include "probe/sample_cost.h"
@@ -115,6 +116,10 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
                             region.y0 >= 0 && region.y0 <= region.y1 && region.y1 <= world.height,
                         "region is outside the image");
     base::checkArgument(request.samples >= 1, "samples is {}; expected at least 1", request.samples);
+    base::requireMemory(wanted.size() * static_cast<std::uint64_t>(world.width) *
+                            static_cast<std::uint64_t>(world.height) * sizeof(Rgb),
+                        "fewer AOVs, a smaller image (--size)", "{} AOVs of {} x {} pixels", wanted.size(),
+                        world.width, world.height);
     std::vector<RgbImage> images(wanted.size(), RgbImage(world.width, world.height));
     const auto wants = [&](auto&& condition) { return std::any_of(wanted.begin(), wanted.end(), condition); };
     const bool surface = wants(isOfSurface);
@@ -125,7 +130,7 @@ std::vector<RgbImage> renderAovs(const AovRequest& request, std::span<const Aov>
             if (request.stop.stop_requested()) return;
             const auto at = surface ? surfaceAt(world, x, y) : std::nullopt;
             const probe::SampleCost cost =
-                costs ? probe::costAt(world, request.seed, x, y, request.samples, counted)
+                costs ? probe::costAt(world, request.seed, x, y, request.samples, counted, request.stop)
                       : probe::SampleCost{};
             for (std::size_t i = 0; i < wanted.size(); ++i)
                 images[i].at(x, y) = isOfSurface(wanted[i]) ? surfaceValue(world, at, wanted[i])

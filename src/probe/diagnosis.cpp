@@ -38,8 +38,8 @@ std::string toText(const Diagnosis& diagnosis) {
 int samplesToDiagnose(const Settings& settings) { return std::min(settings.spp, 64); }
 
 std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
-                                     const std::function<void()>& beforeSample) {
-    const PixelEvidence pixel = gatherEvidence(world, seed, x, y, samples, beforeSample);
+                                     const std::function<void()>& beforeSample, const std::stop_token& stop) {
+    const PixelEvidence pixel = gatherEvidence(world, seed, x, y, samples, beforeSample, stop);
     std::vector<Diagnosis> all;
     const auto add = [&](std::optional<Diagnosis> found) {
         if (found) all.push_back(std::move(*found));

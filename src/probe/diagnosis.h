@@ -2,6 +2,7 @@
 // Reasons for a pixel being black, bright, noisy, slow or not a number, from its recorded rays.
 #include <rayscope/probe.h>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,9 @@ int samplesToDiagnose(const Settings& settings);
 
 /// The symptoms of a pixel in its first `samples` samples, the most severe first; empty if there are none. A
 /// cause that the rays do not prove is Cause::Unknown. `beforeSample`, if given, is called before each sample
-/// and may throw to stop.
+/// and may throw to stop. `stop` is checked within samples, too, and throws Stopped.
 std::vector<Diagnosis> diagnosePixel(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
-                                     const std::function<void()>& beforeSample = {});
+                                     const std::function<void()>& beforeSample = {},
+                                     const std::stop_token& stop = {});
 
 }  // namespace rayscope::probe

@@ -14,12 +14,12 @@
 namespace rayscope::probe {
 
 PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
-                             const std::function<void()>& beforeSample) {
+                             const std::function<void()>& beforeSample, const std::stop_token& stop) {
     PixelEvidence pixel{world, seed, {}, {}};
     std::vector<RgbSum> values;
     for (int index = 0; index < samples; ++index) {
         if (beforeSample) beforeSample();
-        pixel.trees.push_back(probeSample(world, seed, {x, y, index}));
+        pixel.trees.push_back(probeSample(world, seed, {x, y, index}, stop));
         values.push_back(pixel.trees.back().radiance);
     }
     pixel.statistics = statisticsOf(values);

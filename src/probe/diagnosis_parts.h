@@ -16,7 +16,7 @@ struct PixelEvidence {
     SampleStatistics statistics;
 };
 PixelEvidence gatherEvidence(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
-                             const std::function<void()>& beforeSample);
+                             const std::function<void()>& beforeSample, const std::stop_token& stop);
 
 std::optional<Diagnosis> diagnoseNonFinite(const PixelEvidence& pixel);
 std::optional<Diagnosis> diagnoseBlack(const PixelEvidence& pixel);

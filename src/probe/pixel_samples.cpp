@@ -1,5 +1,6 @@
 #include "probe/pixel_samples.h"
 
+#include <rayscope/diagnostics.h>
 #include <algorithm>
 #include <cmath>
 
@@ -20,13 +21,14 @@ double medianOf(std::vector<double> values) {
 }  // namespace
 
 PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count,
-                         const std::function<void()>& beforeSample) {
+                         const std::function<void()>& beforeSample, const std::stop_token& stop) {
     PixelSamples samples;
     trace::NullObserver silent;
     for (int index = 0; index < count; ++index) {
         if (beforeSample) beforeSample();
         const SampleId name{x, y, index};
-        const trace::SampleResult result = trace::radiance(world, seed, name, silent);
+        const trace::SampleResult result = trace::radiance(world, seed, name, silent, stop);
+        if (stop.stop_requested()) throw Stopped{};
         samples.values.push_back(result.radiance);
         samples.rays.push_back(static_cast<std::uint32_t>(result.rays));
         samples.positions.push_back(samplePosition(world, seed, name) - glm::dvec2(x, y));

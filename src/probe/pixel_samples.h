@@ -11,9 +11,10 @@ struct PixelSamples {
     std::vector<glm::dvec2> positions;  ///< within the pixel, 0 … 1, y downwards
     std::vector<std::uint32_t> rays;    ///< traced for each
 };
-/// `beforeSample`, if given, is called before each sample and may throw to stop.
+/// `beforeSample`, if given, is called before each sample and may throw to stop. `stop` is checked within
+/// samples, too, and throws Stopped.
 PixelSamples replayPixel(const trace::World& world, std::uint64_t seed, int x, int y, int count,
-                         const std::function<void()>& beforeSample = {});
+                         const std::function<void()>& beforeSample = {}, const std::stop_token& stop = {});
 
 /// Statistics of the luminance of samples.
 struct SampleStatistics {

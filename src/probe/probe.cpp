@@ -1,3 +1,4 @@
+#include <rayscope/diagnostics.h>
 #include <rayscope/probe.h>
 
 #include "base/check_argument.h"
@@ -22,12 +23,14 @@ RgbSum dividedBy(const RgbSum& value, const RgbSum& factor) {
 
 }  // namespace
 
-RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name) {
+RayTree probeSample(const trace::World& world, std::uint64_t seed, SampleId name,
+                    const std::stop_token& stop) {
     RayTree tree;
     tree.name = name;
     if (world.moves) tree.time = streamOf(world, seed, name).get1D(sampling::Dim::Time);
     probe::RayTreeRecorder recorder(tree, world);
-    tree.radiance = trace::radiance(world, seed, name, recorder).radiance;
+    tree.radiance = trace::radiance(world, seed, name, recorder, stop).radiance;
+    if (stop.stop_requested()) throw Stopped{};
     return tree;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 #include <rayscope/probe.h>
 
+#include <string_view>
+
+#include "base/memory_budget.h"
 #include "trace/path_observer.h"
 #include "trace/shadow_ray.h"
 
@@ -12,6 +15,7 @@ class RayTreeRecorder {
     RayTreeRecorder(RayTree& tree, const trace::World& world) : tree_(tree), world_(world) {}
 
     void segment(const trace::Segment& segment) {
+        base::requireRoom(tree_.nodes, kWhat, kAdvice);
         RayNode node;
         node.kind = segment.kind;
         node.depth = segment.depth;
@@ -36,6 +40,7 @@ class RayTreeRecorder {
         node.kd = Rgb(at.kd);
     }
     void lightSampled(const trace::LightConnection& light, const glm::dvec3& value) {
+        base::requireRoom(tree_.shadowRays, kWhat, kAdvice);
         ShadowRay ray;
         ray.node = static_cast<int>(tree_.nodes.size()) - 1;
         ray.light = light.light;
@@ -50,6 +55,7 @@ class RayTreeRecorder {
     }
     void added(const glm::dvec3& value) {
         tree_.nodes.back().contribution += value;
+        base::requireRoom(tree_.addends, kWhat, kAdvice);
         tree_.addends.push_back(value);
     }
     void ended(const trace::Segment& segment, RayEnd why) {
@@ -58,6 +64,9 @@ class RayTreeRecorder {
     }
 
   private:
+    static constexpr std::string_view kWhat = "the ray tree of a sample";
+    static constexpr std::string_view kAdvice = "fewer samples of lights, lenses and glossy reflections";
+
     int parentOf(const trace::Segment& segment) const {
         if (segment.kind == RayKind::Camera) return -1;
         const int depth = segment.kind == RayKind::Transparent ? segment.depth : segment.depth - 1;

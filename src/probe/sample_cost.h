@@ -1,5 +1,6 @@
 #pragma once
 #include <rayscope/render_session.h>
+#include <stop_token>
 
 namespace rayscope::probe {
 
@@ -13,8 +14,8 @@ struct SampleCost {
 };
 
 /// Replays `samples` samples of a pixel; nodes and tests are 0 unless `countTraversals`, which replays them a
-/// second time.
+/// second time. After a stop request the result is meaningless.
 SampleCost costAt(const trace::World& world, std::uint64_t seed, int x, int y, int samples,
-                  bool countTraversals = true);
+                  bool countTraversals = true, const std::stop_token& stop = {});
 
 }  // namespace rayscope::probe

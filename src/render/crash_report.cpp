@@ -1,5 +1,6 @@
 #include "render/crash_report.h"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <new>
 
 #include "base/temporary_files.h"
 
@@ -100,9 +102,23 @@ class AlternateStack {
     AlternateStack(const AlternateStack&) = delete;
     AlternateStack& operator=(const AlternateStack&) = delete;
 
-    static void ofThisThread() { static thread_local AlternateStack stack; }
+    /// Kept by a key of the thread library: to register the destructor of a thread_local object, the C
+    /// library allocates memory, and it ends the program if there is none.
+    static void ofThisThread() {
+        static const pthread_key_t key = keyWithDestructor();
+        if (pthread_getspecific(key) != nullptr) return;
+        auto stack = std::make_unique<AlternateStack>();
+        if (pthread_setspecific(key, stack.get()) == 0) static_cast<void>(stack.release());
+    }
 
   private:
+    static pthread_key_t keyWithDestructor() {
+        pthread_key_t key = 0;
+        const auto destroy = [](void* stack) { delete static_cast<AlternateStack*>(stack); };
+        if (pthread_key_create(&key, destroy) != 0) throw std::bad_alloc();
+        return key;
+    }
+
     static constexpr std::size_t kBytes = std::size_t{64} << 10;
     std::unique_ptr<char[]> memory_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/memory_budget.h"
+
 namespace rayscope::render {
 
 namespace {
@@ -12,8 +14,16 @@ int areaOf(const PixelBounds& b) { return (b.x1 - b.x0) * (b.y1 - b.y0); }
 
 Film::Film(int width, int height, PixelBounds region)
     : width_(width), height_(height), region_(region), columns_(tilesAcross(region.x1 - region.x0)) {
+    requireMemory(region, 1);
     const int rows = tilesAcross(region.y1 - region.y0);
     for (int i = 0; i < columns_ * rows; ++i) tiles_.push_back(std::make_unique<Tile>());
+}
+
+void Film::requireMemory(const PixelBounds& region, std::uint64_t films, std::uint64_t images) {
+    const int width = region.x1 - region.x0, height = region.y1 - region.y0;
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    base::requireMemory(pixels * (films * sizeof(PixelSums) + images * sizeof(Rgb)), "a smaller --size",
+                        "a film of {} x {} pixels", width, height);
 }
 
 PixelBounds Film::tileBounds(int tile) const {

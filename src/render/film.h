@@ -30,7 +30,11 @@ class Film {
   public:
     static constexpr int kTileSize = 32;
 
+    /// Throws OutOfMemory unless there is memory for all tiles, which is allocated as they are committed.
     Film(int width, int height, PixelBounds region);
+    /// Throws OutOfMemory unless there is memory for so many films of a region and, beside them, for images
+    /// of its size.
+    static void requireMemory(const PixelBounds& region, std::uint64_t films, std::uint64_t images = 0);
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -1,4 +1,5 @@
 #include <rayscope/diagnostics.h>
+#include <rayscope/memory.h>
 #include <rayscope/render_image.h>
 #include <chrono>
 
@@ -29,6 +30,7 @@ RenderStatus waitFor(RenderSession& session, const RenderOptions& options) {
     for (;;) {
         const RenderState state = session.wait(kProgressInterval);
         const RenderStatus status = session.status();
+        if (state == RenderState::Failed && status.outOfMemory) throw OutOfMemory(status.message);
         if (state == RenderState::Failed) throw InputError(status.message);
         if (state == RenderState::Done) return status;
         const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();

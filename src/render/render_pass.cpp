@@ -4,6 +4,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 
+#include "render/tile_stop.h"
+
 namespace rayscope::render {
 
 bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, int targetSamples,
@@ -21,6 +23,8 @@ bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::
     next.store(0);
     completed.store(0);
     const int tiles = film.tileCount();
+    const TileStop tileStop(control.stop, control.drain);
+    const std::stop_token stop = tileStop.token();
     oneapi::tbb::parallel_for(
         oneapi::tbb::blocked_range<int>(0, tiles, 1),
         [&](const oneapi::tbb::blocked_range<int>& range) {
@@ -28,8 +32,8 @@ bool renderPass(const trace::World& world, std::uint64_t seed, Film& film, std::
                 const int tile = next.fetch_add(1);
                 const bool isComplete =
                     !control.endsEarly() &&
-                    renderTile(world, seed, film, tile, targetSamples[static_cast<std::size_t>(tile)],
-                               control.stop, counters);
+                    renderTile(world, seed, film, tile, targetSamples[static_cast<std::size_t>(tile)], stop,
+                               counters);
                 completed.fetch_add(isComplete ? 1 : 0);
             }
         },

@@ -8,7 +8,8 @@
 
 namespace rayscope::render {
 
-/// Early end of a pass: `stop` drops the tiles in flight, `drain` completes them and starts no others.
+/// Early end of a pass: `stop` drops the tiles in flight, `drain` starts no others and completes those that
+/// end within TileStop::kGrace.
 struct PassControl {
     std::stop_token stop;
     std::stop_token drain;

@@ -59,8 +59,9 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
     CurrentSampleScope scope;
     MissingSamples missing(bounds, copy.samples, targetSamples);
     std::array<SampleId, trace::RadianceBatch::kSize> buffer;
-    trace::RadianceBatch batch(world, seed);
-    for (auto samples = missing.take(buffer); !samples.empty(); samples = missing.take(buffer)) {
+    trace::RadianceBatch batch(world, seed, stop);
+    const std::span<SampleId> taken = std::span(buffer).first(batch.size());
+    for (auto samples = missing.take(taken); !samples.empty(); samples = missing.take(taken)) {
         batch.start(samples);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (stop.stop_requested()) return false;
@@ -68,6 +69,8 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
             batch.trace(i);
         }
         const std::span<const trace::SampleResult> results = batch.finish();
+        // During the last samples or their shadow rays: the results are meaningless.
+        if (stop.stop_requested()) return false;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const trace::SampleResult& sample = results[i];
             const int column = samples[i].x - bounds.x0, row = samples[i].y - bounds.y0;

@@ -15,8 +15,8 @@ struct RenderCounters {
 };
 
 /// Adds samples to each pixel of a tile until it has `targetSamples`, in the order of their index, and
-/// commits the tile as a whole. Returns false, and leaves the tile unchanged, if a stop is requested in
-/// between; this is checked before each sample.
+/// commits the tile as a whole. Returns false, and leaves the tile unchanged, if a stop is requested before;
+/// this is checked within samples, too, so that it takes milliseconds.
 bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int tile, int targetSamples,
                 const std::stop_token& stop, RenderCounters& counters);
 

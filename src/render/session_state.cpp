@@ -1,9 +1,8 @@
 #include "render/session_state.h"
 
-#include <fmt/format.h>
-
 #include <new>
 
+#include "base/memory_budget.h"
 #include "render/pass_plan.h"
 #include "render/probe_command.h"
 #include "sampling/sample_stream.h"
@@ -27,15 +26,8 @@ bool continues(const RenderRequest& before, const RenderRequest& after) {
            before.seed == after.seed && changed(sameCount, after.settings) <= Invalidates::Display;
 }
 
-/// The memory for an image of this size: the film and its mean.
-std::string outOfMemoryText(const RenderRequest& request) {
-    const double pixels = static_cast<double>(request.width) * request.height;
-    return fmt::format(
-        "out of memory: an image of {} x {} pixels takes {:.2g} GB beside the scene; try a smaller --size or "
-        "a "
-        "smaller scene",
-        request.width, request.height, pixels * (sizeof(render::PixelSums) + sizeof(Rgb)) * 1e-9);
-}
+/// The images that are made of a film: its mean, what is shown or written of it, and copies of bloom.
+std::uint64_t imagesOf(const RenderRequest& request) { return request.settings.bloom ? 5 : 3; }
 
 }  // namespace
 
@@ -65,6 +57,7 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
                                  const render::PassControl& control) {
     RenderState outcome = RenderState::Idle;
     std::string message;
+    bool isOutOfMemory = false;
     try {
         render::setCrashContext(render::crashContextOf(request));
         const render::SessionClock::time_point start = render::SessionClock::now();
@@ -85,9 +78,10 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
         if (renderPasses(request, control)) outcome = RenderState::Done;
     } catch (const Stopped&) {
         // Cancelled, paused or replaced: the state below follows from `pending` and `paused`.
-    } catch (const std::bad_alloc&) {
+    } catch (const std::bad_alloc& error) {
         outcome = RenderState::Failed;
-        message = outOfMemoryText(request);
+        isOutOfMemory = true;
+        message = base::messageOf(error);
     } catch (const std::exception& error) {
         outcome = RenderState::Failed;
         message = error.what();
@@ -97,13 +91,17 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
     if (outcome == RenderState::Idle && paused && !pending && number == epoch && !quitting) pending = request;
     if (pending) outcome = paused ? RenderState::Paused : RenderState::Compiling;
     status.state = outcome;
-    status.message = message;
+    status.message = std::move(message);
+    status.outOfMemory = isOutOfMemory;
     changedState.notify_all();
 }
 
 void RenderSession::State::prepareFilm(const RenderRequest& request) {
     const std::scoped_lock guard(lock);
     if (!film || !filmRequest || !continues(*filmRequest, request)) {
+        film.reset();
+        // Now, rather than after the render.
+        render::Film::requireMemory(regionOf(request), 1, imagesOf(request));
         film = std::make_shared<render::Film>(request.width, request.height, regionOf(request));
         counters.rays = 0;
         counters.nonFiniteSamples = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
+
 namespace rayscope::scene {
 
 LoadStep::LoadStep(const LoadControl& control, std::string name, std::size_t total)
@@ -11,6 +13,9 @@ LoadStep::LoadStep(const LoadControl& control, std::string name, std::size_t tot
 
 void LoadStep::report(std::size_t done) {
     if (control_.stop.stop_requested()) throw Stopped();
+    // Without a total every unit of work is reported, too often for a look at the memory.
+    constexpr unsigned kReportsPerLook = 256;
+    if (total_ > 0 || reports_++ % kReportsPerLook == 0) base::requireSomeMemory(name_, "a smaller scene");
     const double fraction = total_ == 0 ? 0.0 : static_cast<double>(done) / static_cast<double>(total_);
     if (control_.progress) control_.progress(name_, std::min(1.0, fraction));
     next_ = done + interval_;

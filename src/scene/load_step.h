@@ -6,7 +6,8 @@
 
 namespace rayscope::scene {
 
-/// One step of loading, e.g. reading one file: reports its progress and throws Stopped on a stop request.
+/// One step of loading, e.g. reading one file: reports its progress, and throws Stopped on a stop request and
+/// OutOfMemory when memory runs out.
 class LoadStep {
   public:
     /// `total`: the amount of work, in any unit that advanceTo() uses; 0 if it is unknown. `control` must
@@ -27,6 +28,7 @@ class LoadStep {
     const LoadControl& control_;
     std::string name_;
     std::size_t total_, interval_, done_ = 0, next_ = 0;
+    unsigned reports_ = 0;
 };
 
 /// A control whose steps are called "PREFIX: STEP". `control` must outlive it.

@@ -70,6 +70,8 @@ void compileMotionGroups(World& world, const World* previous, bool keepBinaryTre
                 std::max(world.buildReport.sahCostGrowth, group.accel->summary().costGrowth);
         world.motionGroups.push_back(std::move(group));
     }
+    constexpr std::uint32_t kManyPrimitives = 1 << 16;
+    world.hasSlowRays = !settings.bvh && world.primitiveCount() > kManyPrimitives;
     world.buildReport.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

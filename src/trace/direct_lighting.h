@@ -28,7 +28,7 @@ void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, 
     const int n = branch.split ? 1 : world_.lights[light].grid.count();
     if constexpr (Terms::kDefersShadowRays)
         if (world_.canDeferShadowRays()) return addDirectLight<1, true>(light, n, at, branch, throughput);
-    if (n == 1)
+    if (n == 1 || world_.hasSlowRays)
         addDirectLight<1, false>(light, n, at, branch, throughput);
     else
         addDirectLight<kRayGroup, false>(light, n, at, branch, throughput);
@@ -46,7 +46,9 @@ void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interactio
     std::array<LightTerm, kGroup> terms;
     std::array<Ray, kGroup> shadows;
     std::array<double, kGroup> visible;
+    const int perCheck = raysPerCheck();
     for (int first = 0; first < n; first += kGroup) {
+        if ((first & (perCheck - 1)) == 0 && stop_.stop_requested()) return;
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
         std::size_t shadowCount = 0;
         for (std::size_t k = 0; k < count; ++k) {
@@ -151,7 +153,7 @@ double Tracer<O, Terms>::transmittance(const Ray& shadow) {
     Ray ray = shadow;
     const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);
     Hit hit;
-    while (passed >= 0x1p-64) {
+    while (passed >= 0x1p-64 && !stop_.stop_requested()) {
         if (!closestHit(ray, hit)) return passed;
         const Interaction at = interactionAt(world_, ray, sample_.time, {}, hit);
         passed *= 1.0 - world_.materials[at.material].opacity;

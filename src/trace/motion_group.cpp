@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/memory_budget.h"
+
 namespace rayscope::trace {
 
 namespace {
@@ -61,6 +63,10 @@ class GeometryBuilder {
         const auto base = static_cast<std::uint32_t>(geometry_->ownVertices.size());
         const bool identity = mesh.transform.isIdentity();
         const glm::dmat4 matrix = matrixOf(mesh.transform);
+        base::requireMemory(mesh.data->positions.size() * sizeof(glm::vec3) +
+                                mesh.data->triangles.size() * sizeof(glm::uvec3),
+                            "a smaller scene", "the placed copy of a mesh of {} triangles",
+                            mesh.data->triangles.size());
         geometry_->ownVertices.reserve(base + mesh.data->positions.size());
         for (const glm::vec3& p : mesh.data->positions)
             geometry_->ownVertices.push_back(identity ? p : glm::vec3(matrix * glm::dvec4(p, 1.0)));

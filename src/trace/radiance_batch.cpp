@@ -4,8 +4,12 @@
 
 namespace rayscope::trace {
 
-RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed)
-    : world_(world), seed_(seed), hasSingleRays_(!world.moves && hasSingleCameraRays(world)), queue_(world) {
+RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed, const std::stop_token& stop)
+    : world_(world),
+      seed_(seed),
+      stop_(stop),
+      hasSingleRays_(!world.moves && hasSingleCameraRays(world)),
+      queue_(world, stop) {
     streams_.reserve(kSize);
     cameraSamples_.reserve(kSize);
     rays_.reserve(kSize);
@@ -32,7 +36,7 @@ void RadianceBatch::start(std::span<const SampleId> samples) {
 void RadianceBatch::trace(std::size_t i) {
     NullObserver observer;
     queue_.beginSample(i);
-    Tracer<NullObserver, TermQueue> tracer(world_, streams_[i], cameraSamples_[i], observer, queue_);
+    Tracer<NullObserver, TermQueue> tracer(world_, streams_[i], cameraSamples_[i], observer, queue_, stop_);
     results_[i].rays = hasSingleRays_ ? tracer.traceSample(rays_[i], hits_[i]) : tracer.traceSample();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "sampling/sample_stream.h"
@@ -11,12 +12,18 @@ namespace rayscope::trace {
 /// Computes the radiance of many samples, bit for bit as radiance() does, in less time: camera rays and
 /// shadow rays are traced in batches.
 ///
-/// Usage: start(), then trace() for each sample in order, then finish().
+/// Usage: start(), then trace() for each sample in order, then finish(). After a stop request the results are
+/// meaningless.
 class RadianceBatch {
   public:
     static constexpr std::size_t kSize = 256;  ///< samples for which a batch is efficient
 
-    RadianceBatch(const World& world, std::uint64_t seed);
+    /// The token must outlive the batch.
+    RadianceBatch(const World& world, std::uint64_t seed, const std::stop_token& stop);
+
+    /// The number of samples that start() should get: kSize, or 1 where rays are so slow that a stop would
+    /// have to wait for the rays of a batch.
+    std::size_t size() const { return world_.hasSlowRays ? 1 : kSize; }
 
     void start(std::span<const SampleId> samples);
     void trace(std::size_t sample);
@@ -26,6 +33,7 @@ class RadianceBatch {
   private:
     const World& world_;
     std::uint64_t seed_;
+    const std::stop_token& stop_;
     bool hasSingleRays_;  ///< hasSingleCameraRays(), and the world does not move
     std::vector<sampling::SampleStream> streams_;
     std::vector<CameraSample> cameraSamples_;

@@ -8,12 +8,14 @@
 namespace rayscope::trace {
 
 template <PathObserver O>
-SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& sample, O& observer) {
+SampleResult radiance(const World& world, std::uint64_t seed, const SampleId& sample, O& observer,
+                      const std::stop_token& stop) {
     const sampling::SampleStream stream(world.settings.sampler, seed, sample.x, sample.y, sample.index,
                                         world.settings.spp);
     const CameraSample cameraSample(world, stream, sample);
     TermSum terms;
-    const std::uint64_t rays = Tracer<O, TermSum>(world, stream, cameraSample, observer, terms).traceSample();
+    const std::uint64_t rays =
+        Tracer<O, TermSum>(world, stream, cameraSample, observer, terms, stop).traceSample();
     return {terms.sum, rays};
 }
 

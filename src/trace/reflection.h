@@ -41,7 +41,7 @@ template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::reflectGlossy(const Segment& mirrored, const Interaction& at, const Branch& branch,
                                      const glm::dvec3& direction) {
     const int n = branch.split ? 1 : settings_.glossySamples;
-    if (n == 1)
+    if (n == 1 || world_.hasSlowRays)
         reflectGlossy<1>(n, mirrored, at, branch, direction);
     else
         reflectGlossy<kRayGroup>(n, mirrored, at, branch, direction);
@@ -61,7 +61,7 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     std::array<Ray, kGroup> rays, above;
     std::array<Hit, kGroup> hits;
     std::array<bool, kGroup> isAbove;
-    for (int first = 0; first < n; first += kGroup) {
+    for (int first = 0; first < n && !stop_.stop_requested(); first += kGroup) {
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
         std::size_t aboveCount = 0;
         for (std::size_t k = 0; k < count; ++k) {

@@ -6,17 +6,20 @@
 
 namespace rayscope::trace {
 
-TermQueue::TermQueue(const World& world) : world_(world) {
-    terms_.reserve(kMaxTerms);
-    shadows_.reserve(kMaxTerms);
+TermQueue::TermQueue(const World& world, const std::stop_token& stop)
+    : world_(world), stop_(stop), maxTerms_(world.hasSlowRays ? 1 : kMaxTerms) {
+    terms_.reserve(maxTerms_);
+    shadows_.reserve(maxTerms_);
 }
 
 void TermQueue::fold() {
-    std::array<std::uint8_t, kMaxTerms> occluded;
-    world_.anyHits(shadows_, 0.0f, {occluded.data(), shadows_.size()});
-    for (const Term& term : terms_)
-        if (term.shadow == kNoShadowRay || !occluded[term.shadow])
-            results_[term.sample].radiance += term.value;
+    if (!stop_.stop_requested()) {
+        std::array<std::uint8_t, kMaxTerms> occluded;
+        world_.anyHits(shadows_, 0.0f, {occluded.data(), shadows_.size()});
+        for (const Term& term : terms_)
+            if (term.shadow == kNoShadowRay || !occluded[term.shadow])
+                results_[term.sample].radiance += term.value;
+    }
     terms_.clear();
     shadows_.clear();
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "trace/radiance.h"
@@ -16,7 +17,8 @@ class TermQueue {
   public:
     static constexpr bool kDefersShadowRays = true;
 
-    explicit TermQueue(const World& world);
+    /// The token must outlive the queue. After a stop request terms are dropped.
+    TermQueue(const World& world, const std::stop_token& stop);
 
     /// Sets the results whose radiance the following terms are added to.
     void start(std::span<SampleResult> results) { results_ = results; }
@@ -39,10 +41,12 @@ class TermQueue {
     };
     void push(const glm::dvec3& value, std::uint32_t shadow) {
         terms_.push_back({value, sample_, shadow});
-        if (terms_.size() == kMaxTerms) fold();
+        if (terms_.size() == maxTerms_) fold();
     }
 
     const World& world_;
+    const std::stop_token& stop_;
+    std::size_t maxTerms_;
     std::span<SampleResult> results_;
     std::vector<Term> terms_;
     std::vector<Ray> shadows_;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <stop_token>
 
 #include "sampling/sample_stream.h"
 #include "sampling/warp.h"
@@ -24,18 +25,20 @@ constexpr int kRayGroup = 64;  ///< most rays from one point that are traced as 
 
 struct LightTerm;
 
-/// Traces one sample. `Terms` receives the terms: TermSum, or TermQueue for many samples.
+/// Traces one sample. `Terms` receives the terms: TermSum, or TermQueue for many samples. After a stop
+/// request the rest of the sample is left out, and what `Terms` received is meaningless.
 template <PathObserver O, TermsFor<O> Terms>
 class Tracer {
   public:
     Tracer(const World& world, const sampling::SampleStream& stream, const CameraSample& sample, O& observer,
-           Terms& terms)
+           Terms& terms, const std::stop_token& stop)
         : world_(world),
           settings_(world.settings),
           stream_(stream),
           sample_(sample),
           observer_(observer),
-          terms_(terms) {}
+          terms_(terms),
+          stop_(stop) {}
 
     /// Returns the number of rays.
     std::uint64_t traceSample();
@@ -81,6 +84,9 @@ class Tracer {
     void transmittances(std::span<const Ray> shadows, std::span<double> visible);
     double transmittance(const Ray& shadow);
 
+    /// The most rays between two checks for a stop, a power of two.
+    int raysPerCheck() const { return world_.hasSlowRays ? 1 : kRayGroup; }
+
     void add(const glm::dvec3& term) {
         terms_.add(term);
         observer_.added(term);
@@ -92,6 +98,7 @@ class Tracer {
     const CameraSample& sample_;
     O& observer_;
     Terms& terms_;
+    const std::stop_token& stop_;
     std::uint64_t rays_ = 0;
 };
 
@@ -120,8 +127,9 @@ void Tracer<O, Terms>::traceLens() {
     const int n = settings_.lensSamples;
     std::array<Ray, kRayGroup> rays;
     std::array<Hit, kRayGroup> hits;
-    for (int first = 0; first < n; first += kRayGroup) {
-        const int count = std::min(kRayGroup, n - first);
+    const int group = raysPerCheck();
+    for (int first = 0; first < n && !stop_.stop_requested(); first += group) {
+        const int count = std::min(group, n - first);
         for (int k = 0; k < count; ++k) {
             const glm::vec2 u = stream_.get2D(sampling::Dim::Lens, {}, 0, first + k, n);
             rays[static_cast<std::size_t>(k)] =
@@ -175,7 +183,7 @@ void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, sampling::Path
 /// hit if it has been computed. On return `segment` is the last one.
 template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) {
-    for (std::uint32_t layer = 0;; ++layer) {
+    for (std::uint32_t layer = 0; layer == 0 || !stop_.stop_requested(); ++layer) {
         observer_.segment(segment);
         Hit hit;
         if (known && layer == 0)

@@ -66,6 +66,7 @@ class World {
     int width = 1, height = 1;
     bool moves = false;              ///< some motion group has a motion
     bool attenuatesShadows = false;  ///< shadow rays need the opacity of the surfaces that they cross
+    bool hasSlowRays = false;  ///< each ray tests so many primitives that it takes a millisecond or more
 
     BuildReport buildReport;  ///< no input of the radiance
 

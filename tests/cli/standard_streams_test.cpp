@@ -11,18 +11,12 @@ namespace {
 
 using test::ProgramResult;
 using test::run;
+using test::temporaryFiles;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
 const std::string kQuotedProgram = std::string("'") + RAYSCOPE_PROGRAM + "'";
 const std::string kRender = kQuotedProgram + " render builtin:cornell --size 16x16 --spp 1 ";
-
-std::size_t temporaries(const TemporaryFolder& folder) {
-    std::size_t count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-        count += entry.path().filename().string().starts_with(".rayscope-");
-    return count;
-}
 
 TEST(StandardStreams, AFullStandardOutputIsAnError) {
     const TemporaryFolder folder;
@@ -104,7 +98,7 @@ TEST(StandardStreams, OneFailingOutputLeavesTheOthers) {
     EXPECT_EQ(readImage((folder / "b.png").string()).width, 64);
     EXPECT_NE(test::readText(folder / "s.json"), "");
     EXPECT_FALSE(std::filesystem::exists(folder / "a.pfm"));
-    EXPECT_EQ(temporaries(folder), 0u);
+    EXPECT_EQ(temporaryFiles(folder), 0u);
 }
 
 TEST(StandardStreams, DestinationsAreCheckedBeforeTheWork) {
@@ -145,7 +139,7 @@ TEST(StandardStreams, SignalsLeaveNoTemporaryFiles) {
                         " cast builtin:cornell --rays z.rays -o a.hits -q -t 1 & p=$!; sleep 0.3; for s in " +
                         signals + "; do kill -$s $p; done; wait $p'");
         EXPECT_TRUE(result.exitCode == 130 || result.exitCode == 0) << signals << ": " << result.exitCode;
-        EXPECT_EQ(temporaries(folder), 0u) << signals;
+        EXPECT_EQ(temporaryFiles(folder), 0u) << signals;
     }
 }
 

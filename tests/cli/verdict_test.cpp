@@ -188,8 +188,9 @@ TEST(CompareVerdict, AgreesWithIdiffOnRandomPairs) {
         const std::string number = std::to_string(i);
         writeImage(folder.file("a" + number + ".png"), a);
         writeImage(folder.file("b" + number + ".png"), b);
-        const double tolerance = (random() % 8u + 0.5) / 255.0, share = random() % 20u + 0.25,
-                     hard = (random() % 12u + 0.5) / 255.0;
+        const auto below = [&](unsigned count) { return static_cast<double>(random() % count); };
+        const double tolerance = (below(8) + 0.5) / 255.0, share = below(20) + 0.25,
+                     hard = (below(12) + 0.5) / 255.0;
         script << "idiff -q -fail " << tolerance << " -failpercent " << share << " -hardfail " << hard << " a"
                << number << ".png b" << number << ".png >/dev/null 2>&1; echo $? >>verdicts\n";
         const ProgramResult result =

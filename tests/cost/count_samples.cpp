@@ -45,7 +45,8 @@ extern "C" {
 
 [[gnu::noipa]] void countedBatched(const trace::World& world, std::span<const SampleId> samples,
                                    std::vector<RgbSum>& radiance) {
-    trace::RadianceBatch batch(world, 1);
+    const std::stop_token never;
+    trace::RadianceBatch batch(world, 1, never);
     for (std::size_t first = 0; first < samples.size(); first += trace::RadianceBatch::kSize) {
         batch.start(samples.subspan(first, trace::RadianceBatch::kSize));
         for (std::size_t i = 0; i < trace::RadianceBatch::kSize; ++i) batch.trace(i);

@@ -42,6 +42,14 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+/// The number of temporary files of the program in a folder.
+inline std::size_t temporaryFiles(const TemporaryFolder& folder) {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        count += entry.path().filename().string().starts_with(".rayscope-");
+    return count;
+}
+
 /// All bytes of a file, "" if there is none.
 inline std::string readText(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);

@@ -65,8 +65,10 @@ struct RecordingObserver {
 
 namespace rayscope::trace {
 // Instantiated once, in support/observers.cpp.
-extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::EventCounter&);
-extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::RecordingObserver&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::EventCounter&,
+                                      const std::stop_token&);
+extern template SampleResult radiance(const World&, std::uint64_t, const SampleId&, test::RecordingObserver&,
+                                      const std::stop_token&);
 }  // namespace rayscope::trace
 
 namespace rayscope::test {

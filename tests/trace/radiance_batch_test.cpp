@@ -67,7 +67,8 @@ TEST_P(RadianceBatchOf, EqualsRadianceOfEachSample) {
         for (int y = 0; y < world->height; ++y)
             for (int x = 0; x < world->width; ++x)
                 for (int index = 0; index < 2; ++index) samples.push_back({x, y, index});
-        trace::RadianceBatch batch(*world, 7);
+        const std::stop_token stop;
+        trace::RadianceBatch batch(*world, 7, stop);
         double sum = 0.0;
         // Batches of different sizes with the same object.
         for (std::size_t begin = 0, size = 1; begin < samples.size();
@@ -95,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(Settings, RadianceBatchOf, testing::ValuesIn(kCases),
 
 TEST(RadianceBatch, OfNoSamplesIsEmpty) {
     const auto world = worldOf(kCases[0], false);
-    trace::RadianceBatch batch(*world, 0);
+    const std::stop_token stop;
+    trace::RadianceBatch batch(*world, 0, stop);
     batch.start({});
     EXPECT_TRUE(batch.finish().empty());
 }

@@ -20,13 +20,6 @@ using Block = tbb::blocked_range<std::size_t>;
 /// Node numbers have 32 bits. n primitives may need 2n − 1 nodes, and threads leave some unused.
 constexpr std::size_t kMaxPrimitives = (std::size_t{1} << 31) - (std::size_t{1} << 20);
 
-void checkSize(const AccelInput& input) {
-    const std::size_t count = input.triangles.size() + input.spheres.size();
-    if (count > kMaxPrimitives)
-        throw std::length_error(fmt::format(
-            "{} primitives exceed the limit of {} of one BVH; split the scene", count, kMaxPrimitives));
-}
-
 /// The number of the first triangle with an invalid vertex index, or the number of triangles.
 std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t count = input.triangles.size();
@@ -44,6 +37,13 @@ std::size_t firstBadTriangle(const AccelInput& input, const std::stop_token& sto
 }
 
 }  // namespace
+
+void checkPrimitiveCount(const AccelInput& input) {
+    const std::size_t count = input.triangles.size() + input.spheres.size();
+    if (count > kMaxPrimitives)
+        throw std::length_error(fmt::format(
+            "{} primitives exceed the limit of {} of one BVH; split the scene", count, kMaxPrimitives));
+}
 
 void checkIndices(const AccelInput& input, const std::stop_token& stop) {
     const std::size_t bad = firstBadTriangle(input, stop);
@@ -100,7 +100,7 @@ PrimitiveRef makeRef(const AccelInput& input, std::size_t primitive) {
 }  // namespace
 
 PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop) {
-    checkSize(input);
+    checkPrimitiveCount(input);
     checkIndices(input, stop);
     PrimitiveRefs result;
     const std::size_t count = input.triangles.size() + input.spheres.size();

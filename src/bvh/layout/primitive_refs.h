@@ -20,6 +20,9 @@ struct PrimitiveRefs {
 /// there are more primitives than node numbers allow.
 PrimitiveRefs collectPrimitiveRefs(const AccelInput& input, const std::stop_token& stop);
 
+/// Throws std::length_error if there are more primitives than node numbers allow.
+void checkPrimitiveCount(const AccelInput& input);
+
 /// The box of a triangle or, numbered after all triangles, a sphere.
 PrimitiveBox boxOfPrimitive(const AccelInput& input, std::size_t primitive);
 

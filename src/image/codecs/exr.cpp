@@ -12,6 +12,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "base/memory_budget.h"
 #include "image/chromaticities.h"
 #include "image/codecs/exr_picture.h"
 
@@ -155,8 +156,9 @@ RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes) 
 } catch (const InputError&) {
     throw;
 } catch (const std::bad_alloc&) {
-    throw InputError("not enough memory to read this EXR image", {name});
+    throw;
 } catch (const std::exception& error) {
+    if (base::reportsLackOfMemory(error)) throw std::bad_alloc();
     throwDamaged(name, error.what());
 }
 

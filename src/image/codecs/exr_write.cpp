@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/memory_budget.h"
 #include "image/codecs/codecs.h"
 
 namespace rayscope::image {
@@ -48,7 +49,7 @@ Imf::FrameBuffer describeMemory(const RgbImage& image) {
 
 }  // namespace
 
-std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
+std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) try {
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     for (const char* channel : kColour) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
@@ -61,6 +62,9 @@ std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) {
         output.writePixels(image.height);
     }  // the destructor of `output` writes the table of line offsets
     return std::move(stream.bytes);
+} catch (const std::exception& error) {
+    if (base::reportsLackOfMemory(error)) throw std::bad_alloc();
+    throw;
 }
 
 }  // namespace rayscope::image

@@ -5,6 +5,9 @@
 
 #include <utility>
 
+#include "base/memory_budget.h"
+#include "base/printable_text.h"
+
 namespace rayscope::image {
 
 void ImageFile::note(std::string message) const {
@@ -30,6 +33,8 @@ void checkImageSize(long long width, long long height, std::size_t fileSize, con
     constexpr long long kMaxPixelsPerByte = 1LL << 16;
     if (width * height / kMaxPixelsPerByte > static_cast<long long>(fileSize))
         throwDamaged(name, fmt::format("{} x {} pixels in a file of {} bytes", width, height, fileSize));
+    base::requireMemory(static_cast<std::uint64_t>(width * height) * sizeof(Rgb), "a smaller image",
+                        "{} with {} x {} pixels", base::printable(name), width, height);
 }
 
 void throwDamaged(const std::string& name, const std::string& reason) {

@@ -34,7 +34,7 @@ struct ImageFile {
 inline constexpr const char* kEndsTooEarly = "unexpected end of file";
 
 /// Throws InputError if an announced size is not positive, exceeds kMaxImagePixels, or cannot be compressed
-/// into a file of `fileSize` bytes. To be called before pixels are allocated.
+/// into a file of `fileSize` bytes, and OutOfMemory. To be called before pixels are allocated.
 void checkImageSize(long long width, long long height, std::size_t fileSize, const std::string& name);
 
 /// Throws InputError: the file is damaged, because of `reason`.

@@ -17,7 +17,7 @@ void onPngWarning(png_structp png, png_const_charp message) {
     if (messages->warnings++ > 0) return;
     try {
         messages->warning = message;
-    } catch (const std::exception&) {
+    } catch (const std::bad_alloc&) {
         messages->warning.clear();
     }
 }

@@ -4,6 +4,8 @@
 #include <system_error>
 
 #include "base/file_suffix.h"
+#include "base/memory_budget.h"
+#include "base/printable_text.h"
 #include "base/read_file.h"
 #include "image/codecs/codecs.h"
 #include "image/codecs/format.h"
@@ -48,7 +50,9 @@ RgbImage readImage(const std::string& path, Diagnostics* notes) {
 RgbImage decodeImage(std::span<const std::byte> bytes, const std::string& name, Diagnostics* notes) {
     const image::ImageFile file{bytes, name, notes};
     if (bytes.empty()) file.refuse("empty image file (0 bytes); export it again");
-    if (const auto format = image::detectFormat(bytes)) return decode(*format, file);
+    if (const auto format = image::detectFormat(bytes))
+        return base::namingLackOfMemory("decoding " + base::printable(name), "a smaller image",
+                                        [&] { return decode(*format, file); });
     if (const std::string known = image::describeForeignFormat(bytes); !known.empty()) file.refuse(known);
     if (base::hasSuffix(name, ".tga")) file.damaged(image::tgaProblem(bytes));
     file.refuse("not an image; expected PNG, JPEG, BMP, TGA, HDR, EXR, PFM or PNM");

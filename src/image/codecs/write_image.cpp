@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/check_argument.h"
 #include "base/lower_case.h"
+#include "base/memory_budget.h"
 #include "base/nearest_name.h"
 #include "image/codecs/codecs.h"
 
@@ -30,6 +31,10 @@ std::string checkedSuffix(const std::string& path) {
 
 std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
                    Encoding encoding) {
+    // Without compression; while it grows, twice.
+    const bool isLinear = suffix == ".exr" || suffix == ".pfm";
+    base::requireMemory(image.pixels.size() * (isLinear ? sizeof(Rgb) : 4), "a smaller image (--size)",
+                        "the {} file of {} x {} pixels", suffix, image.width, image.height);
     if (suffix == ".png") return image::encodePng(image, metadata, encoding);
     if (suffix == ".exr") return image::encodeExr(image, metadata);
     if (suffix == ".pfm") return image::encodePfm(image);

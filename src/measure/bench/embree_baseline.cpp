@@ -2,11 +2,15 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <new>
+#include <stdexcept>
 #include <vector>
 
 namespace rayscope::measure {
@@ -17,7 +21,23 @@ constexpr std::size_t kStreamLength = 16384;
 template <class T>
 void setBuffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::span<const T> items) {
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), items.size());
+    if (!buffer && !items.empty()) throw std::bad_alloc();
     if (!items.empty()) std::memcpy(buffer, items.data(), items.size_bytes());
+}
+
+/// Embree ends the program if a thread of TBB, which it uses, too, cannot be started; here it is an
+/// exception.
+void startWorkers(int threads) {
+    oneapi::tbb::task_arena arena(threads > 0 ? threads : oneapi::tbb::task_arena::automatic);
+    arena.execute([&] { oneapi::tbb::parallel_for(0, 4 * arena.max_concurrency(), [](int) {}); });
+}
+
+/// Throws what Embree reports as an error: that of the device, or without one that of its creation.
+void throwOnError(RTCDevice device) {
+    const RTCError error = rtcGetDeviceError(device);
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (error != RTC_ERROR_NONE || !device)
+        throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
 }
 
 RTCRayHit queryOf(const Ray& ray) {
@@ -53,11 +73,19 @@ void setLane(Packet& packet, std::size_t lane, const Ray& ray) {
 }  // namespace
 
 struct EmbreeBaseline::State {
-    RTCDevice device;
-    RTCScene scene;
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
     std::atomic<long> bytes = 0;
     double buildSeconds = 0.0;
-    std::uint32_t triangles;
+    std::uint32_t triangles = 0;
 
     Hit hitOf(float t, unsigned geometry, unsigned primitive, float u, float v) const {
         if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
@@ -77,7 +105,9 @@ EmbreeBaseline::EmbreeBaseline(const AccelInput& input, bool robust, int threads
     : state_(std::make_unique<State>()) {
     State& s = *state_;
     s.triangles = static_cast<std::uint32_t>(input.triangles.size());
+    startWorkers(threads);
     s.device = rtcNewDevice(threads > 0 ? fmt::format("threads={}", threads).c_str() : nullptr);
+    throwOnError(s.device);
     rtcSetDeviceMemoryMonitorFunction(
         s.device,
         [](void* counter, ssize_t bytes, bool) {
@@ -86,6 +116,7 @@ EmbreeBaseline::EmbreeBaseline(const AccelInput& input, bool robust, int threads
         },
         &s.bytes);
     s.scene = rtcNewScene(s.device);
+    throwOnError(s.device);
     rtcSetSceneBuildQuality(s.scene, RTC_BUILD_QUALITY_MEDIUM);
     if (robust) rtcSetSceneFlags(s.scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry mesh = rtcNewGeometry(s.device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -101,17 +132,16 @@ EmbreeBaseline::EmbreeBaseline(const AccelInput& input, bool robust, int threads
         rtcAttachGeometryByID(s.scene, spheres, 1);
         rtcReleaseGeometry(spheres);
     }
+    throwOnError(s.device);
     const long before = s.bytes;
     const auto start = std::chrono::steady_clock::now();
     rtcCommitScene(s.scene);
+    throwOnError(s.device);
     s.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     s.bytes -= before;
 }
 
-EmbreeBaseline::~EmbreeBaseline() {
-    rtcReleaseScene(state_->scene);
-    rtcReleaseDevice(state_->device);
-}
+EmbreeBaseline::~EmbreeBaseline() = default;
 
 double EmbreeBaseline::buildSeconds() const { return state_->buildSeconds; }
 std::size_t EmbreeBaseline::bytes() const { return static_cast<std::size_t>(state_->bytes.load()); }

@@ -14,6 +14,7 @@ int roundUpSampleCount(double x) {
 }
 
 HalfFilms::HalfFilms(int width, int height, const PixelBounds& region) {
+    render::Film::requireMemory(region, films_.size());
     for (auto& film : films_) film = std::make_unique<render::Film>(width, height, region);
     allocation_.assign(static_cast<std::size_t>(films_[0]->tileCount()), 1.0);
 }

@@ -22,7 +22,8 @@ class HalfFilms {
     /// Sets the samples of each tile relative to the mean; without a call they are all 1.
     void setAllocation(std::vector<double> allocation);
 
-    /// Extends each half to `samples` per pixel on average. False if stopped; tiles in flight are finished.
+    /// Extends each half to `samples` per pixel on average. False if stopped; tiles in flight are finished if
+    /// they end within TileStop::kGrace.
     /// Runs in the calling task arena.
     bool extend(const trace::World& world, std::uint64_t seed, int samples, const std::stop_token& stop,
                 render::RenderCounters& counters);

@@ -72,6 +72,7 @@ ReferenceImage::ReferenceImage(trace::CompileRequest request, render::ThreadAren
 ReferenceImage::Halves ReferenceImage::emptyHalves() const {
     const PixelBounds whole{0, request_.width, 0, request_.height};
     Halves halves;
+    render::Film::requireMemory(whole, halves.size());
     for (auto& half : halves) half = std::make_unique<render::Film>(request_.width, request_.height, whole);
     return halves;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/memory_budget.h"
 #include "scene/generate/generate.h"
 #include "scene/load_step.h"
 
@@ -73,6 +74,9 @@ MeshData generate(const TerrainShape& shape, const LoadControl& control) {
     const auto height = static_cast<double>(shape.height);
     LoadStep step(control, "generating a terrain", 2 * rows);
     MeshData mesh;
+    base::requireMemory(
+        (columns + 1) * (rows + 1) * 2 * sizeof(glm::vec3) + 2 * columns * rows * sizeof(glm::uvec3),
+        "fewer cells", "a terrain of {} x {} cells", columns, rows);
     mesh.positions.resize((columns + 1) * (rows + 1));
     mesh.normals.resize(mesh.positions.size());
     mesh.triangles.resize(2 * columns * rows);

@@ -127,8 +127,14 @@ toml::table parseToml(const std::string& path, std::string_view text, const Load
         // toml++ does not notice that a stream ends within a character.
         if (endsWithinCharacter(text)) return toml::parse(text, path);
         return toml::parse(stream, path);
-    } catch (const toml::parse_error& error) {
+    } catch (const toml::parse_error&) {
         buffer.rethrowFailure();
+    }
+    // The parser reads numbers with streams, which turn lack of memory into a wrong number: a wrong text is
+    // wrong again.
+    try {
+        return toml::parse(text, path);
+    } catch (const toml::parse_error& error) {
         std::string message(error.description());
         if (message.find("invalid utf-8") != std::string::npos) message += "; save the file as UTF-8";
         throw InputError(std::move(message), positionIn(path, error.source()));

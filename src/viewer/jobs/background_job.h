@@ -9,8 +9,10 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <system_error>
 #include <utility>
 
+#include "base/memory_budget.h"
 #include "viewer/jobs/thread_priority.h"
 
 namespace rayscope::viewer {
@@ -20,7 +22,7 @@ using JobProgress = std::atomic<double>;
 
 /// A computation on a thread of its own with a lower priority, so that the window stays responsive. All
 /// members are called from the window's thread and none of them blocks; only the destructor waits for the
-/// computation to stop.
+/// computation to stop. If the system starts no more threads, poll() runs the work instead.
 template <class Result>
 class BackgroundJob {
   public:
@@ -46,12 +48,15 @@ class BackgroundJob {
     /// The result, once, as soon as there is one. If the work threw there is none: after Stopped nothing is
     /// reported, other exceptions leave their text in error().
     std::optional<Result> poll() {
-        if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        // A deferred computation is not ready before it is asked for.
+        if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) == std::future_status::timeout)
             return std::nullopt;
         std::optional<Result> result;
         try {
             result = running_.get();
         } catch (const Stopped&) {
+        } catch (const std::bad_alloc& error) {
+            if (!discarded_) error_ = std::string("error: ") + base::messageOf(error);
         } catch (const std::exception& error) {
             if (!discarded_) error_ = error.what();
         }
@@ -81,13 +86,20 @@ class BackgroundJob {
         stop_ = std::stop_source{};
         progress_ = std::make_shared<JobProgress>(0.0);
         error_.clear();
-        running_ = std::async(std::launch::async, [work = std::move(work), stop = stop_.get_token(),
-                                                   progress = progress_]() mutable {
-            lowerThreadPriority();
+        const auto shared = std::make_shared<Work>(std::move(work));
+        const auto run = [shared, stop = stop_.get_token(), progress = progress_] {
             // What the work owns is destroyed here, not on the window's thread.
-            const Work once = std::move(work);
+            const Work once = std::move(*shared);
             return once(stop, *progress);
-        });
+        };
+        try {
+            running_ = std::async(std::launch::async, [run] {
+                lowerThreadPriority();
+                return run();
+            });
+        } catch (const std::system_error&) {
+            running_ = std::async(std::launch::deferred, run);
+        }
     }
 
     std::future<Result> running_;

@@ -22,6 +22,7 @@ class SampleCounter {
   public:
     SampleCounter(std::stop_token stop, JobProgress& progress, int samples)
         : stop_(std::move(stop)), progress_(&progress), samples_(std::max(samples, 1)) {}
+    const std::stop_token& stop() const { return stop_; }
     void operator()() {
         if (stop_.stop_requested()) throw Stopped();
         progress_->store(static_cast<double>(done_++) / samples_);
@@ -40,7 +41,7 @@ std::vector<RayTree> recordTrees(const trace::World& world, SampleId id, int sam
     std::size_t bytes = 0;
     for (id.index = 0; id.index < samples && bytes < budget; ++id.index) {
         beforeSample();
-        trees.push_back(probeSample(world, kViewerSeed, id));
+        trees.push_back(probeSample(world, kViewerSeed, id, beforeSample.stop()));
         bytes += bytesOf(trees.back());
     }
     return trees;
@@ -78,8 +79,9 @@ void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> fil
         SampleCounter counter(stop, progress, verified + samples);
         const auto beforeSample = [&counter] { counter(); };
         Replay replay;
-        if (film) replay.replayResult = verifyReplay(*world, *film, kViewerSeed, id.x, id.y, beforeSample);
-        replay.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, samples, beforeSample);
+        if (film)
+            replay.replayResult = verifyReplay(*world, *film, kViewerSeed, id.x, id.y, beforeSample, stop);
+        replay.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, samples, beforeSample, stop);
         replay.statistics = probe::statisticsOf(replay.pixel.values);
         return replay;
     });
@@ -172,7 +174,8 @@ void DebugRays::verifyAgain(std::shared_ptr<const render::Film> film) {
     if (samples == recording_->replayResult->samples) return;
     verification_.start([world = recording_->world, film = std::move(film), id, samples](
                             const std::stop_token& stop, JobProgress& progress) {
-        return verifyReplay(*world, *film, kViewerSeed, id.x, id.y, SampleCounter(stop, progress, samples));
+        return verifyReplay(*world, *film, kViewerSeed, id.x, id.y, SampleCounter(stop, progress, samples),
+                            stop);
     });
 }
 
@@ -189,7 +192,7 @@ const std::vector<probe::Diagnosis>* DebugRays::diagnose() {
         diagnosis_.start(
             [world = recording.world, id, samples](const std::stop_token& stop, JobProgress& progress) {
                 return probe::diagnosePixel(*world, kViewerSeed, id.x, id.y, samples,
-                                            SampleCounter(stop, progress, samples));
+                                            SampleCounter(stop, progress, samples), stop);
             });
     }
     return recording.diagnosis ? &*recording.diagnosis : nullptr;

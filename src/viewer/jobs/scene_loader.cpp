@@ -1,5 +1,7 @@
 #include "viewer/jobs/scene_loader.h"
 
+#include "base/memory_budget.h"
+
 namespace rayscope::viewer {
 
 LoadedScene loadWithNotes(const std::string& path, bool reload, const LoadControl& control) {
@@ -12,8 +14,8 @@ LoadedScene loadWithNotes(const std::string& path, bool reload, const LoadContro
         loaded.notes.insert(loaded.notes.end(), odd.begin(), odd.end());
     } catch (const Stopped&) {
         throw;
-    } catch (const std::bad_alloc&) {
-        loaded.error = path + ": error: the scene does not fit into memory";
+    } catch (const std::bad_alloc& error) {
+        loaded.error = path + ": error: " + base::messageOf(error);
     } catch (const std::exception& error) {
         loaded.error = error.what();
     }
