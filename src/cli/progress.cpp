@@ -36,13 +36,6 @@ ProgressStyle progressStyle(const std::string& option, bool quiet) {
     return isatty(STDERR_FILENO) ? ProgressStyle::Bar : ProgressStyle::None;
 }
 
-std::string durationText(double seconds) {
-    if (seconds < 60.0) return fmt::format("{:.2f} s", seconds);
-    const auto whole = static_cast<long>(seconds);
-    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
 std::string etaText(double remainingSeconds) {
     return "ETA " + (remainingSeconds > 0.0 ? durationText(remainingSeconds) : "–");
 }

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/quantity_text.h"
+
 namespace rayscope::cli {
 
 enum class ProgressStyle { Bar, Json, None };
@@ -41,10 +43,9 @@ class Progress {
     bool drawn_ = false;
 };
 
-/// "1:02:03", "2:03" or "0.42 s".
-std::string durationText(double seconds);
+using base::durationText;
 
-/// "ETA 2:03", or "ETA –" if the time is 0, which means unknown.
+/// "ETA 2 min 03 s", or "ETA –" if the time is 0, which means unknown.
 std::string etaText(double remainingSeconds);
 
 }  // namespace rayscope::cli
