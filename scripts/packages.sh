@@ -8,6 +8,7 @@ build_packages=(
     libpng-dev libjpeg-dev libopenexr-dev zlib1g-dev               # images
     nlohmann-json3-dev                                             # JSON reports, glTF
     libglfw3-dev libepoxy-dev libimgui-dev                         # window
+    fonts-dejavu-core                                              # its font, compiled into the program
 )
 
 test_packages=(

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 #include "viewer/panels/theme.h"
@@ -34,15 +35,19 @@ int letterOf(int key, int scancode) {
 }
 
 /// Scale 2 for monitors of high pixel density, even if the desktop is configured for scale 1. Implausible
-/// sizes, as reported by projectors, televisions and virtual displays, are ignored.
+/// sizes, as reported by projectors, televisions and virtual displays, are ignored. 96 pixels per inch are
+/// what X servers report if they do not know the size: then a picture of 3000 pixels or more is taken for one
+/// of high density.
 float scaleOfPixels(GLFWmonitor* monitor) {
-    constexpr float kMinDensity = 144.0f, kMaxDensity = 400.0f, kMinWidth = 150.0f;
+    constexpr int kWidePixels = 3000;
+    constexpr float kMinDensity = 144.0f, kUnknownDensity = 96.0f, kMaxDensity = 400.0f, kMinWidth = 150.0f;
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     int width = 0, height = 0;
     if (mode == nullptr) return 1.0f;
     glfwGetMonitorPhysicalSize(monitor, &width, &height);
     if (static_cast<float>(width) < kMinWidth) return 1.0f;
     const float perInch = 25.4f * static_cast<float>(mode->width) / static_cast<float>(width);
+    if (mode->width >= kWidePixels && std::abs(perInch - kUnknownDensity) < 1.0f) return 2.0f;
     return perInch >= kMinDensity && perInch <= kMaxDensity ? 2.0f : 1.0f;
 }
 

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#ifdef RAYSCOPE_FONT
+#include "embedded_font.h"
+#endif
 
 namespace rayscope::viewer {
 
@@ -51,20 +56,52 @@ void setColors(ImVec4* colors) {
     colors[ImGuiCol_ModalWindowDimBg] = {0.0f, 0.0f, 0.0f, 0.45f};
 }
 
-/// The built-in bitmap font is 13 pixels high; only whole multiples are sharp.
+#ifdef RAYSCOPE_FONT
+
+constexpr float kTextUnits = 15.0f;
+
+float sharpScale(float scale) { return scale; }
+
 void loadFont(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.Fonts->Clear();
+    // Latin, Greek and Cyrillic letters, punctuation, arrows and mathematical signs.
+    static constexpr ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x04ff, 0x2010, 0x2027,
+                                          0x2190, 0x21ff, 0x2200, 0x22ff, 0};
+    const std::string_view font = fonts::files().front().content;
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;  // the atlas only reads the data
+    config.OversampleH = 2;
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    atlas.AddFontFromMemoryTTF(const_cast<char*>(font.data()), static_cast<int>(font.size()),
+                               std::round(kTextUnits * scale), &config, kRanges);
+}
+
+#else
+
+constexpr float kTextUnits = 13.0f;
+
+/// The bitmap font is sharp at whole multiples of its size only.
+float sharpScale(float scale) { return std::max(1.0f, std::round(scale)); }
+
+void loadFont(float scale) {
     ImFontConfig config;
     config.OversampleH = config.OversampleV = 1;
     config.PixelSnapH = true;
-    config.SizePixels = 13.0f * std::max(1.0f, std::round(scale));
-    io.Fonts->AddFontDefault(&config);
+    config.SizePixels = kTextUnits * scale;
+    ImGui::GetIO().Fonts->Clear();
+    ImGui::GetIO().Fonts->AddFontDefault(&config);
 }
+
+#endif
+
+float appliedScale = 1.0f;
 
 }  // namespace
 
+float themeScale() { return appliedScale; }
+
 void applyTheme(float scale) {
+    appliedScale = sharpScale(scale);
     ImGuiStyle style;
     setColors(style.Colors);
     style.WindowPadding = {10, 8};
@@ -83,9 +120,9 @@ void applyTheme(float scale) {
     style.PopupBorderSize = 1;
     style.WindowTitleAlign = {0.0f, 0.5f};
     style.DisabledAlpha = 0.45f;
-    style.ScaleAllSizes(std::max(1.0f, std::round(scale)));
+    style.ScaleAllSizes(appliedScale);
     ImGui::GetStyle() = style;
-    loadFont(scale);
+    loadFont(appliedScale);
 }
 
 }  // namespace rayscope::viewer
