@@ -11,7 +11,7 @@ inline constexpr const char* kDefaultScene = "builtin:cornell";
 struct ViewerOptions {
     std::string scene = kDefaultScene;  ///< what loadScene() takes
     RequestOverrides overrides;         ///< its size is that of the window, in screen coordinates
-    int threads = 0;                    ///< tracing threads; 0 leaves one core to the window
+    int threads = 0;                    ///< tracing threads; 0: all cores, but one while something moves
 };
 
 /// Opens the window and returns when it is closed: 0. A scene that takes long to load appears when it is

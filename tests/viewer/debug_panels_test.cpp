@@ -62,48 +62,27 @@ TEST(RaysPanel, SelectsRaysInTheTable) {
     driver.click("camera 0");
     EXPECT_EQ(driver.workspace.rays.selection().node, 0);
     EXPECT_TRUE(driver.shows("Throughput"));
+    EXPECT_FALSE(driver.isEnabled("Show all"));
     driver.click("Hide (H)");
     driver.click("Isolate (I)");
     EXPECT_EQ(driver.takeCommands(), (std::vector{Command::HideRay, Command::IsolateRay}));
-    driver.workspace.rays.hideSelected();
+    driver.workspace.hideSelectedRay();
     driver.frame();
-    driver.click("Show 1 hidden rays");
+    driver.click("Show all");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::ShowAllRays});
+    driver.workspace.showAllRays();
     EXPECT_TRUE(driver.workspace.rays.filter.hidden.empty());
 }
 
-TEST(RaysPanel, ShowsTheTraversalOfBothTrees) {
-    PanelDriver driver("monkey");
-    driver.recordPixel(32, 24);
-    driver.click("Rays");
-    TraversalOverlayOptions& traversal = driver.workspace.rays.traversal;
-    EXPECT_FALSE(driver.has("Binary"));
-    driver.click("Traversal (T)/Draw");
-    EXPECT_TRUE(traversal.shown);
-    expectToggle(driver, "Culled", traversal.culled);
-    expectToggle(driver, "Missed", traversal.missed);
-    driver.click("Step by step");
-    driver.frame();
-    driver.type("Step", "4");
-    EXPECT_EQ(traversal.step, 4);
-    EXPECT_TRUE(driver.shows("Interval"));
-    driver.click("Wide");
-    EXPECT_EQ(traversal.layout, BvhLayout::Wide);
-    EXPECT_EQ(traversal.step, 0) << "another tree has other steps";
-    driver.click("Binary");
-    EXPECT_EQ(traversal.layout, BvhLayout::Binary);
-    expectToggle(driver, "Glossy square", driver.workspace.rays.surface.glossySquare);
-    expectToggle(driver, "Lens and focus", driver.workspace.rays.surface.lens);
-}
-
-TEST(RaysPanel, PinsPixels) {
+TEST(RaysPanel, NothingBelowMovesWhenRaysAreOutdated) {
     PanelDriver driver("cornell");
-    driver.click("Rays");
-    EXPECT_TRUE(driver.shows("Press P"));
     driver.recordPixel(32, 24);
-    driver.workspace.rays.pin();
+    driver.click("Rays");
+    const float before = driver.at("Rays/Filters").lower.y;
+    driver.workspace.edit.settings.maxDepth = 1;
     driver.frame();
-    driver.click("Pinned pixels/32, 24");
-    EXPECT_TRUE(driver.workspace.rays.pins.empty());
+    ASSERT_TRUE(driver.shows("Outdated"));
+    EXPECT_EQ(driver.at("Rays/Filters").lower.y, before);
 }
 
 struct BvhPanel : testing::Test {
@@ -129,8 +108,10 @@ TEST_F(BvhPanel, StepsThroughLevelsAndLeaves) {
     EXPECT_EQ(bvh.shown.level, 5);
     driver.type("Boxes/Leaf", "7");
     EXPECT_EQ(bvh.shown.leafNumber, 7);
+    const float below = driver.at("BVH/Build").lower.y;
     driver.click("Highlight one leaf");
     EXPECT_TRUE(driver.shows("primitives"));
+    EXPECT_EQ(driver.at("BVH/Build").lower.y, below) << "nothing moves";
     driver.type("Max level", "3");
     EXPECT_EQ(driver.workspace.edit.settings.bvhMaxLevel, 3);
 }
@@ -181,6 +162,9 @@ TEST(HeatPanel, ChoosesQuantityColoursAndRange) {
     EXPECT_NE(heat.to, before);
     driver.click("Fit range to values");
     EXPECT_TRUE(heat.fitRange);
+    EXPECT_TRUE(driver.has("Colour bar")) << "on the picture";
+    driver.click("Show heat map (M)");
+    EXPECT_FALSE(driver.has("Colour bar"));
 }
 
 TEST(ComparisonPanel, ComparesTheKeptPicture) {

@@ -32,12 +32,10 @@ TEST(Menus, EveryEntryIssuesItsCommand) {
     EXPECT_GT(issued, 40);
 }
 
-TEST(Menus, SwitchTheRasterisedView) {
+TEST(Menus, SetTheResolutionOfTheTracedView) {
     PanelDriver driver("cornell");
     driver.click("Menu/View");
-    driver.click("Smooth normals");
-    EXPECT_FALSE(driver.workspace.view.raster.smoothNormals);
-    driver.click("Menu/View");
+    EXPECT_FALSE(driver.has("Smooth normals")) << "the settings switch both views";
     driver.click("Resolution of the traced view");
     driver.click("Resolution of the traced view/50 %");
     EXPECT_FLOAT_EQ(driver.workspace.view.resolution, 0.5f);
@@ -52,6 +50,67 @@ TEST(Dialogs, ShowAnErrorUntilItIsClosed) {
     driver.click("Error/Close");
     EXPECT_TRUE(driver.workspace.errorMessage.empty());
     EXPECT_FALSE(driver.has("Error/Close"));
+    driver.workspace.errorMessage = "cannot read y.toml";
+    driver.frame();
+    driver.frame();
+    driver.pressEnter();
+    EXPECT_TRUE(driver.workspace.errorMessage.empty()) << "Enter closes it, too";
+}
+
+TEST(Menus, EscapeClosesMenusAndLists) {
+    PanelDriver driver("cornell");
+    driver.click("Menu/View");
+    driver.click("Menu/View/Resolution of the traced view");
+    ASSERT_TRUE(driver.has("Resolution of the traced view/50 %"));
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frame();
+    EXPECT_FALSE(driver.has("Menu/View/Wireframe"));
+    driver.click("Contents/File");
+    ASSERT_TRUE(driver.has("File/cube"));
+    driver.pressKey(ImGuiKey_Escape);
+    driver.frame();
+    EXPECT_FALSE(driver.has("File/cube"));
+}
+
+TEST(Menus, CommandsForAPixelWaitForAClickOnOne) {
+    PanelDriver driver("cornell");
+    Workspace& workspace = driver.workspace;
+    EXPECT_FALSE(workspace.awaitPixel(infoOf(Command::SwitchView))) << "needs no pixel";
+    for (const Command command : {Command::RecordRays, Command::CopyPixel, Command::LeafUnderCursor,
+                                  Command::CenterOnPixel, Command::FocusOnPixel}) {
+        workspace.cursor.reset();
+        EXPECT_TRUE(workspace.awaitPixel(infoOf(command)));
+        EXPECT_EQ(workspace.view.picking, command);
+        driver.frame();
+        driver.frame();
+        EXPECT_TRUE(driver.shows(std::string(infoOf(command).label) + ": click a pixel"));
+        workspace.cursor = CursorInfo{};
+        EXPECT_FALSE(workspace.awaitPixel(infoOf(command)));
+        EXPECT_FALSE(workspace.view.picking) << "done";
+    }
+    workspace.cursor.reset();
+    driver.click("Rays");
+    driver.click("Record rays of a pixel...");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::RecordRays});
+}
+
+TEST(Menus, TheMenuOfAPixelActsOnThatPixel) {
+    PanelDriver driver("cornell");
+    Workspace& workspace = driver.workspace;
+    CursorInfo info;
+    info.pixel = {12, 34};
+    info.object = "box";
+    workspace.menuPixel = info;
+    workspace.openPixelMenu = true;
+    driver.frame();
+    driver.frame();
+    EXPECT_TRUE(driver.shows("Pixel 12, 34: box"));
+    EXPECT_FALSE(driver.isEnabled("Pixel menu/Focus on pixel")) << "the camera has no lens";
+    driver.click("Pixel menu/Record rays");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::RecordRays});
+    ASSERT_TRUE(workspace.picked);
+    EXPECT_EQ(workspace.picked->pixel, glm::ivec2(12, 34));
+    EXPECT_FALSE(driver.has("Pixel menu/Record rays")) << "closed by the click";
 }
 
 TEST(Dialogs, CancelALoad) {
@@ -86,7 +145,7 @@ TEST(Dialogs, SavesAreReported) {
     driver.frame();
     EXPECT_TRUE(driver.shows("saving a.png"));
     driver.waitFor("end", [&] { return !driver.workspace.saves.busy(); });
-    EXPECT_TRUE(driver.shows("Saved a.png"));
+    EXPECT_TRUE(driver.shows("Saved a.png in " + std::filesystem::current_path().string()));
     driver.workspace.saves.add({"b.png"}, [] { throw InputError("disk full", {"b.png"}); });
     driver.waitFor("error", [&] { return driver.shows("b.png: error: disk full"); });
 }
@@ -120,13 +179,21 @@ TEST(Dialogs, ListFoldersAndSceneFiles) {
     EXPECT_FALSE(driver.has("Open a scene/c.txt"));
     EXPECT_FALSE(driver.has("Open a scene/.hidden.toml"));
     driver.click("Open a scene/more/");
+    EXPECT_FALSE(driver.openDialog.busy()) << "a click selects";
+    EXPECT_TRUE(driver.has("Open a scene/a.toml"));
+    driver.doubleClick("Open a scene/more/");
+    EXPECT_EQ(driver.workspace.loader.path(), "") << "a double click on a folder opens no file in it";
     driver.waitFor("the other list", [&] { return driver.has("Open a scene/d.obj"); });
     EXPECT_FALSE(driver.has("Open a scene/a.toml"));
+    driver.click("Open a scene/d.obj");
+    EXPECT_EQ(driver.workspace.loader.path(), "");
+    driver.doubleClick("Open a scene/d.obj");
+    EXPECT_EQ(driver.workspace.loader.path(), (folder / "more/d.obj").string());
 }
 
 TEST(Dialogs, RenderToAFile) {
     PanelDriver driver("cube", {{"spp", "1"}});
-    driver.renderDialog.request();
+    driver.renderWindow.request(driver.workspace);
     driver.frame();
     driver.frame();
     const std::string path = testing::TempDir() + "panels_test_render.pfm";
@@ -137,9 +204,58 @@ TEST(Dialogs, RenderToAFile) {
         return driver.shows("Written: " + path);
     });
     EXPECT_TRUE(std::filesystem::exists(path));
-    std::filesystem::remove(path);
     driver.click("Render to file/Close");
     EXPECT_EQ(driver.workspace.job, nullptr);
+    std::filesystem::remove(path);
+}
+
+TEST(Dialogs, RenderAsksBeforeItOverwrites) {
+    const test::TemporaryFolder folder;
+    const std::string path = (folder / "there.pfm").string();
+    folder.write("there.pfm", "precious");
+    PanelDriver driver("cube", {{"spp", "1"}});
+    driver.renderWindow.request(driver.workspace);
+    driver.frame();
+    driver.frame();
+    driver.replaceText("File (.png .exr .pfm .hdr .ppm .pgm)", path);
+    const float button = driver.at("Render to file/Render").lower.y;
+    driver.click("Render to file/Render");
+    EXPECT_TRUE(driver.shows(path + " exists."));
+    EXPECT_EQ(driver.workspace.job, nullptr);
+    EXPECT_EQ(driver.at("Render to file/Render").lower.y, button) << "the question moves no button";
+    driver.click("Render to file/Keep");
+    EXPECT_EQ(driver.workspace.job, nullptr);
+    EXPECT_EQ(std::filesystem::file_size(path), 8u);
+    driver.click("Render to file/Render");
+    driver.click("Render to file/Overwrite");
+    driver.waitFor("file", [&] {
+        driver.workspace.job->update();
+        return driver.shows("Written: " + path);
+    });
+    EXPECT_GT(std::filesystem::file_size(path), 8u);
+}
+
+TEST(Dialogs, TheWindowStaysUsableWhileAFileIsRendered) {
+    const test::TemporaryFolder folder;
+    const std::string path = (folder / "long.pfm").string();
+    PanelDriver driver("cube", {{"spp", "100000"}});
+    driver.renderWindow.request(driver.workspace);
+    driver.frame();
+    driver.frame();
+    driver.replaceText("File (.png .exr .pfm .hdr .ppm .pgm)", path);
+    driver.click("Render to file/Render");
+    ASSERT_TRUE(driver.workspace.job && driver.workspace.job->running());
+    driver.click("Ray-traced");
+    EXPECT_TRUE(driver.workspace.view.traced);
+    driver.click("Render to file/Hide");
+    EXPECT_FALSE(driver.has("Render to file/Cancel"));
+    EXPECT_TRUE(driver.shows("rendering " + path)) << "in the status bar";
+    driver.renderWindow.request(driver.workspace);
+    driver.frame();
+    driver.frame();
+    driver.click("Render to file/Cancel");
+    EXPECT_TRUE(driver.shows("Cancelled: no file written."));
+    EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(Dialogs, ListKeysAndStatistics) {

@@ -129,6 +129,57 @@ TEST(DebugRaysOverlay, hidesIsolatesAndSelects) {
     EXPECT_TRUE(shownRays(tree, filter).empty());
 }
 
+TEST(DebugRaysOverlay, manyRaysAreDrawnWithTheWeightOfWhatTheyAdd) {
+    RayTree tree;
+    RayNode node;
+    node.hit = true;
+    tree.nodes = {node};
+    const auto addShadowRays = [&](int count, double contribution) {
+        for (int i = 0; i < count; ++i) {
+            ShadowRay ray;
+            ray.node = 0;
+            ray.visibility = Visibility::Visible;
+            ray.contribution = RgbSum(contribution);
+            tree.shadowRays.push_back(ray);
+        }
+    };
+    const DebugRayFilter filter;
+    addShadowRays(10, 1.0);
+    EXPECT_EQ(RayWeights(std::span(&tree, 1), filter).opacity(tree, {-1, 0}), 1.0f) << "few rays are opaque";
+    addShadowRays(990, 0.01);
+    const RayWeights many(std::span(&tree, 1), filter);
+    const float strong = many.opacity(tree, {-1, 0}), weak = many.opacity(tree, {-1, 500});
+    EXPECT_LT(strong, 0.4f);
+    EXPECT_LT(weak, 0.6f * strong);
+    EXPECT_GT(weak, 0.0f);
+    const auto opacityOf = [&](RaySelection selected) {
+        DebugRayFilter one = filter;
+        one.selected = selected;
+        one.isolated = true;
+        one.normals = false;
+        return debugRayLines(tree, one, 10.0f, many).back().color.a;
+    };
+    EXPECT_GT(opacityOf({-1, 500}), 0.8f) << "the selected ray stays as it is";
+}
+
+TEST(DebugRaysOverlay, darkSurfacesAreVisibleOnBlack) {
+    RayTree tree;
+    RayNode node;
+    node.hit = true;
+    DebugRayFilter filter = nothing();
+    filter.camera = true;
+    filter.colors = RayColors::Surface;
+    for (const RgbSum dark : {RgbSum(0.0), RgbSum(0.0, 0.0, 0.002), RgbSum(0.01, 0.004, 0.001)}) {
+        node.contribution = dark;
+        tree.nodes = {node};
+        const OverlayLine line = debugRayLines(tree, filter, 10.0f).at(0);
+        EXPECT_GE(std::max({line.color.r, line.color.g, line.color.b}), 0.59f);
+        EXPECT_GE(line.width, 2.0f);
+        const bool isHueKept = line.color.g <= std::max(line.color.r, line.color.b);
+        EXPECT_TRUE(isHueKept);
+    }
+}
+
 TEST(DebugRaysOverlay, colorsShowSurfaceOrRadiance) {
     // A pane of half opacity shows red, and lets green through from behind.
     RayTree tree;
@@ -146,9 +197,10 @@ TEST(DebugRaysOverlay, colorsShowSurfaceOrRadiance) {
     filter.colors = RayColors::Surface;
     OverlayLines lines = debugRayLines(tree, filter, 10.0f);
     EXPECT_EQ(glm::vec3(lines[0].color), displayColor({0.8f, 0.0f, 0.0f}));
-    EXPECT_EQ(lines[0].color.a, 0.5f);
+    EXPECT_EQ(lines[0].style, LineStyle::Dashed) << "transparent surfaces are dashed";
+    EXPECT_EQ(lines[0].color.a, 1.0f) << "and not faded";
     EXPECT_EQ(glm::vec3(lines[1].color), displayColor({0.0f, 1.0f, 0.0f}));
-    EXPECT_EQ(lines[1].color.a, 1.0f);
+    EXPECT_EQ(lines[1].style, LineStyle::Solid);
     filter.colors = RayColors::IncomingRadiance;
     lines = debugRayLines(tree, filter, 10.0f);
     EXPECT_EQ(glm::vec3(lines[0].color), displayColor({0.4f, 0.5f, 0.0f}));

@@ -46,6 +46,7 @@ PanelDriver::PanelDriver(const std::string& scene, const std::map<std::string, s
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
     ui::recordItems(true);
+    ui::sections().clear();
     workspace.viewSize = {64, 48};
     frame();
     frame();
@@ -85,10 +86,14 @@ void PanelDriver::frame() {
     drawKeysWindow(workspace);
     drawStatisticsWindow(workspace);
     openDialog.draw(workspace);
-    renderDialog.draw(workspace);
+    renderWindow.draw(workspace);
+    drawContextMenu(workspace);
     drawErrorDialog(workspace);
     drawLoadingWindow(workspace);
     drawComparisonMarks(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
+    drawColorBar(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
+    drawPixelMarks(workspace, {0.0f, 20.0f}, 1.0);
+    drawPickingMarks(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
     workspace.closeDialogs = false;
     ImGui::Render();
 }
@@ -184,9 +189,14 @@ void PanelDriver::click(std::string_view label) {
 void PanelDriver::doubleClickLabel(std::string_view label) {
     const ui::Item* item = find(label, Kind::Text);
     if (item == nullptr) throw std::runtime_error("no text '" + std::string(label) + "'");
-    const ImVec2 at = centerOf(*item);
-    press(at);
-    press(at);
+    pressTwice(centerOf(*item));
+}
+
+void PanelDriver::doubleClick(std::string_view label) { pressTwice(centerOf(get(label))); }
+
+void PanelDriver::pressTwice(ImVec2 position) {
+    press(position);
+    press(position);
     for (int i = 0; i < 20; ++i) frame();
 }
 
@@ -212,10 +222,10 @@ void PanelDriver::replaceText(std::string_view label, const std::string& text) {
     frame();
 }
 
-void PanelDriver::pressEnter() {
+void PanelDriver::pressKey(ImGuiKey key) {
     ImGuiIO& io = ImGui::GetIO();
     for (const bool down : {true, false}) {
-        io.KeysDown[io.KeyMap[ImGuiKey_Enter]] = down;
+        io.KeysDown[io.KeyMap[key]] = down;
         frame();
     }
 }

@@ -24,7 +24,7 @@ class PanelDriver {
 
     Workspace workspace;
     OpenDialog openDialog;
-    RenderDialog renderDialog;
+    RenderWindow renderWindow;
     /// The commands that controls have issued since the last call.
     std::vector<Command> takeCommands();
 
@@ -45,6 +45,8 @@ class PanelDriver {
     bool shows(std::string_view part) const;
     void hover(std::string_view label);
     void click(std::string_view label);
+    /// Two clicks in quick succession.
+    void doubleClick(std::string_view label);
     /// Clicks beside all panels, which closes menus.
     void clickPicture() { press({400.0f, 400.0f}); }
     /// Double-clicks the text of a row, which resets its value.
@@ -55,7 +57,10 @@ class PanelDriver {
     void replaceText(std::string_view label, const std::string& text);
     /// Opens the combo of a row and clicks one of its choices.
     void choose(const std::string& row, const std::string& choice);
-    void pressEnter();
+    void pressEnter() { pressKey(ImGuiKey_Enter); }
+    void pressKey(ImGuiKey key);
+    /// The rectangle of a control or a text.
+    ui::Item at(std::string_view label) { return get(label); }
     /// Drags within a control, by fractions of its width.
     void drag(std::string_view label, float from, float to);
 
@@ -64,6 +69,7 @@ class PanelDriver {
     const ui::Item* find(std::string_view label, Kind kind = Kind::Any) const;
     const ui::Item& get(std::string_view label);
     void press(ImVec2 position);
+    void pressTwice(ImVec2 position);
 
     ImGuiContext* context_;
 };

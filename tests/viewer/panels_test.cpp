@@ -142,7 +142,17 @@ TEST(ScenePanel, EditsTheCamera) {
     CameraDescription& camera = driver.workspace.edit.camera;
     driver.type("Field of view", "70");
     EXPECT_FLOAT_EQ(camera.fov, 70.0f);
-    driver.click("Lens");
+    driver.click("Copy as options");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::CopyCamera});
+}
+
+TEST(SettingsPanel, HasTheLensBesideDepthOfField) {
+    PanelDriver driver("cornell");
+    CameraDescription& camera = driver.workspace.edit.camera;
+    EXPECT_TRUE(driver.shows("none (pinhole)")) << "in the tab Scene";
+    driver.click("Settings");
+    EXPECT_FALSE(driver.isEnabled("Depth of field"));
+    driver.click("Camera/Lens");
     ASSERT_TRUE(camera.lens.has_value());
     driver.type("f-number", "2");
     driver.type("Focal length", "0.5");
@@ -150,10 +160,35 @@ TEST(ScenePanel, EditsTheCamera) {
     EXPECT_FLOAT_EQ(camera.lens->fNumber, 2.0f);
     EXPECT_FLOAT_EQ(camera.lens->focalLength, 0.5f);
     EXPECT_FLOAT_EQ(camera.lens->focusDistance, 4.0f);
-    driver.click("Lens");
+    EXPECT_TRUE(driver.isEnabled("Depth of field"));
+    driver.click("Focus on a pixel...");
+    EXPECT_EQ(driver.takeCommands(), std::vector{Command::FocusOnPixel});
+    driver.click("Camera/Lens");
     EXPECT_FALSE(camera.lens.has_value());
-    driver.click("Copy as options");
-    EXPECT_EQ(driver.takeCommands(), std::vector{Command::CopyCamera});
+}
+
+TEST(SettingsPanel, TooltipsOfDisabledRowsAreNotFaded) {
+    PanelDriver driver("cornell");
+    driver.click("Settings");
+    ASSERT_FALSE(driver.isEnabled("Lens samples"));
+    driver.hover("Lens samples");
+    const auto reason = std::find_if(ui::items().begin(), ui::items().end(), [](const ui::Item& item) {
+        return item.isText && item.path.find("Inactive: ") != std::string::npos;
+    });
+    ASSERT_NE(reason, ui::items().end());
+    EXPECT_TRUE(reason->enabled) << "drawn with full opacity";
+}
+
+TEST(SettingsPanel, WideRangesHaveSliders) {
+    PanelDriver driver("cornell", {{"bloom", "true"}});
+    driver.click("Settings");
+    Settings& settings = driver.workspace.edit.settings;
+    driver.drag("Bloom threshold", 0.9f, 0.999f);
+    EXPECT_GT(settings.bloomThreshold, 500.0f) << "the right end is the highest value";
+    driver.drag("Bloom threshold", 0.999f, 0.001f);
+    EXPECT_LT(settings.bloomThreshold, 0.01f);
+    driver.drag("Bloom size", 0.5f, 0.5f);
+    EXPECT_LT(settings.bloomSize, 100) << "the middle of the slider is far below that of the range";
 }
 
 TEST(ScenePanel, SetsTheCameraFromOptions) {
@@ -201,6 +236,38 @@ TEST(ScenePanel, ListsRequiredFeatures) {
     EXPECT_TRUE(driver.shows("32 triangles, 1 mesh"));
     driver.click("Required features");
     EXPECT_TRUE(driver.shows("no object moves"));
+}
+
+TEST(ScenePanel, TextsInOneLineDoNotOverlap) {
+    PanelDriver driver("cornell");
+    driver.workspace.setLights({});
+    driver.click("Required features");
+    int compared = 0;
+    const std::vector<ui::Item>& items = ui::items();
+    for (std::size_t i = 0; i + 1 < items.size(); ++i) {
+        const ui::Item &left = items[i], &right = items[i + 1];
+        if (!left.isText || !right.isText || std::abs(left.lower.y - right.lower.y) > 0.5f) continue;
+        if (!left.path.starts_with("Scene/")) continue;
+        EXPECT_LE(left.upper.x, right.lower.x) << left.path << " and " << right.path;
+        ++compared;
+    }
+    EXPECT_GT(compared, 5);
+    EXPECT_GT(driver.at("No lights: surfaces are black unless shading is off.").upper.y -
+                  driver.at("No lights: surfaces are black unless shading is off.").lower.y,
+              20.0f)
+        << "wrapped instead of cut";
+}
+
+TEST(StatusBar, SaysNothingAboutSamplesOfTheRasterisedView) {
+    PanelDriver driver("cornell", {{"spp", "1"}});
+    driver.waitForWorld();
+    driver.waitFor("rest", [&] { return !driver.workspace.render.busy(); });
+    EXPECT_TRUE(driver.shows("Status bar/rasterised"));
+    EXPECT_FALSE(driver.shows("samples"));
+    EXPECT_FALSE(driver.shows("NaN"));
+    driver.workspace.view.traced = true;
+    driver.waitFor("picture", [&] { return driver.shows("Status bar/1/1 samples") && driver.shows("done"); });
+    EXPECT_FALSE(driver.shows("NaN")) << "all samples are finite";
 }
 
 TEST(LabPanel, TestsTheSceneAndDrawsFailures) {

@@ -17,9 +17,9 @@ import x11
 
 WIDTH, HEIGHT = 1280, 720
 # Points in the picture at scale 1; controls are found by label.
-PICTURE = (0, 19, 944, 678)  # x, y, width, height
+PICTURE = (0, 21, 944, 674)  # x, y, width, height
 PANEL_PIXEL = (950, 690)
-PROGRESS_PIXEL = (8, 697)
+PROGRESS_PIXEL = (8, 695)
 RASTERISED_BUTTON = (960, 37)  # blue while the rasterised view is shown
 PANEL = (1100, 500)  # in the side panel, where the wheel scrolls it
 ASIDE = (100, 600)  # in the picture, where nothing is
@@ -1054,12 +1054,12 @@ def test_pins(viewer):
     viewer.point(*ASIDE)
 
     def pins():
-        return [text for text in viewer.below("Rays/Pinned pixels/") if text.endswith(", 461")]
+        return [text for text in viewer.below("Rays/Pinned pixels/") if text.endswith(", 459")]
 
-    expect(pins() == ["300, 461", "500, 461"], f"both pixels are listed: {pins()}")
-    viewer.click("300, 461")
-    wait_for("one pin less", lambda: pins() == ["500, 461"])
-    viewer.click("500, 461")
+    expect(pins() == ["300, 459", "500, 459"], f"both pixels are listed: {pins()}")
+    viewer.click("300, 459")
+    wait_for("one pin less", lambda: pins() == ["500, 459"])
+    viewer.click("500, 459")
     wait_for("no pin", lambda: pins() == [])
 
 
@@ -1094,6 +1094,32 @@ def test_moving(viewer):
     viewer.do("mouseup", 1)
     expect(viewer.settled_picture().differing(moving) > 1000, "at rest everything is drawn")
     expect(viewer.saved_property("drawn", "shift+ctrl+s") == "", "and nothing is reported")
+
+
+def test_layout(viewer):
+    """Width and side of the panel, its tab and the UI scale are the same at the next start; a command resets them."""
+    def seen():
+        return viewer.rect("Rasterised"), viewer.rect("Panel edge")
+
+    first = seen()
+    x = first[1][0]
+    viewer.drag((x + 2, 300), (x - 98, 300))
+    wait_for("a wider panel", lambda: viewer.rect("Panel edge")[0] < x - 80)
+    viewer.click("BVH")
+    viewer.key("shift+n")
+    wait_for("the panel on the left", lambda: viewer.rect("Rasterised")[0] < 100)
+    heights = [viewer.rect("Rasterised")[3]]
+    for _ in range(3):
+        viewer.key("ctrl+plus")
+        wait_for("larger controls", lambda: viewer.rect("Rasterised")[3] > heights[-1])
+        heights.append(viewer.rect("Rasterised")[3])
+    changed = seen()
+    viewer.quit()
+    viewer.__init__(os.path.abspath(sys.argv[1]), viewer.folder, "builtin:cube")
+    wait_for("the layout of before", lambda: seen() == changed)
+    viewer.rect("BVH/Boxes")
+    viewer.key("ctrl+shift+n")
+    wait_for("the layout of the first start", lambda: seen() == first)
 
 
 def test_full_screen(viewer):
@@ -1132,6 +1158,45 @@ def test_missing_file(viewer):
     wait_for("the message to go", lambda: viewer.picture().differing(before) < 1000)
 
 
+def test_pixel_commands(viewer):
+    """Commands for a pixel, chosen in a menu, wait for a click on one; a removal of rays can be undone."""
+    viewer.open_scene("builtin:cornell")
+    viewer.click("Rays")
+    viewer.point(*ASIDE)
+    bare = viewer.settled_picture()
+    viewer.click("Menu/Rays")
+    viewer.click("Menu/Rays/Record rays")
+    wait_for("the request for a click", lambda: viewer.says("Record rays: click a pixel"))
+    viewer.click(360, 300)
+    wait_for("the recorded pixel", lambda: viewer.says("Pixel 360, 279:"))
+    viewer.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
+    rays = viewer.settled_picture().count(is_ray_yellow)
+    expect(rays > 50, f"the rays of the pixel that was clicked ({rays} pixels)")
+    viewer.key("c")
+    wait_for("no rays", lambda: viewer.settled_picture().count(is_ray_yellow) == 0)
+    viewer.key("ctrl+z")
+    wait_for("the rays again", lambda: viewer.settled_picture().count(is_ray_yellow) == rays)
+    viewer.key("c")
+    viewer.click("Record rays of a pixel...")
+    viewer.rect("Rays/Recorded rays")
+    viewer.key("Escape")
+    wait_for("no request", lambda: not viewer.says("click a pixel"))
+    viewer.key("Home")
+    wait_for("the camera of the file", lambda: viewer.settled_picture().differing(bare) == 0)
+    viewer.point(360, 300)
+    viewer.do("click", 3)
+    viewer.click("Pixel menu/Center on pixel")
+    viewer.point(*ASIDE)
+    wait_for("another view", lambda: viewer.settled_picture().differing(bare) > 1000)
+    centered = viewer.settled_picture()
+    viewer.key("Home")
+    wait_for("the camera of the file", lambda: viewer.settled_picture().differing(bare) == 0)
+    viewer.point(360, 300)
+    viewer.do("click", "--repeat", 2, "--delay", 30, 1)
+    viewer.point(*ASIDE)
+    wait_for("the same view by a double click", lambda: viewer.settled_picture().differing(centered) == 0)
+
+
 def test_keys_window(viewer):
     before = viewer.settled_picture()
     viewer.key("F1")
@@ -1163,7 +1228,7 @@ def test_without_display(program):
 TESTS = [
     (["--set", "spp=4"],
      [test_views, test_toggle_and_undo, test_debug_ray, test_light_handle, test_traversal, test_surfaces, test_normals_and_panes, test_bvh_boxes,
-      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_cancel_loading, test_missing_file, test_keys_window, test_render_to_file,
+      test_heat_map, test_lab, test_typing_is_not_a_shortcut, test_cancel_loading, test_missing_file, test_pixel_commands, test_keys_window, test_render_to_file,
       test_wide_traversal]),
     (["--set", "spp=4"], [test_compare, test_stop_criteria, test_trade, test_isolate_and_copy, test_fly, test_drop,
                           test_vertex_colors]),
@@ -1176,6 +1241,7 @@ TESTS = [
       "bloom_threshold=0.3", "--set", "bloom_size=8", "--set", "bloom_sigma=4"],
      [test_bloom_stages]),
     (["--size", "800x600", "builtin:cube"], [test_full_screen]),
+    (["builtin:cube"], [test_layout]),
 ]
 
 

@@ -29,7 +29,9 @@ Application::Application(const ViewerOptions& options)
       firstOverrides_(options.overrides),
       workspace_(initialState(SceneDescription{}), {}, options.threads),
       window_((openFirstScene(), options.overrides.width), options.overrides.height) {
-    setScale(window_.contentScale());
+    setScale(layout_.scale.value_or(window_.contentScale()));
+    ui::sections() = layout_.sections;
+    ui::selectTab(layout_.tab);
 }
 
 void Application::run() {
@@ -46,7 +48,28 @@ void Application::run() {
         before = Clock::now();
         if (pause < kQuietSeconds) workspace_.frameTimes.add(seconds);
         frame(std::min(0.1, seconds));
+        storeLayout(false);
     }
+    storeLayout(true);
+}
+
+/// Writes a changed layout to its file, at most once in a second unless it has to be written now.
+void Application::storeLayout(bool now) {
+    layout_.sections = ui::sections();
+    layout_.tab = ui::currentTab();
+    const bool due = now || Clock::now() - storedAt_ > std::chrono::seconds(1);
+    if (layout_ == storedLayout_ || !due || (ImGui::IsAnyItemActive() && !now)) return;
+    writeLayout(layoutPath(), layout_);
+    storedLayout_ = layout_;
+    storedAt_ = Clock::now();
+}
+
+void Application::resetLayout() {
+    layout_ = WindowLayout{};
+    ui::sections().clear();
+    ui::selectTab("Scene");
+    workspace_.view.sidePanel = true;
+    setScale(window_.contentScale());
 }
 
 double Application::frameInterval() const {
@@ -75,21 +98,22 @@ void Application::frame(double seconds) {
     drawKeysWindow(workspace_);
     drawStatisticsWindow(workspace_);
     openDialog_.draw(workspace_);
-    renderDialog_.draw(workspace_);
+    renderWindow_.draw(workspace_);
+    drawContextMenu(workspace_);
     drawErrorDialog(workspace_);
     drawLoadingWindow(workspace_);
     workspace_.closeDialogs = false;
     ui::writeItemMap();
     drawPicture(parts, seconds);
     commitUndoStep();
-    // The picture is above the status bar, at the left edge.
-    const int lowest =
-        static_cast<int>(std::lround(static_cast<double>(parts.statusHeight) *
-                                     static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.y)));
+    // The picture is above the status bar.
+    const ImVec2 unit = ImGui::GetIO().DisplayFramebufferScale;
+    const glm::ivec2 corner(std::lround(parts.pictureOrigin.x * unit.x),
+                            std::lround(parts.statusHeight * unit.y));
     const auto saveIfRequested = [&] {
         if (std::exchange(screenshotRequested_, false)) saveScreenshotNow();
     };
-    window_.endFrame([&] { picture_.show({0, lowest}); }, saveIfRequested);
+    window_.endFrame([&] { picture_.show(corner); }, saveIfRequested);
 
     const std::string title = workspace_.edit.scene->path.empty()
                                   ? "Rayscope"
@@ -104,8 +128,8 @@ Application::Layout Application::layout() const {
     parts.menuHeight = ImGui::GetFrameHeight();
     parts.statusHeight = ImGui::GetFontSize() + scaled(10.0f);
     const float widest = 0.6f * display.x;
-    parts.panelWidth = workspace_.view.sidePanel ? std::min(scaled(panelWidth_), widest) : 0.0f;
-    parts.pictureOrigin = {0.0f, parts.menuHeight};
+    parts.panelWidth = workspace_.view.sidePanel ? std::min(scaled(layout_.panelWidth), widest) : 0.0f;
+    parts.pictureOrigin = {layout_.panelOnLeft ? parts.panelWidth : 0.0f, parts.menuHeight};
     parts.pictureSize =
         glm::max(glm::vec2(display.x - parts.panelWidth, display.y - parts.menuHeight - parts.statusHeight),
                  glm::vec2(1.0f));
@@ -113,7 +137,7 @@ Application::Layout Application::layout() const {
 }
 
 void Application::drawSidePanel(const Layout& parts) {
-    const float x = parts.pictureSize.x;
+    const float x = layout_.panelOnLeft ? 0.0f : parts.pictureSize.x;
     ImGui::SetNextWindowPos({x, parts.menuHeight});
     ImGui::SetNextWindowSize({parts.panelWidth, parts.pictureSize.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
@@ -123,20 +147,30 @@ void Application::drawSidePanel(const Layout& parts) {
                                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
                                         ImGuiWindowFlags_NoBringToFrontOnFocus;
     if (ImGui::Begin("##side", nullptr, kFlags)) {
-        // The left edge can be dragged.
-        const ImVec2 start = ImGui::GetCursorPos();
-        ImGui::SetCursorPos({0.0f, 0.0f});
-        ImGui::InvisibleButton("##edge", {scaled(5.0f), parts.pictureSize.y});
-        if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-        if (ImGui::IsItemActive())
-            panelWidth_ =
-                std::clamp(panelWidth_ - ImGui::GetIO().MouseDelta.x / scaled(1.0f), 240.0f, 900.0f);
-        ImGui::SetCursorPos(start);
-
+        drawPanelEdge(parts);
         drawSidePanelContents(workspace_);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
+}
+
+/// The edge towards the picture can be dragged.
+void Application::drawPanelEdge(const Layout& parts) {
+    const float width = scaled(6.0f);
+    const ImVec2 start = ImGui::GetCursorPos();
+    ImGui::SetCursorPos({layout_.panelOnLeft ? parts.panelWidth - width : 0.0f, 0.0f});
+    ui::noted("Panel edge", ImGui::InvisibleButton("##edge", {width, parts.pictureSize.y}));
+    const bool active = ImGui::IsItemActive();
+    if (ImGui::IsItemHovered() || active) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                                  ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
+    }
+    const float wider = ImGui::GetIO().MouseDelta.x * (layout_.panelOnLeft ? 1.0f : -1.0f) / scaled(1.0f);
+    if (active)
+        layout_.panelWidth = std::clamp(layout_.panelWidth + wider, WindowLayout::kMinPanelWidth,
+                                        WindowLayout::kMaxPanelWidth);
+    ImGui::SetCursorPos(start);
 }
 
 void Application::drawPicture(const Layout& parts, double seconds) {
@@ -154,6 +188,9 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     picture_.update(workspace_, input_.hoveredHandlePart(), input_.moving());
     updateComparison();
     drawComparisonMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
+    drawColorBar(workspace_, parts.pictureOrigin, parts.pictureSize);
+    drawPixelMarks(workspace_, parts.pictureOrigin, unit);
+    drawPickingMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
     drawDetailNotice(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
     updateCursorRadiance();
 }
@@ -241,8 +278,7 @@ void Application::takeKeys() {
 
 /// A finished gesture becomes one undo step.
 void Application::commitUndoStep() {
-    if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving())
-        workspace_.history.record(workspace_.edit);
+    if (!ImGui::IsAnyItemActive() && !input_.dragging() && !input_.moving()) workspace_.record();
 }
 
 }  // namespace rayscope::viewer

@@ -6,6 +6,7 @@
 
 #include "viewer/input/view_input.h"
 #include "viewer/input/window.h"
+#include "viewer/model/window_layout.h"
 #include "viewer/panels/panels.h"
 #include "viewer/view/picture.h"
 #include "viewer/viewer.h"
@@ -40,6 +41,10 @@ class Application {
     void frame(double seconds);
     Layout layout() const;
     void drawSidePanel(const Layout& layout);
+    void drawPanelEdge(const Layout& layout);
+    void storeLayout(bool now);
+    void resetLayout();
+    void chooseScale(float scale);
     void drawPicture(const Layout& layout, double seconds);
     void openFirstScene();
     void openScenes();
@@ -72,8 +77,10 @@ class Application {
     Picture picture_;
     ViewInput input_;
     OpenDialog openDialog_;
-    RenderDialog renderDialog_;
-    float panelWidth_ = 336.0f;  ///< in units at scale 1
+    RenderWindow renderWindow_;
+    WindowLayout layout_ = readLayout(layoutPath());
+    WindowLayout storedLayout_ = layout_;
+    Clock::time_point storedAt_{};
     float appliedScale_ = 0.0f;
     bool screenshotRequested_ = false;  ///< of this frame, once it is drawn
     int framesToDraw_ = 3;              ///< without waiting for events

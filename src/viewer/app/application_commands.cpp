@@ -13,7 +13,11 @@
 namespace rayscope::viewer {
 
 void Application::executeCommands() {
-    for (const Command command : std::exchange(workspace_.commands, {})) infoOf(command).execute(*this);
+    if (auto picked = std::exchange(workspace_.picked, std::nullopt)) workspace_.cursor = std::move(picked);
+    for (const Command command : std::exchange(workspace_.commands, {})) {
+        const CommandInfo& info = infoOf(command);
+        if (!workspace_.awaitPixel(info)) info.execute(*this);
+    }
 }
 
 /// While the live ray is on, every change of the pixel under the cursor or of the picture records again.
@@ -35,6 +39,7 @@ void Application::recordRays() {
     const auto world = workspace_.render.currentWorld();
     if (!world || input_.moving()) {
         // Retry in the next frame, until the world is compiled.
+        workspace_.picked = workspace_.cursor;
         workspace_.commands.push_back(Command::RecordRays);
         return;
     }
@@ -137,6 +142,15 @@ void Application::exportRays() {
                          });
 }
 
-void Application::setScale(float scale) { workspace_.view.scale = std::clamp(scale, 1.0f, 4.0f); }
+/// In steps of 10 %.
+void Application::setScale(float scale) {
+    workspace_.view.scale =
+        std::clamp(std::round(10.0f * scale) / 10.0f, WindowLayout::kMinScale, WindowLayout::kMaxScale);
+}
+
+void Application::chooseScale(float scale) {
+    setScale(scale);
+    layout_.scale = workspace_.view.scale;
+}
 
 }  // namespace rayscope::viewer

@@ -2,6 +2,7 @@
 #include <type_traits>
 
 #include "viewer/app/application.h"
+#include "viewer/app/command_actions.h"
 #include "viewer/model/camera_controller.h"
 
 namespace rayscope::viewer {
@@ -9,45 +10,7 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr int kCtrl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
-constexpr float kScaleStep = 0.25f;
-
-void toggle(bool& value) { value = !value; }
-
-void toggleHeatMap(Workspace& workspace) {
-    toggle(workspace.heat.shown);
-    workspace.view.traced |= workspace.heat.shown;
-}
-
-void toggleComparison(Workspace& workspace) {
-    toggle(workspace.comparison.view.shown);
-    workspace.view.traced |= workspace.comparison.visible();
-}
-
-void flipPictures(Workspace& workspace) {
-    workspace.comparison.view.mode = CompareMode::Flip;
-    toggle(workspace.comparison.view.flipped);
-}
-
-void resetCamera(Workspace& workspace) { workspace.edit.camera = requestFor(workspace.edit.scene).camera; }
-
-void selectLeafUnderCursor(Workspace& workspace) {
-    const auto world = workspace.render.session().world();
-    if (!world || !workspace.cursor || workspace.cursor->primitive == kNoPrimitive) return;
-    workspace.bvh.selectLeafOf(world->locatePrimitive(workspace.cursor->primitive).inGroup);
-}
-
-/// The first that applies: cancel loading, close the list of keys, leave fly mode, end the live ray, clear
-/// the rays.
-void cancel(Workspace& workspace) {
-    if (workspace.loader.loading()) {
-        workspace.cancelLoading();
-        return;
-    }
-    ViewState& view = workspace.view;
-    for (bool* mode : {&view.showKeys, &view.flying, &view.liveRay})
-        if (std::exchange(*mode, false)) return;
-    workspace.rays.clear();
-}
+constexpr float kScaleStep = 0.1f;
 
 }  // namespace
 
@@ -81,23 +44,24 @@ struct CommandTable {
          .execute = [](Application& app) { app.screenshotRequested_ = true; }},
         {.command = Command::RenderToFile, .menu = "File", .label = "Render to file...",
          .help = "Render at any size and sample count.",
-         .shortcut = {GLFW_KEY_F12}, .execute = [](Application& app) { app.renderDialog_.request(); }},
+         .shortcut = {GLFW_KEY_F12}, .execute = [](Application& app) { app.renderWindow_.request(app.workspace_); }},
         {.command = Command::Quit, .menu = "File", .label = "Quit", .help = "Close the window.",
          .shortcut = {GLFW_KEY_Q, kCtrl}, .separatorBefore = true,
          .execute = [](Application& app) { app.window_.close(); }},
 
         {.command = Command::Undo, .menu = "Edit", .label = "Undo",
-         .help = "Undo the last change of scene, settings or camera.",
+         .help = "Undo the last change of scene, settings or camera, or the removal of rays.",
          .shortcut = {GLFW_KEY_Z, kCtrl},
          .execute = [](Application& app) { app.workspace_.undo(); },
-         .enabled = [](const Workspace& w) { return w.history.canUndo(); }},
+         .enabled = [](const Workspace& w) { return w.canUndo(); }},
         {.command = Command::Redo, .menu = "Edit", .label = "Redo", .help = "Redo the last undone change.",
          .shortcut = {GLFW_KEY_Y, kCtrl}, .alternatives = {{{GLFW_KEY_Z, kCtrl | kShift}}},
          .execute = [](Application& app) { app.workspace_.redo(); },
-         .enabled = [](const Workspace& w) { return w.history.canRedo(); }},
+         .enabled = [](const Workspace& w) { return w.canRedo(); }},
         {.command = Command::CopyPixel, .menu = "Edit", .label = "Copy pixel",
          .help = "Copy the values of the pixel under the cursor.",
-         .shortcut = {GLFW_KEY_C, kCtrl}, .separatorBefore = true, .execute = perform<&Application::copyPixel>},
+         .shortcut = {GLFW_KEY_C, kCtrl}, .separatorBefore = true, .execute = perform<&Application::copyPixel>,
+         .needsPixel = true},
         {.command = Command::CopyCamera, .menu = "Edit", .label = "Copy camera",
          .help = "Copy the camera as command-line options.",
          .shortcut = {GLFW_KEY_C, kCtrl | kShift}, .execute = perform<&Application::copyCamera>},
@@ -138,13 +102,17 @@ struct CommandTable {
         {.command = Command::ToggleWireframe, .menu = "View", .label = "Wireframe",
          .help = "Draw only edges in the rasterised view.",
          .shortcut = {GLFW_KEY_Z},
-         .execute = [](Application& app) { toggle(app.workspace_.view.raster.wireframe); },
-         .checked = [](const Workspace& w) { return w.view.raster.wireframe; }},
+         .execute = [](Application& app) { toggle(app.workspace_.view.wireframe); },
+         .checked = [](const Workspace& w) { return w.view.wireframe; }},
         {.command = Command::ToggleSidePanel, .menu = "View", .label = "Side panel",
          .help = "Show or hide the side panel.",
          .shortcut = {GLFW_KEY_N},
          .execute = [](Application& app) { toggle(app.workspace_.view.sidePanel); },
          .checked = [](const Workspace& w) { return w.view.sidePanel; }},
+        {.command = Command::MoveSidePanel, .menu = "View", .label = "Side panel to the other side",
+         .help = "Put the side panel to the left or to the right of the picture.",
+         .shortcut = {GLFW_KEY_N, kShift},
+         .execute = [](Application& app) { toggle(app.layout_.panelOnLeft); }},
         {.command = Command::ToggleFullScreen, .menu = "View", .label = "Full screen",
          .help = "Switch full screen on or off.",
          .shortcut = {GLFW_KEY_F11}, .execute = [](Application& app) { app.window_.toggleFullScreen(); }},
@@ -152,15 +120,20 @@ struct CommandTable {
          .help = "Enlarge text and controls.",
          .shortcut = {GLFW_KEY_EQUAL, kCtrl},
          .alternatives = {{{GLFW_KEY_KP_ADD, kCtrl}, {GLFW_KEY_EQUAL, kCtrl | kShift}}}, .separatorBefore = true,
-         .execute = [](Application& app) { app.setScale(app.workspace_.view.scale + kScaleStep); }},
+         .execute = [](Application& app) { app.chooseScale(app.workspace_.view.scale + kScaleStep); }},
         {.command = Command::DecreaseUiScale, .menu = "View", .label = "Decrease UI scale",
          .help = "Shrink text and controls.",
          .shortcut = {GLFW_KEY_MINUS, kCtrl}, .alternatives = {{{GLFW_KEY_KP_SUBTRACT, kCtrl}}},
-         .execute = [](Application& app) { app.setScale(app.workspace_.view.scale - kScaleStep); }},
+         .execute = [](Application& app) { app.chooseScale(app.workspace_.view.scale - kScaleStep); }},
         {.command = Command::ResetUiScale, .menu = "View", .label = "Reset UI scale",
          .help = "Use the scale of the monitor.",
          .shortcut = {GLFW_KEY_0, kCtrl}, .alternatives = {{{GLFW_KEY_KP_0, kCtrl}}},
-         .execute = [](Application& app) { app.setScale(app.window_.contentScale()); }},
+         .execute = [](Application& app) {
+             app.layout_.scale.reset();
+             app.setScale(app.window_.contentScale()); }},
+        {.command = Command::ResetLayout, .menu = "View", .label = "Reset layout",
+         .help = "Reset side panel, sections and UI scale, which are remembered between starts.",
+         .shortcut = {GLFW_KEY_N, kCtrl | kShift}, .execute = perform<&Application::resetLayout>},
 
         {.command = Command::ResetCamera, .menu = "Camera", .label = "Reset",
          .help = "Return to the camera of the scene file.",
@@ -177,6 +150,23 @@ struct CommandTable {
         {.command = Command::TopView, .menu = "Camera", .label = "Top view", .help = "Look along -Y.",
          .shortcut = {GLFW_KEY_KP_7},
          .execute = [](Application& app) { viewAlong(app.workspace_.edit.camera, {0.0, 1.0, 0.0}); }},
+        {.command = Command::BackView, .menu = "Camera", .label = "Back view", .help = "Look along +Z.",
+         .shortcut = {GLFW_KEY_KP_1, kCtrl},
+         .execute = [](Application& app) { viewAlong(app.workspace_.edit.camera, {0.0, 0.0, -1.0}); }},
+        {.command = Command::LeftView, .menu = "Camera", .label = "Left view", .help = "Look along +X.",
+         .shortcut = {GLFW_KEY_KP_3, kCtrl},
+         .execute = [](Application& app) { viewAlong(app.workspace_.edit.camera, {-1.0, 0.0, 0.0}); }},
+        {.command = Command::BottomView, .menu = "Camera", .label = "Bottom view", .help = "Look along +Y.",
+         .shortcut = {GLFW_KEY_KP_7, kCtrl},
+         .execute = [](Application& app) { viewAlong(app.workspace_.edit.camera, {0.0, -1.0, 0.0}); }},
+        {.command = Command::CenterOnPixel, .menu = "Camera", .label = "Center on pixel",
+         .help = "Look at the surface under the cursor, so that the camera orbits around it.",
+         .shortcut = {GLFW_KEY_KP_DECIMAL}, .separatorBefore = true, .execute = perform<centerOnPixel>,
+         .needsPixel = true},
+        {.command = Command::FocusOnPixel, .menu = "Camera", .label = "Focus on pixel",
+         .help = "Focus the lens on the surface under the cursor.",
+         .shortcut = {GLFW_KEY_F, kShift}, .execute = perform<focusOnPixel>,
+         .enabled = [](const Workspace& w) { return w.edit.camera.lens.has_value(); }, .needsPixel = true},
         {.command = Command::FlyMode, .menu = "Camera", .label = "Fly",
          .help = "Drag to look around, W A S D Q E to move, wheel for the speed.",
          .shortcut = {GLFW_KEY_GRAVE_ACCENT},
@@ -186,11 +176,11 @@ struct CommandTable {
 
         {.command = Command::RecordRays, .menu = "Rays", .label = "Record rays",
          .help = "Record and draw the rays of the pixel under the cursor.",
-         .shortcut = {GLFW_KEY_R}, .execute = perform<&Application::recordRays>},
+         .shortcut = {GLFW_KEY_R}, .execute = perform<&Application::recordRays>, .needsPixel = true},
         {.command = Command::ClearRays, .menu = "Rays", .label = "Clear rays",
          .help = "Discard the recorded rays.",
          .shortcut = {GLFW_KEY_C}, .alternatives = {{{GLFW_KEY_R, kShift}}},
-         .execute = [](Application& app) { app.workspace_.rays.clear(); },
+         .execute = [](Application& app) { app.workspace_.clearRays(); },
          .enabled = [](const Workspace& w) { return w.rays.recording() != nullptr; }},
         {.command = Command::ToggleLiveRay, .menu = "Rays", .label = "Live ray",
          .help = "Keep recording the pixel under the cursor as it moves.",
@@ -204,7 +194,7 @@ struct CommandTable {
          .enabled = [](const Workspace& w) { return w.rays.recording() != nullptr; }},
         {.command = Command::HideRay, .menu = "Rays", .label = "Hide", .help = "Do not draw the selected ray.",
          .shortcut = {GLFW_KEY_H}, .separatorBefore = true,
-         .execute = [](Application& app) { app.workspace_.rays.hideSelected(); },
+         .execute = [](Application& app) { app.workspace_.hideSelectedRay(); },
          .enabled = [](const Workspace& w) { return !w.rays.selection().empty(); }},
         {.command = Command::IsolateRay, .menu = "Rays", .label = "Isolate",
          .help = "Draw only the selected ray, its ancestors and its shadow rays.",
@@ -212,6 +202,11 @@ struct CommandTable {
          .execute = [](Application& app) { toggle(app.workspace_.rays.filter.isolated); },
          .enabled = [](const Workspace& w) { return !w.rays.selection().empty(); },
          .checked = [](const Workspace& w) { return w.rays.filter.isolated; }},
+        {.command = Command::ShowAllRays, .menu = "Rays", .label = "Show all",
+         .help = "Draw hidden rays again.",
+         .shortcut = {GLFW_KEY_H, kShift},
+         .execute = [](Application& app) { app.workspace_.showAllRays(); },
+         .enabled = [](const Workspace& w) { return !w.rays.filter.hidden.empty(); }},
         {.command = Command::CopyRays, .menu = "Rays", .label = "Copy as JSON",
          .help = "Copy the ray tree of the selected sample as JSON.",
          .shortcut = {GLFW_KEY_J},
@@ -242,7 +237,7 @@ struct CommandTable {
          .shortcut = {GLFW_KEY_LEFT, kShift},
          .execute = [](Application& app) { app.workspace_.rays.step(-10); }},
         {.command = Command::Cancel, .menu = "Rays", .label = "Cancel",
-         .help = "Cancel loading or close the open window, else leave fly mode or the live ray, else clear the rays.",
+         .help = "Close what is open, else cancel loading, a click on a pixel, fly mode or the live ray, else clear the rays.",
          .shortcut = {GLFW_KEY_ESCAPE}, .execute = perform<cancel>},
 
         {.command = Command::ToggleBvhLevels, .menu = "BVH", .label = "Boxes of a level",
@@ -266,7 +261,7 @@ struct CommandTable {
          .shortcut = {GLFW_KEY_COMMA}, .execute = [](Application& app) { app.workspace_.bvh.stepLeaf(-1); }},
         {.command = Command::LeafUnderCursor, .menu = "BVH", .label = "Leaf under the cursor",
          .help = "Select the leaf of the primitive under the cursor.",
-         .shortcut = {GLFW_KEY_G}, .execute = perform<selectLeafUnderCursor>},
+         .shortcut = {GLFW_KEY_G}, .execute = perform<selectLeafUnderCursor>, .needsPixel = true},
 
         {.command = Command::ShowKeys, .menu = "Help", .label = "Keys",
          .help = "List keys and mouse gestures.",

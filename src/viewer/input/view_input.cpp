@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <utility>
 
 #include "math/vectors.h"
 #include "trace/world.h"
@@ -60,6 +61,7 @@ bool ViewInput::onDivider(const Workspace& workspace, const ViewFrame& frame) co
 
 void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
     clicked_ = true;
+    rightButton_ = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
     pressed_ = last_ = cursor_;
     if (left && onDivider(workspace, frame)) {
         drag_ = Drag::Divider;
@@ -76,6 +78,8 @@ void ViewInput::press(Workspace& workspace, const ViewFrame& frame, bool left) {
             glm::dvec3(handlePositions(light)[static_cast<std::size_t>(workspace.view.selectedHandle)]);
     } else {
         drag_ = Drag::Orbit;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !workspace.view.picking)
+            workspace.commands.push_back(Command::CenterOnPixel);
     }
 }
 
@@ -104,10 +108,17 @@ void ViewInput::dragTo(Workspace& workspace, const ViewFrame& frame) {
 }
 
 void ViewInput::release(Workspace& workspace, const ViewFrame& frame) {
-    const bool click = clicked_ && drag_ == Drag::Orbit;
-    drag_ = Drag::None;
-    clicked_ = false;
-    if (!click) return;
+    const bool clicked = std::exchange(clicked_, false);
+    const Drag drag = std::exchange(drag_, Drag::None);
+    if (clicked && drag == Drag::Pan && rightButton_) {
+        workspace.menuPixel = workspace.cursor;
+        workspace.openPixelMenu = true;
+    }
+    if (!clicked || drag != Drag::Orbit) return;
+    if (const auto command = std::exchange(workspace.view.picking, std::nullopt)) {
+        workspace.commands.push_back(*command);
+        return;
+    }
     if (ImGui::GetIO().KeyCtrl) {
         workspace.commands.push_back(Command::RecordRays);
         return;
@@ -176,6 +187,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
             const trace::PrimitiveLocation name = world->locatePrimitive(surface->hit.primitive);
             info.primitive = surface->hit.primitive;
+            info.position = surface->position;
             info.object = objectName(*world, static_cast<int>(name.range->object));
             if (name.range->mesh != nullptr) info.triangle = static_cast<long>(name.inObject);
         }

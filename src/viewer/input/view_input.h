@@ -36,6 +36,7 @@ class ViewInput {
     Drag drag_ = Drag::None;
     std::optional<HandlePart> handlePart_;
     glm::dvec2 cursor_{0.0}, pressed_{0.0}, last_{0.0};  ///< pixels of the picture
+    bool rightButton_ = false;                           ///< went down last
     bool clicked_ = false;  ///< the button went down and the cursor has hardly moved since
     glm::dvec3 handleStart_{0.0};
     ViewFrame dragFrame_;

@@ -134,21 +134,45 @@ void DebugRays::recordAllSamples() {
 
 /// Ray indices belong to the selected sample.
 void DebugRays::resetSelection() {
-    filter.selected = {};
+    clearSelection();
     filter.hidden.clear();
+    tree_ = ++trees_;
+}
+
+void DebugRays::clearSelection() {
+    filter.selected = {};
     traversedRay_.reset();
     traversals_.clear();
     ++version_;
 }
 
-void DebugRays::clear() {
-    replay_.discard();
-    verification_.discard();
-    sampleTrees_.discard();
-    diagnosis_.discard();
-    pinRequested_ = false;
-    recording_.reset();
-    resetSelection();
+void DebugRays::clear() { exchange(Shown{.whole = true}); }
+
+DebugRays::Shown DebugRays::exchange(Shown shown) {
+    Shown before{shown.whole, {}, std::move(filter.hidden), tree_};
+    clearSelection();
+    if (shown.whole) {
+        replay_.discard();
+        verification_.discard();
+        sampleTrees_.discard();
+        diagnosis_.discard();
+        diagnosisRequested_ = pinRequested_ = false;
+        before.recording = std::exchange(recording_, std::move(shown.recording));
+        if (recording_) sample_ = recording_->tree().name.index;
+        tree_ = recording_ ? shown.tree : ++trees_;
+        // A replay that was discarded before its end starts again.
+        if (recording_ && recording_->pixel.values.size() < static_cast<std::size_t>(recording_->samples))
+            startReplay(recording_->tree().name, nullptr);
+    }
+    filter.hidden.clear();
+    if (shown.tree == tree_) filter.hidden = std::move(shown.hidden);
+    return before;
+}
+
+DebugRays::Shown DebugRays::withoutSelected() const {
+    Shown shown{false, {}, filter.hidden, tree_};
+    shown.hidden.push_back(filter.selected);
+    return shown;
 }
 
 void DebugRays::selectSample(int index) {
@@ -214,13 +238,8 @@ void DebugRays::pin() {
                     first.hit ? objectName(*recording_->world, first.object) : "nothing",
                     recording_->statistics.mean,
                     recording_->statistics.errorOfMean(),
-                    rays / static_cast<double>(std::max<std::size_t>(recording_->pixel.rays.size(), 1))});
-}
-
-void DebugRays::hideSelected() {
-    if (filter.selected.empty()) return;
-    filter.hidden.push_back(filter.selected);
-    filter.selected = {};
+                    rays / static_cast<double>(std::max<std::size_t>(recording_->pixel.rays.size(), 1)),
+                    first.hit ? std::optional(first.position) : std::nullopt});
 }
 
 void DebugRays::updateTraversal() {

@@ -72,7 +72,18 @@ class DebugRays {
     /// The selected ray; its traversal is recorded when it is shown.
     void select(RaySelection selection);
     RaySelection selection() const { return filter.selected; }
-    void hideSelected();
+
+    /// Which rays there are and which of them are hidden, for undo.
+    struct Shown {
+        bool whole = false;                         ///< replaces the recording, too
+        std::optional<PixelRecording> recording{};  ///< if `whole`
+        std::vector<RaySelection> hidden{};
+        int tree = 0;  ///< the number of the ray tree that `hidden` belongs to; else nothing is hidden
+    };
+    /// Replaces what is shown; returns what was.
+    Shown exchange(Shown shown);
+    /// What is shown without the selected ray.
+    Shown withoutSelected() const;
     void updateTraversal();
     /// The traversals of the selected ray, or of the camera ray: one per motion group.
     const std::vector<probe::TraversalLog>& traversals() const { return traversals_; }
@@ -83,6 +94,7 @@ class DebugRays {
         glm::ivec2 pixel{0};
         std::string surface;  ///< that the first sample hits
         double mean = 0.0, error = 0.0, raysPerSample = 0.0;
+        std::optional<glm::vec3> position{};  ///< on the surface
     };
     std::vector<Pin> pins;
     /// Pins the recorded pixel, as soon as its samples are replayed.
@@ -105,6 +117,7 @@ class DebugRays {
     void startReplay(SampleId id, std::shared_ptr<const render::Film> film);
     void recordSample();
     void recordAllSamples();
+    void clearSelection();
     void resetSelection();
 
     std::optional<PixelRecording> recording_;
@@ -118,6 +131,7 @@ class DebugRays {
     std::optional<RaySelection> traversedRay_;  ///< whose traversal is recorded, in a tree of this layout:
     BvhLayout traversedLayout_ = BvhLayout::Binary;
     int sample_ = 0;
+    int tree_ = 0, trees_ = 0;  ///< number of the selected ray tree, and of the latest one
     int version_ = 0;
 };
 

@@ -16,7 +16,7 @@ constexpr double kMaxPreviewSeconds = 0.4;
 
 int threadsFor(int wanted) {
     if (wanted > 0) return wanted;
-    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Whether both show the same view, whatever their size and number of samples.
@@ -45,7 +45,16 @@ RenderRequest requestFor(const RenderControl::ViewRequest& viewRequest, int divi
 
 }  // namespace
 
-RenderControl::RenderControl(int threads) : threads_(threadsFor(threads)), session_(threads_) {}
+RenderControl::RenderControl(int threads)
+    : threads_(threadsFor(threads)), yields_(threads <= 0 && threads_ > 1), session_(threads_) {}
+
+void RenderControl::yieldCore(bool moving) {
+    using oneapi::tbb::global_control;
+    if (!moving || !yields_)
+        yielded_.reset();
+    else if (!yielded_)
+        yielded_.emplace(global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_ - 1));
+}
 
 int RenderControl::previewDivisor(const ViewRequest& viewRequest) const {
     const double pixels = static_cast<double>(viewRequest.width) * viewRequest.height;
@@ -74,6 +83,7 @@ void RenderControl::submit(RenderRequest request, bool coarse) {
 }
 
 void RenderControl::update(const ViewRequest& viewRequest) {
+    yieldCore(viewRequest.moving);
     status_ = session_.status();
     const bool measurable = status_.state == RenderState::Rendering || status_.state == RenderState::Done;
     if (measurable && status_.elapsedSeconds > 0.01) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <oneapi/tbb/global_control.h>
 #include <rayscope/render_session.h>
 #include <chrono>
 #include <memory>
@@ -25,7 +26,7 @@ struct StopCriteria {
 /// compiled for debug rays.
 class RenderControl {
   public:
-    /// `threads` 0 leaves one core to the window.
+    /// `threads` 0 traces on all cores, but leaves one to the window while something moves.
     explicit RenderControl(int threads);
 
     struct ViewRequest {
@@ -66,7 +67,12 @@ class RenderControl {
     void updateErrorEstimate(const ViewRequest& viewRequest);
     void applyStopCriteria(const ViewRequest& viewRequest);
 
+    /// Leaves a core to the window while something moves.
+    void yieldCore(bool moving);
+
     int threads_;
+    bool yields_;  ///< the number of threads was not given
+    std::optional<oneapi::tbb::global_control> yielded_;
     RenderSession session_;
     RenderStatus status_;
     std::optional<RenderRequest> submitted_;

@@ -4,8 +4,8 @@ namespace rayscope::viewer {
 
 /// How the rasterised view draws surfaces.
 struct RasterStyle {
-    bool smoothNormals = true;
-    bool textures = true;
+    bool smoothNormals = true;  ///< as the setting normal_interpolation
+    bool textures = true;       ///< as the setting texture_mapping
     bool wireframe = false;
     bool operator==(const RasterStyle&) const = default;
 };

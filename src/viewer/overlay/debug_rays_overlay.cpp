@@ -1,6 +1,7 @@
 #include "viewer/overlay/debug_rays_overlay.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "math/vectors.h"
 #include "viewer/overlay/palette.h"
@@ -50,10 +51,16 @@ bool visibilityIsShown(Visibility visibility, const DebugRayFilter& filter) {
     return visibility == Visibility::FacingAway ? filter.shadowBehindSurface : filter.shadowVisible;
 }
 
+double largestOf(const RgbSum& c) { return std::max({c.x, c.y, c.z}); }
+
+const RgbSum& contributionOf(const RayTree& tree, RaySelection ray) {
+    return ray.shadow >= 0 ? tree.shadowRays[static_cast<std::size_t>(ray.shadow)].contribution
+                           : tree.nodes[static_cast<std::size_t>(ray.node)].contribution;
+}
+
 bool addsEnough(const RgbSum& contribution, const DebugRayFilter& filter) {
     if (filter.minContribution <= 0.0f) return true;
-    return std::max({contribution.x, contribution.y, contribution.z}) >=
-           static_cast<double>(filter.minContribution);
+    return largestOf(contribution) >= static_cast<double>(filter.minContribution);
 }
 
 bool isAncestor(const RayTree& tree, int node, int target) {
@@ -80,6 +87,15 @@ glm::vec3 endOf(const RayNode& node, float sceneSize) {
            glm::vec3(glm::dvec3(node.ray.direction) * (static_cast<double>(sceneSize) / length));
 }
 
+/// The colour with its largest channel at least half-way up, so that lines of dark colours are visible on
+/// black.
+glm::vec3 brightened(glm::vec3 color) {
+    constexpr float kLeast = 0.6f;
+    const float largest = std::max({color.r, color.g, color.b});
+    if (largest >= kLeast) return color;
+    return largest > 0.0f ? color * (kLeast / largest) : glm::vec3(kLeast);
+}
+
 OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors colors, float sceneSize) {
     const Appearance look = appearanceOf(node);
     OverlayLine line{node.ray.origin, endOf(node, sceneSize), look.color, look.style, 2.0f};
@@ -88,9 +104,8 @@ OverlayLine segmentLine(const RayNode& node, const RgbSum& arriving, RayColors c
     if (colors == RayColors::IncomingRadiance) {
         line.color = {displayColor(Rgb(arriving)), 1.0f};
     } else {
-        // Transparent surfaces are drawn with their opacity.
-        const float opacity = node.hit ? static_cast<float>(node.opacity) : 1.0f;
-        line.color = {displayColor(Rgb(surfaceColor(node))), std::max(opacity, 0.25f)};
+        line.color = {brightened(displayColor(Rgb(surfaceColor(node)))), 1.0f};
+        if (node.hit) line.style = node.opacity < 1.0 ? LineStyle::Dashed : LineStyle::Solid;
     }
     line.width = 2.5f;
     return line;
@@ -145,7 +160,26 @@ std::vector<RaySelection> shownRays(const RayTree& tree, const DebugRayFilter& f
     return rays;
 }
 
-OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize) {
+RayWeights::RayWeights(std::span<const RayTree> trees, const DebugRayFilter& filter) {
+    for (const RayTree& tree : trees)
+        for (const RaySelection ray : shownRays(tree, filter)) {
+            ++rays_;
+            if (const double largest = largestOf(contributionOf(tree, ray)); std::isfinite(largest))
+                largest_ = std::max(largest_, largest);
+        }
+}
+
+float RayWeights::opacity(const RayTree& tree, RaySelection ray) const {
+    if (rays_ <= kFew) return 1.0f;
+    constexpr double kFaintest = 0.06, kLeastShare = 0.3;
+    const double crowd = std::sqrt(static_cast<double>(kFew) / static_cast<double>(rays_));
+    const double part = largest_ > 0.0 ? largestOf(contributionOf(tree, ray)) / largest_ : 1.0;
+    const double weight = kLeastShare + (1.0 - kLeastShare) * std::sqrt(std::clamp(part, 0.0, 1.0));
+    return static_cast<float>(std::max(kFaintest, crowd * weight));
+}
+
+OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, float sceneSize,
+                           const RayWeights& weights) {
     OverlayLines lines;
     const std::vector<RgbSum> arriving = filter.colors == RayColors::IncomingRadiance
                                              ? radianceAlong(tree)
@@ -155,7 +189,9 @@ OverlayLines debugRayLines(const RayTree& tree, const DebugRayFilter& filter, fl
         OverlayLine line = ray.node >= 0
                                ? segmentLine(tree.nodes[index], arriving[index], filter.colors, sceneSize)
                                : shadowLine(tree.shadowRays[index]);
-        if (ray == filter.selected) {
+        if (ray != filter.selected) {
+            line.color.a *= weights.opacity(tree, ray);
+        } else {
             // A halo below leaves colour and style of the ray visible.
             lines.push_back({line.from, line.to, palette::kHalo, LineStyle::Solid, 7.0f});
             line.width = 3.5f;

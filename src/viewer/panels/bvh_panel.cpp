@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/quantity_text.h"
 #include "bvh/layout/statistics.h"
 #include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
+#include "viewer/panels/plot.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
 
@@ -51,7 +54,8 @@ void drawLeaf(BvhInspector& bvh, const InspectedTree& inspected) {
         steppedSlider("Leaf", bvh.shown.leafNumber, leaves - 1,
                       "In preorder. The keys . and , step; G selects the leaf under the cursor.");
     if (step != 0) bvh.stepLeaf(step);
-    if (!bvh.shown.leaf || bvh.shown.leafNumber >= leaves) return;
+    // The line is there in any case, so that the controls below do not move.
+    if (!bvh.shown.leaf || bvh.shown.leafNumber >= leaves) return dimText("no leaf is highlighted");
     const std::uint32_t node = inspected.index.leaves[static_cast<std::size_t>(bvh.shown.leafNumber)];
     constexpr std::size_t kNamed = 12;
     const auto primitives = probe::primitivesOfLeaf(inspected.tree(), node);
@@ -60,7 +64,7 @@ void drawLeaf(BvhInspector& bvh, const InspectedTree& inspected) {
         content += fmt::format(" {}", primitive);
     if (primitives.size() > kNamed) content += fmt::format(" and {} more", primitives.size() - kNamed);
     ImGui::PushStyleColor(ImGuiCol_Text, kDimText);
-    wrappedText(content);
+    fittedText(content);
     ImGui::PopStyleColor();
 }
 
@@ -71,9 +75,9 @@ void drawBuild(Workspace& workspace, const InspectedTree& inspected) {
     ui::sliderInt("##max", &settings.bvhMaxLevel, 0, bvh::kMaxTreeLevel, "%d", kClamp);
     const bvh::TreeStatistics& s = inspected.statistics;
     valueRow("Builder", fmt::format("{}, {} levels", nameOf(inspected.builder), s.levels));
-    valueRow("Nodes", fmt::format("{}, {} of them leaves", s.nodes, s.leaves));
+    valueRow("Nodes", fmt::format("{} ({} leaves)", s.nodes, s.leaves));
     valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));
-    valueRow("Memory", fmt::format("{:.1f} KiB", static_cast<double>(s.bytes) / 1024.0));
+    valueRow("Memory", base::byteText(s.bytes));
 }
 
 bool isAncestor(const probe::TreeIndex& index, std::uint32_t node, std::uint32_t below) {
@@ -133,21 +137,20 @@ void drawTree(BvhInspector& bvh, const InspectedTree& inspected) {
 }
 
 void drawHistogram(const char* title, const char* unit, const std::vector<std::size_t>& counts) {
-    std::vector<float> values(counts.begin(), counts.end());
-    dimText(fmt::format("{}, 0 to {}", title, counts.empty() ? 0 : counts.size() - 1));
-    ImGui::PushID(title);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::PlotHistogram("##counts", values.data(), static_cast<int>(values.size()), 0, nullptr, 0.0f,
-                         FLT_MAX, {width, scaled(54.0f)});
-    if (ImGui::IsItemHovered() && !counts.empty()) {
-        const float fraction = (ImGui::GetIO().MousePos.x - at.x) / width;
-        const auto bar =
-            std::min(static_cast<std::size_t>(std::max(fraction, 0.0f) * static_cast<float>(counts.size())),
-                     counts.size() - 1);
-        ImGui::SetTooltip("%s", fmt::format("{} leaves {} {}", counts[bar], unit, bar).c_str());
+    if (counts.empty()) return;
+    const auto most = static_cast<double>(*std::max_element(counts.begin(), counts.end()));
+    const double last = static_cast<double>(counts.size()) - 0.5;
+    const Plot plot(title, scaled(120.0f), {-0.5, last, false, unit},
+                    {0.0, std::max(most, 1.0), false, title});
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const auto value = static_cast<double>(i);
+        const ImVec2 upper = plot.position(value - 0.45, static_cast<double>(counts[i])),
+                     lower = plot.position(value + 0.45, 0.0);
+        ImGui::GetWindowDrawList()->AddRectFilled(upper, lower, ImGui::GetColorU32(ImGuiCol_PlotHistogram));
     }
-    ImGui::PopID();
+    if (!plot.hovered()) return;
+    const auto bar = static_cast<std::size_t>(std::clamp(std::round(plot.xAtCursor()), 0.0, last - 0.5));
+    showTooltip(fmt::format("{} {}: {} leaves", unit, bar, counts[bar]));
 }
 
 }  // namespace
@@ -184,9 +187,8 @@ void drawBvhPanel(Workspace& workspace) {
     if (ui::section("Nodes")) drawTree(bvh, *inspected);
     if (ui::section("Split costs of the node")) drawSplitCurve(bvh, workspace.edit.settings.bvhBins);
     if (ui::section("Leaves")) {
-        drawHistogram("Leaves by level", "on level", inspected->statistics.leavesAtLevel);
-        drawHistogram("Leaves by number of primitives",
-                      "with this number of primitives:", inspected->statistics.leavesOfSize);
+        drawHistogram("Leaves by level", "level", inspected->statistics.leavesAtLevel);
+        drawHistogram("Leaves by size", "primitives", inspected->statistics.leavesOfSize);
     }
 }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -19,30 +20,6 @@ void drawCameraChoice(Workspace& workspace) {
             if (ui::selectable(camera.name.c_str(), camera.name == workspace.edit.camera.name))
                 workspace.edit.camera = camera;
     });
-}
-
-void drawLens(CameraDescription& camera) {
-    bool hasLens = camera.lens.has_value();
-    labelledRow("Lens");
-    if (ui::checkbox("##lens", &hasLens)) {
-        camera.lens.reset();
-        // Wide enough for a visible blur, focused at the point that the camera looks at.
-        if (hasLens) {
-            const auto distance = static_cast<float>(math::distance(camera.lookFrom, camera.lookAt));
-            camera.lens = Lens{1.4f, 0.05f * distance, distance};
-        }
-    }
-    tooltip("A thin lens blurs everything out of focus; without one the camera is a pinhole.");
-    if (!camera.lens) return;
-    constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic;
-    labelledRow("f-number");
-    ui::sliderFloat("##fNumber", &camera.lens->fNumber, 0.1f, 64.0f, "%.2g", kFlags);
-    labelledRow("Focal length");
-    ui::dragFloat("##focal", &camera.lens->focalLength, 0.01f * camera.lens->focalLength, 1e-6f, 1e6f,
-                  "%.4g");
-    labelledRow("Focus distance");
-    ui::dragFloat("##focus", &camera.lens->focusDistance, 0.01f * camera.lens->focusDistance, 1e-6f, 1e9f,
-                  "%.4g");
 }
 
 /// Copies the camera as command-line options, and sets it from such options.
@@ -89,7 +66,9 @@ void drawCameraPanel(Workspace& workspace) {
     labelledRow("Field of view");
     ui::sliderFloat("##fov", &changed.fov, 1.0f, 170.0f, "%.1f deg", ImGuiSliderFlags_AlwaysClamp);
     tooltip("Vertical field of view (--fov).");
-    drawLens(changed);
+    valueRow("Lens",
+             changed.lens ? fmt::format("focus at {:.4g}", changed.lens->focusDistance) : "none (pinhole)",
+             "Depth of field and its lens are in the tab Settings, section Camera.");
     if (changed.lookFrom != changed.lookAt && math::length(changed.up) > 0.0) camera = changed;
     drawCameraText(workspace);
     ImGui::Spacing();

@@ -106,7 +106,7 @@ void drawErrorDialog(Workspace& workspace) {
     const ui::Scope scope(kTitle);
     wrappedText(workspace.errorMessage);
     ImGui::Spacing();
-    if (ui::button("Close", {scaled(90.0f), 0.0f}) || workspace.closeDialogs) {
+    if (ui::button("Close", {scaled(90.0f), 0.0f}) || enterPressed() || workspace.closeDialogs) {
         workspace.errorMessage.clear();
         ImGui::CloseCurrentPopup();
     }

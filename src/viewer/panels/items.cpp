@@ -20,6 +20,8 @@ bool recording = false;
 std::vector<Item> recorded;
 std::vector<Level> levels(1);
 std::string row;
+std::map<std::string, bool> changedSections;
+std::string drawnTab, wantedTab;
 
 std::string pathOf(std::string_view label) {
     std::string path;
@@ -32,6 +34,10 @@ std::string pathOf(std::string_view label) {
 }
 
 }  // namespace
+
+void closeOnEscape() {
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
+}
 
 void recordItems(bool on) { recording = on; }
 
@@ -61,6 +67,10 @@ void noteText(std::string_view text) {
     if (recording) note(std::string(text).c_str(), true);
 }
 
+void noteArea(const char* label, ImVec2 lower, ImVec2 upper) {
+    if (recording) recorded.push_back({pathOf(label), lower, upper});
+}
+
 void noteRow(std::string_view label) {
     if (recording) row = label;
 }
@@ -73,8 +83,20 @@ Scope::~Scope() {
     if (recording && levels.size() > 1) levels.pop_back();
 }
 
+std::map<std::string, bool>& sections() { return changedSections; }
+const std::string& currentTab() { return drawnTab; }
+void selectTab(std::string_view name) { wantedTab = name; }
+
 bool section(const char* label, ImGuiTreeNodeFlags flags) {
+    const std::string key = drawnTab + "/" + label;
+    const bool openByDefault = (flags & ImGuiTreeNodeFlags_DefaultOpen) != 0;
+    const auto changed = changedSections.find(key);
+    ImGui::SetNextItemOpen(changed != changedSections.end() ? changed->second : openByDefault);
     const bool open = ImGui::CollapsingHeader(label, flags);
+    if (open == openByDefault)
+        changedSections.erase(key);
+    else
+        changedSections[key] = open;
     if (!recording) return open;
     levels.back().section.clear();
     note(label);
@@ -91,6 +113,7 @@ void combo(const char* label, const char* shown, const std::function<void()>& dr
         // The list is the current window now; the item of the closed list cannot be queried any more.
         const Scope scope(row);
         draw();
+        closeOnEscape();
     }
     ImGui::EndCombo();
 }
@@ -101,14 +124,18 @@ void menu(const char* label, const std::function<void()>& draw, bool enabled) {
     {
         const Scope scope(label);
         draw();
+        closeOnEscape();
     }
     ImGui::EndMenu();
 }
 
 void tab(const char* label, const std::function<void()>& draw) {
-    const bool open = ImGui::BeginTabItem(label);
+    const bool wanted = wantedTab == label;
+    if (wanted) wantedTab.clear();
+    const bool open = ImGui::BeginTabItem(label, nullptr, wanted ? ImGuiTabItemFlags_SetSelected : 0);
     note(label);
     if (!open) return;
+    drawnTab = label;
     {
         const Scope scope(label);
         ImGui::BeginChild(label, {0.0f, 0.0f}, false, ImGuiWindowFlags_NoNavInputs);

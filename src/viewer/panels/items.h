@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ void writeItemMap();
 /// Reports the last item of Dear ImGui under a label.
 void note(const char* label, bool isText = false, bool enabled = true);
 void noteText(std::string_view text);
+/// Reports a rectangle that no item of Dear ImGui covers.
+void noteArea(const char* label, ImVec2 lower, ImVec2 upper);
 /// The label of the row that the following unlabelled controls ("##value") belong to.
 void noteRow(std::string_view label);
 
@@ -84,9 +87,18 @@ inline bool dragFloat(const char* label, float* value, float speed, float lowest
 }
 /// An area that draws nothing itself, for instance for a plot.
 inline bool area(const char* label, ImVec2 size) { return noted(label, ImGui::InvisibleButton(label, size)); }
+/// Which sections are open or closed in contrast to their default, by "Tab/Section". They may be replaced.
+std::map<std::string, bool>& sections();
+/// The tab that was drawn last, and the one that shall be opened in the next frame.
+const std::string& currentTab();
+void selectTab(std::string_view name);
+
 /// A header that folds what follows up to the next one.
 bool section(const char* label, ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen);
 bool treeNode(const char* label);
+
+/// Closes the menu, list or popup that is being drawn if Esc was pressed in this frame.
+void closeOnEscape();
 
 /// A list of choices that opens on a click; `draw` draws its rows with selectable().
 void combo(const char* label, const char* shown, const std::function<void()>& draw,

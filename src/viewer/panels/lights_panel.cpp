@@ -18,7 +18,7 @@ const char* kindOf(const Light& light) {
 
 bool drawShape(PointLight& light, float speed) {
     bool edited = vectorRow("Position", light.position, speed);
-    edited |= colorRow("Color", light.color);
+    edited |= colorRow("Colour", light.color);
     return edited;
 }
 
@@ -26,14 +26,14 @@ bool drawShape(SegmentLight& light, float speed) {
     bool edited = false;
     for (std::size_t i = 0; i < 2; ++i) {
         edited |= vectorRow(i == 0 ? "End 0" : "End 1", light.endpoints[i], speed);
-        edited |= colorRow(i == 0 ? "Color 0" : "Color 1", light.colors[i]);
+        edited |= colorRow(i == 0 ? "Colour 0" : "Colour 1", light.colors[i]);
     }
     return edited;
 }
 
 bool drawShape(ParallelogramLight& light, float speed) {
-    constexpr const char* kColors[] = {"Color at corner", "Color at edge 0", "Color at edge 1",
-                                       "Color opposite"};
+    constexpr const char* kColors[] = {"Colour at corner", "Colour at edge 0", "Colour at edge 1",
+                                       "Colour opposite"};
     bool edited = vectorRow("Corner", light.corner, speed);
     edited |= vectorRow("Edge 0", light.edges[0], speed);
     edited |= vectorRow("Edge 1", light.edges[1], speed);
@@ -79,7 +79,7 @@ void drawList(Workspace& workspace) {
         workspace.view.selectedLight = selected ? -1 : i;
         workspace.view.selectedHandle = 0;
     }
-    if (lights.empty()) dimText("No lights: surfaces are black unless shading is off.");
+    if (lights.empty()) wrappedText("No lights: surfaces are black unless shading is off.");
 }
 
 void drawSelected(Workspace& workspace) {

@@ -44,10 +44,8 @@ void drawCommands(Workspace& workspace, const char* menu) {
     }
 }
 
-void drawRasterChoices(Workspace& workspace) {
+void drawResolutions(Workspace& workspace) {
     ImGui::Separator();
-    ui::menuItem("Smooth normals", nullptr, &workspace.view.raster.smoothNormals);
-    ui::menuItem("Textures", nullptr, &workspace.view.raster.textures);
     ui::menu("Resolution of the traced view", [&] {
         for (const float resolution : {1.0f, 0.5f, 0.25f})
             if (ui::menuItem(fmt::format("{:.0f} %", 100.0f * resolution).c_str(), nullptr,
@@ -64,7 +62,7 @@ void drawMenuBar(Workspace& workspace) {
     for (const char* menu : {"File", "Edit", "View", "Camera", "Rays", "BVH", "Help"}) {
         ui::menu(menu, [&] {
             drawCommands(workspace, menu);
-            if (std::strcmp(menu, "View") == 0) drawRasterChoices(workspace);
+            if (std::strcmp(menu, "View") == 0) drawResolutions(workspace);
         });
     }
     ImGui::EndMainMenuBar();

@@ -68,6 +68,22 @@ void OpenDialog::takeListing() {
         return;
     }
     listed_ = std::move(*listing);
+    selected_.clear();
+}
+
+/// A click selects, a second one on the same entry opens it or enters the folder.
+void OpenDialog::drawEntry(const Entry& entry, std::string& entered, bool& chosen) {
+    const std::string label = entry.folder ? entry.name + "/" : entry.name;
+    if (!ui::selectable(label.c_str(), entry.name == selected_, ImGuiSelectableFlags_AllowDoubleClick))
+        return;
+    const bool again = entry.name == selected_ && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    selected_ = entry.name;
+    typed_ = (listed_.folder / entry.name).lexically_normal().string();
+    if (!again) return;
+    if (entry.folder)
+        entered = entry.name;
+    else
+        chosen = true;
 }
 
 /// Returns whether a double click has put the file to open into `typed_`.
@@ -75,16 +91,7 @@ bool OpenDialog::drawEntries() {
     std::string entered;
     bool chosen = false;
     ImGui::BeginChild("entries", {0.0f, -2.2f * ImGui::GetFrameHeightWithSpacing()}, true);
-    for (const Entry& entry : listed_.entries) {
-        const std::string label = entry.folder ? entry.name + "/" : entry.name;
-        if (!ui::selectable(label.c_str(), false, ImGuiSelectableFlags_AllowDoubleClick)) continue;
-        if (entry.folder) {
-            entered = entry.name;
-        } else {
-            typed_ = (listed_.folder / entry.name).string();
-            chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        }
-    }
+    for (const Entry& entry : listed_.entries) drawEntry(entry, entered, chosen);
     if (listed_.entries.empty() && !busy())
         dimText(fmt::format("no folders, {} files here", suffixChoices()));
     ImGui::EndChild();
@@ -113,7 +120,8 @@ void OpenDialog::draw(Workspace& workspace) {
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll));
     open |= drawEntries();
     if (listed_.error.empty())
-        dimText(fmt::format("A file {}, or builtin:NAME. Double-click to open.", suffixChoices()));
+        dimText(fmt::format("A file {}, or builtin:NAME. A double-click opens a file or enters a folder.",
+                            suffixChoices()));
     else
         coloredText(kErrorText, listed_.error);
     open |= ui::button("Open", {scaled(90.0f), 0.0f});

@@ -113,7 +113,7 @@ void drawPixelSamples(Workspace& workspace, const DebugRays::PixelRecording& rec
     ImGui::BeginGroup();
     drawStrip(workspace.rays, recording, ImGui::GetContentRegionAvail().x,
               side - 2.0f * ImGui::GetTextLineHeightWithSpacing());
-    text(fmt::format("mean {:.4g} +- {:.2g}", s.mean, s.errorOfMean()));
+    text(fmt::format("mean {:.4g} ± {:.2g}", s.mean, s.errorOfMean()));
     tooltip("Mean luminance of the samples and its standard error.");
     dimText(fmt::format("{} outliers of {}", s.outliers.size(), s.luminance.size()));
     ImGui::EndGroup();

@@ -76,17 +76,21 @@ void drawActions(Workspace& workspace) {
         tooltip(help);
     };
     ImGui::BeginDisabled(rays.selection().empty());
-    button("Hide (H)", 2, Command::HideRay, "Do not draw the selected ray.");
+    button("Hide (H)", 3, Command::HideRay, "Do not draw the selected ray. Ctrl+Z draws it again.");
     ImGui::SameLine();
-    button(rays.filter.isolated ? "Show all (I)" : "Isolate (I)", 2, Command::IsolateRay,
+    button(rays.filter.isolated ? "All (I)" : "Isolate (I)", 3, Command::IsolateRay,
            "Draw only the selected ray, its ancestors and its shadow rays.");
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(rays.filter.hidden.empty());
+    button("Show all", 3, Command::ShowAllRays, "Draw hidden rays again (Shift+H).");
     ImGui::EndDisabled();
     button("Copy JSON", 3, Command::CopyRays, "Copy the ray tree of the sample as JSON (J).");
     ImGui::SameLine();
     button("Export OBJ", 3, Command::ExportRays,
            "Write the rays as line segments to an OBJ file, and as JSON (Ctrl+J).");
     ImGui::SameLine();
-    button("Clear", 3, Command::ClearRays, "Discard the recorded rays (C).");
+    button("Clear", 3, Command::ClearRays, "Discard the recorded rays (C). Ctrl+Z brings them back.");
 }
 
 }  // namespace

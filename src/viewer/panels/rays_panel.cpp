@@ -49,31 +49,28 @@ void drawFilter(Workspace& workspace) {
     labelledRow("Min contribution", false,
                 "Hide rays that add less than this to the radiance of the sample.");
     ui::sliderFloat("##least", &filter.minContribution, 0.0f, 1.0f, "%.3g", ImGuiSliderFlags_Logarithmic);
-    labelledRow(
-        "Colour", false,
-        "kind: as in the legend. surface: the colour of the surface that is hit, thin in proportion to its "
-        "opacity. radiance: the radiance that arrives along the ray.");
+    labelledRow("Colour", false,
+                "kind: as in the legend. surface: the colour of the surface that is hit, lightened if it is "
+                "dark, dashed if "
+                "it is transparent. radiance: the radiance that arrives along the ray.");
     constexpr const char* kNames[] = {"kind", "surface", "radiance"};
     ui::combo("##colors", kNames[static_cast<int>(filter.colors)], [&] {
         for (int i = 0; i < 3; ++i)
             if (ui::selectable(kNames[i], static_cast<int>(filter.colors) == i))
                 filter.colors = static_cast<RayColors>(i);
     });
-    if (!filter.hidden.empty() &&
-        ui::button(fmt::format("Show {} hidden rays", filter.hidden.size()).c_str(), {-1.0f, 0.0f}))
-        filter.hidden.clear();
 }
 
 /// Result of the replay: whether the recorded rays are those of the picture.
 void drawReplay(const ReplayResult& replayResult) {
-    if (replayResult.samples == 0) return;
+    if (replayResult.samples == 0) return dimText("Not compared with a picture");
     coloredText(replayResult.good() ? kGoodText : kErrorText,
-                replayResult.good()
-                    ? fmt::format("[x] replay of {} samples: bit-identical", replayResult.samples)
-                    : "[ ] replay differs from the picture");
+                replayResult.good() ? fmt::format("Replay of {} samples: bit-identical", replayResult.samples)
+                                    : "Replay differs from the picture");
     tooltip(
-        "All samples of the pixel were traced again with the recorder. [x]: their sum is bit-identical to "
-        "the pixel of the picture, and the contributions of each ray tree add up to its radiance.");
+        "All samples of the pixel were traced again with the recorder. Bit-identical: their sum is that of "
+        "the "
+        "pixel of the picture, and the contributions of each ray tree add up to its radiance.");
     if (replayResult.good()) return;
     if (!replayResult.matchesFilm) {
         text(fmt::format("picture {} {} {}", replayResult.film.r, replayResult.film.g, replayResult.film.b));
@@ -117,12 +114,15 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
     const RayTree& tree = recording.tree();
     text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
                      tree.shadowRays.size()));
+    // One line in any case, so that the controls below do not move.
     if (rays.isStaleFor(workspace.edit, workspace.imageSize()))
         coloredText(kWarningText, "Outdated: scene, settings or camera changed");
-    if (rays.replaying())
+    else if (rays.replaying())
         drawReplayProgress(rays);
     else if (recording.replayResult)
         drawReplay(*recording.replayResult);
+    else
+        dimText("Not compared with a picture");
     valueRow("Radiance", vectorText(tree.radiance));
     drawPixelSamples(workspace, recording);
     drawSamples(rays, recording);
@@ -167,7 +167,10 @@ void drawRaysPanel(Workspace& workspace) {
         if (recording != nullptr)
             drawRecording(workspace, *recording);
         else
-            wrappedText("Point at a pixel and press R to record its rays.");
+            wrappedText("Point at a pixel and press R to record its rays, or:");
+        if (ui::button("Record rays of a pixel...", {-1.0f, 0.0f}))
+            workspace.commands.push_back(Command::RecordRays);
+        tooltip("Then click a pixel of the picture.");
         ImGui::Spacing();
     }
     if (recording != nullptr && !workspace.view.liveRay && ui::section("Diagnosis"))

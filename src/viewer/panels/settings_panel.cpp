@@ -11,30 +11,31 @@ namespace rayscope::viewer {
 
 namespace {
 
+/// Wider ranges of integers have logarithmic sliders.
+constexpr int kWidestLinear = 120;
+
 void drawControl(const settings::Toggle& row, Settings& settings) {
     ui::checkbox("##value", &(settings.*row.member));
 }
 
 void drawControl(const settings::Range<int>& row, Settings& settings) {
     int& value = settings.*row.member;
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
-    if (row.logarithmic)
-        ui::sliderInt("##value", &value, row.lowest, row.highest, "%d", flags | ImGuiSliderFlags_Logarithmic);
-    else
-        ui::sliderInt("##value", &value, row.lowest, row.highest, "%d", flags);
+    const bool logarithmic = row.logarithmic || row.highest - row.lowest > kWidestLinear;
+    ui::sliderInt("##value", &value, row.lowest, row.highest, "%d",
+                  kClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
 }
 
-/// A slider for small ranges, else a drag field with a speed proportional to the value.
+/// A slider for ranges of a few powers of ten, else a drag field with a speed proportional to the value.
 void drawControl(const settings::Range<float>& row, Settings& settings) {
-    constexpr float kWidestSlider = 120.0f;
+    constexpr float kWidestSlider = 1e4f;
     float& value = settings.*row.member;
-    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp;
+    const bool logarithmic = row.logarithmic || row.lowest == 0.0f;
     if (row.highest - row.lowest <= kWidestSlider)
         ui::sliderFloat("##value", &value, row.lowest, row.highest, "%.3g",
-                        flags | (row.logarithmic || row.lowest == 0.0f ? ImGuiSliderFlags_Logarithmic : 0));
+                        kClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0));
     else
         ui::dragFloat("##value", &value, std::max(0.005f, 0.01f * std::abs(value)), row.lowest, row.highest,
-                      "%.4g", flags);
+                      "%.4g", kClamp);
 }
 
 template <class E, std::size_t N>
@@ -88,6 +89,7 @@ void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs)
         if (ui::menuItem(fmt::format("Reset to {}", textOf(defaults, row.text.key)).c_str(), nullptr, false,
                          edited))
             reset = true;
+        ui::closeOnEscape();
         ImGui::EndPopup();
     }
     if (reset) settings.*row.member = defaults.*row.member;
@@ -113,7 +115,9 @@ void drawSettingsPanel(Workspace& workspace) {
         const ImGuiTreeNodeFlags open = group == "Acceleration" ? 0 : ImGuiTreeNodeFlags_DefaultOpen;
         if (!ui::section(std::string(group).c_str(), open)) continue;
         settings::forEachSetting([&](const auto& row) {
-            if (row.text.group == group) drawRow(row, workspace.edit.settings, workspace.needs());
+            if (row.text.group != group) return;
+            drawRow(row, workspace.edit.settings, workspace.needs());
+            if (row.text.key == "depth_of_field") drawLensRows(workspace);
         });
         ImGui::Spacing();
     }

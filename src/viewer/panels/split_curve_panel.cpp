@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "viewer/panels/bvh_panels.h"
+#include "viewer/panels/plot.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
@@ -31,36 +32,43 @@ Range rangeOf(const probe::SplitCurve& curve) {
     return range;
 }
 
-void drawPlot(const probe::SplitCurve& curve, Range range) {
-    const float width = ImGui::GetContentRegionAvail().x, height = scaled(90.0f);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+void drawAxisCurve(const Plot& plot, const std::vector<probe::SplitCurve::Plane>& planes, ImU32 color) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ui::area("Split plot", {width, height});
-    draw.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(20, 22, 26, 255));
-    const double span = std::max(range.high - range.low, 1e-12);
-    const auto yOf = [&](double cost) {
-        return at.y + height * static_cast<float>(0.95 - 0.9 * (cost - range.low) / span);
+    const auto at = [&](std::size_t i) {
+        return plot.position(static_cast<double>(i) + 1.0, planes[i].cost);
     };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& planes = curve.axes[axis];
-        const auto xOf = [&](std::size_t i) {
-            return at.x + width * (static_cast<float>(i) + 1.0f) / (static_cast<float>(planes.size()) + 1.0f);
-        };
-        for (std::size_t i = 0; i + 1 < planes.size(); ++i)
-            if (!std::isnan(planes[i].cost) && !std::isnan(planes[i + 1].cost))
-                draw.AddLine({xOf(i), yOf(planes[i].cost)}, {xOf(i + 1), yOf(planes[i + 1].cost)},
-                             kAxisColors[axis], scaled(1.5f));
-        if (planes.size() == 1 && !std::isnan(planes[0].cost))
-            draw.AddCircleFilled({xOf(0), yOf(planes[0].cost)}, scaled(3.0f), kAxisColors[axis]);
+    for (std::size_t i = 0; i + 1 < planes.size(); ++i)
+        if (!std::isnan(planes[i].cost) && !std::isnan(planes[i + 1].cost))
+            draw.AddLine(at(i), at(i + 1), color, scaled(1.5f));
+    if (planes.size() == 1 && !std::isnan(planes[0].cost)) draw.AddCircleFilled(at(0), scaled(3.0f), color);
+}
+
+/// The costs of the split plane under the cursor.
+std::string costsAt(const probe::SplitCurve& curve, double plane) {
+    const auto index = static_cast<std::size_t>(std::max(0.0, std::round(plane) - 1.0));
+    std::string costs = fmt::format("split plane {}", index + 1);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (index < curve.axes[axis].size() && !std::isnan(curve.axes[axis][index].cost))
+            costs += fmt::format("\n{}: SAH cost {:.5g}", kAxisNames[axis], curve.axes[axis][index].cost);
+    return costs;
+}
+
+void drawPlot(const probe::SplitCurve& curve, Range range) {
+    std::size_t planes = 1;
+    for (const auto& axis : curve.axes) planes = std::max(planes, axis.size());
+    const double margin = std::max(0.05 * (range.high - range.low), 1e-12);
+    const Plot plot("Split plot", scaled(150.0f),
+                    {0.0, static_cast<double>(planes) + 1.0, false, "split plane"},
+                    {range.low - margin, range.high + margin, false, "SAH cost of the node"});
+    for (std::size_t axis = 0; axis < 3; ++axis) drawAxisCurve(plot, curve.axes[axis], kAxisColors[axis]);
+    if (!std::isnan(curve.actualCost)) {
+        const float y = plot.position(0.0, curve.actualCost).y, right = plot.lower().x + plot.size().x;
+        for (float x = plot.lower().x; x < right; x += scaled(8.0f))
+            ImGui::GetWindowDrawList()->AddLine({x, y}, {std::min(x + scaled(4.0f), right), y},
+                                                IM_COL32(240, 242, 245, 255), scaled(1.0f));
     }
-    if (!std::isnan(curve.actualCost))
-        for (float x = 0.0f; x < width; x += scaled(8.0f))
-            draw.AddLine({at.x + x, yOf(curve.actualCost)},
-                         {at.x + std::min(x + scaled(4.0f), width), yOf(curve.actualCost)},
-                         IM_COL32(240, 242, 245, 255), scaled(1.0f));
-    tooltip(
-        "SAH cost of the node over the split planes between bins, from left to right along each axis; lower "
-        "is better. Dashed: the split of this tree.");
+    if (plot.hovered())
+        showTooltip(costsAt(curve, plot.xAtCursor()) + "\nLower is better. Dashed: the split of this tree.");
 }
 
 }  // namespace
@@ -81,8 +89,6 @@ void drawSplitCurve(BvhInspector& bvh, int bins) {
         text(kAxisNames[axis]);
         ImGui::PopStyleColor();
     }
-    ImGui::SameLine(0.0f, scaled(14.0f));
-    dimText(fmt::format("from {:.4g} to {:.4g}", range.low, range.high));
     valueRow("Split of this tree",
              std::isnan(curve.actualCost) ? "none (leaf)" : fmt::format("{:.5g}", curve.actualCost));
     valueRow("As a leaf", fmt::format("{:.5g}", curve.leafCost));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/quantity_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
@@ -11,13 +12,6 @@ namespace rayscope::viewer {
 namespace {
 
 constexpr double kNoticeSeconds = 6.0;
-
-std::string durationText(double seconds) {
-    const int whole = static_cast<int>(seconds);
-    if (whole >= 3600) return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-    if (whole >= 10) return fmt::format("{}:{:02}", whole / 60, whole % 60);
-    return fmt::format("{:.1f} s", seconds);
-}
 
 const char* stateText(RenderState state) {
     switch (state) {
@@ -46,7 +40,8 @@ void drawCursor(const CursorInfo& cursor) {
         ImGui::SameLine(0.0f, scaled(14.0f));
         dimText("rgb");
         ImGui::SameLine();
-        text(fmt::format("{:.6g} {:.6g} {:.6g}", c.r, c.g, c.b));
+        text(vectorText(glm::dvec3(c)));
+        tooltip("Linear red, green and blue of the picture at this pixel. Ctrl+C copies all digits.");
     }
     ImGui::SameLine(0.0f, scaled(14.0f));
     if (cursor.object.empty())
@@ -65,11 +60,11 @@ std::string errorText(const Workspace& workspace) {
     std::string status = fmt::format("error {:.2g}   ", forecast->estimate.error);
     if (workspace.render.status().state != RenderState::Rendering) return status;
     if (stopCriteria.byError && forecast->remainingSeconds > 0.0)
-        status +=
-            fmt::format("{:.2g} in {}   ", stopCriteria.error, durationText(forecast->remainingSeconds));
+        status += fmt::format("{:.2g} in {}   ", stopCriteria.error,
+                              base::durationText(forecast->remainingSeconds));
     if (stopCriteria.byTime)
         status += fmt::format("{:.2g} at {}   ", forecast->errorAtLimit,
-                              durationText(static_cast<double>(stopCriteria.seconds)));
+                              base::durationText(static_cast<double>(stopCriteria.seconds)));
     return status;
 }
 
@@ -81,13 +76,15 @@ std::string endText(const RenderControl& render) {
 std::string progressText(const Workspace& workspace) {
     const RenderControl& render = workspace.render;
     const RenderStatus& status = render.status();
-    const bool openEnded = workspace.stopCriteria.byError && workspace.view.traced;
+    // In the rasterised view the world is only prepared for rays to be recorded.
+    if (!workspace.view.traced) return render.busy() ? "preparing" : "rasterised";
+    const bool openEnded = workspace.stopCriteria.byError;
     std::string progress = openEnded ? fmt::format("{} samples   ", status.samples)
                                      : fmt::format("{}/{} samples   ", status.samples, status.targetSamples);
     progress += fmt::format("{:.2f} Mray/s   {}   ", render.raysPerSecond() * 1e-6,
-                            durationText(status.elapsedSeconds));
+                            base::durationText(status.elapsedSeconds));
     if (status.state == RenderState::Rendering && status.remainingSeconds > 0.0 && !openEnded)
-        progress += fmt::format("ETA {}   ", durationText(status.remainingSeconds));
+        progress += fmt::format("{} left   ", base::durationText(status.remainingSeconds));
     return progress + errorText(workspace) + endText(render);
 }
 
@@ -104,18 +101,23 @@ double doneShare(const Workspace& workspace) {
     return std::min(fraction, 1.0);
 }
 
+/// Empty if all samples are finite.
+std::string nonFiniteText(const Workspace& workspace) {
+    const auto count = workspace.render.status().nonFiniteSamples;
+    return count > 0 && workspace.view.traced ? fmt::format("NaN {}", count) : "";
+}
+
 /// The text at the right end of the bar.
 struct Progress {
     std::string content, nonFinite;
     float gap = scaled(14.0f);
 
     explicit Progress(const Workspace& workspace)
-        : content(progressText(workspace)),
-          nonFinite(fmt::format("NaN {}", workspace.render.status().nonFiniteSamples)) {}
+        : content(progressText(workspace)), nonFinite(nonFiniteText(workspace)) {}
     /// Distance from the left edge of the window.
     float start() const {
-        const float width =
-            ImGui::CalcTextSize(content.c_str()).x + ImGui::CalcTextSize(nonFinite.c_str()).x + gap;
+        float width = ImGui::CalcTextSize(content.c_str()).x;
+        if (!nonFinite.empty()) width += ImGui::CalcTextSize(nonFinite.c_str()).x + gap;
         return ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
     }
 };
@@ -124,12 +126,12 @@ void drawProgress(const Workspace& workspace, const Progress& progress) {
     const RenderStatus& status = workspace.render.status();
     ImGui::SameLine(progress.start());
     text(progress.content);
-    ImGui::SameLine(0.0f, progress.gap);
-    if (status.nonFiniteSamples > 0)
+    tooltip("Samples per pixel, rays per second, time so far, time left.");
+    if (!progress.nonFinite.empty()) {
+        ImGui::SameLine(0.0f, progress.gap);
         coloredText(kErrorText, progress.nonFinite);
-    else
-        dimText(progress.nonFinite);
-    tooltip("Samples that are NaN or infinite. Their pixels are NaN and shown in magenta.");
+        tooltip("Samples that are NaN or infinite. Their pixels are NaN and shown in magenta.");
+    }
 
     const ImVec2 at = ImGui::GetWindowPos();
     // Visible from the start.
@@ -144,6 +146,13 @@ std::string loadingText(const SceneLoader& loader) {
     const SceneLoader::Step step = loader.step();
     if (step.name.empty()) return fmt::format("loading {} ...", loader.path());
     return fmt::format("loading {}: {}, {:.0f} %", loader.path(), step.name, 100.0 * step.fraction);
+}
+
+std::string renderingText(const RenderJob& job) {
+    const RenderStatus status = job.status();
+    const std::string left =
+        status.remainingSeconds > 0.0 ? ", " + base::durationText(status.remainingSeconds) + " left" : "";
+    return fmt::format("rendering {}: {:.0f} %{}", job.path(), 100.0 * status.progress, left);
 }
 
 bool isFresh(const Notice& notice) {
@@ -184,6 +193,11 @@ void drawStatusBar(Workspace& workspace, float height) {
             coloredText(notice->severity == Severity::Note ? kGoodText : kWarningText, notice->text);
         else if (workspace.render.status().state == RenderState::Failed)
             coloredText(kErrorText, workspace.render.status().message);
+        else if (workspace.job && workspace.job->running() && !workspace.view.showRenderWindow)
+            text(renderingText(*workspace.job));
+        else if (workspace.view.picking)
+            text(fmt::format("{}: click a pixel of the picture, Esc cancels",
+                             infoOf(*workspace.view.picking).label));
         else if (workspace.view.flying)
             text(fmt::format(
                 "fly mode: W A S D Q E to move, wheel for the speed ({:.3g} units/s), Esc to leave",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viewer/panels/panels.h"
+#include "viewer/panels/plot.h"
 #include "viewer/panels/widgets.h"
 
 namespace rayscope::viewer {
@@ -29,91 +30,86 @@ void drawStart(Workspace& workspace, TradeJob& trade) {
                     ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
 }
 
-/// Seconds to the right, errors upwards, both logarithmic.
-class Chart {
-  public:
-    Chart(const TradeResult& result, ImVec2 at, ImVec2 size) : at_(at), size_(size) {
-        for (const TradePoint& p : result.points) {
-            if (!isDrawn(p)) continue;
-            include(seconds_, p.seconds.value);
-            include(error_, p.error.value);
-        }
-    }
+bool isDrawn(const TradePoint& p) {
+    return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Effect &&
+           p.seconds.value > 0.0 && p.error.value > 0.0;
+}
 
-    static bool isDrawn(const TradePoint& p) {
-        return p.runs > 0 && p.role != TradeRole::Control && p.role != TradeRole::Effect &&
-               p.seconds.value > 0.0 && p.error.value > 0.0;
+/// All drawn points with a margin; both axes are logarithmic.
+PlotAxis axisOf(const TradeResult& result, Interval TradePoint::*quantity, const char* title) {
+    constexpr double kMargin = 1.25;
+    double low = INFINITY, high = 0.0;
+    for (const TradePoint& p : result.points) {
+        if (!isDrawn(p)) continue;
+        low = std::min(low, (p.*quantity).value);
+        high = std::max(high, (p.*quantity).value);
     }
-    ImVec2 position(const TradePoint& p) const {
-        return {at_.x + size_.x * part(seconds_, p.seconds.value),
-                at_.y + size_.y * (1.0f - part(error_, p.error.value))};
-    }
+    if (!(low <= high)) return {1.0, 10.0, true, title};
+    return {low / kMargin, high * kMargin, true, title};
+}
 
-  private:
-    struct Span {
-        double low = INFINITY, high = -INFINITY;
-    };
-    static void include(Span& span, double value) {
-        span = {std::min(span.low, std::log(value)), std::max(span.high, std::log(value))};
-    }
-    static float part(const Span& span, double value) {
-        return static_cast<float>(0.1 +
-                                  0.8 * (std::log(value) - span.low) / std::max(span.high - span.low, 1e-9));
-    }
+ImVec2 positionOf(const Plot& plot, const TradePoint& p) {
+    return plot.position(p.seconds.value, p.error.value);
+}
 
-    ImVec2 at_, size_;
-    Span seconds_, error_;
-};
-
-/// Tooltip of the point under the cursor.
-void drawPointTooltip(const TradeResult& result, const Chart& chart) {
+/// The point under the cursor; null if there is none.
+const TradePoint* pointAtCursor(const TradeResult& result, const Plot& plot) {
     const ImVec2 cursor = ImGui::GetMousePos();
     const TradePoint* nearest = nullptr;
     float distance = scaled(8.0f);
     for (const TradePoint& p : result.points) {
-        if (!Chart::isDrawn(p)) continue;
-        const ImVec2 at = chart.position(p);
+        if (!isDrawn(p)) continue;
+        const ImVec2 at = positionOf(plot, p);
         const float away = std::hypot(at.x - cursor.x, at.y - cursor.y);
-        if (away < distance) {
-            distance = away;
-            nearest = &p;
-        }
+        if (away >= distance) continue;
+        distance = away;
+        nearest = &p;
     }
-    if (nearest == nullptr)
-        return tooltip(
-            "Each mark is a combination of settings: left is faster, down is more accurate. Blue: Pareto "
-            "front. Orange: presets. Ring: the current settings.");
-    tooltip(fmt::format("{}\n{:.3g} s [{:.3g}, {:.3g}]\nRMSE {:.3g} [{:.3g}, {:.3g}]{}", nearest->name,
-                        nearest->seconds.value, nearest->seconds.lower, nearest->seconds.upper,
-                        nearest->error.value, nearest->error.lower, nearest->error.upper,
-                        nearest->dominatedBy.empty() ? "" : "\ndominated by " + nearest->dominatedBy));
+    return nearest;
 }
 
-void drawChart(const TradeResult& result, std::optional<std::size_t> here) {
-    const ImVec2 size(ImGui::GetContentRegionAvail().x, scaled(170.0f)), at = ImGui::GetCursorScreenPos();
-    const Chart chart(result, at, size);
+std::string tooltipOf(const TradePoint* point) {
+    if (point == nullptr)
+        return "Each mark is a combination of settings: left is faster, down is more accurate. Blue: Pareto "
+               "front. Orange: presets. Ring: the current settings. Click a mark to take its settings.";
+    return fmt::format(
+        "{}\n{:.3g} s [{:.3g}, {:.3g}]\nRMSE {:.3g} [{:.3g}, {:.3g}]{}\nClick to take these settings.",
+        point->name, point->seconds.value, point->seconds.lower, point->seconds.upper, point->error.value,
+        point->error.lower, point->error.upper,
+        point->dominatedBy.empty() ? "" : "\ndominated by " + point->dominatedBy);
+}
+
+void drawMarks(const TradeResult& result, const Plot& plot, std::optional<std::size_t> here) {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    ui::area("Chart", size);
-    draw.AddRectFilled(at, {at.x + size.x, at.y + size.y}, IM_COL32(20, 22, 26, 255));
     for (const TradePoint& p : result.points)
-        if (Chart::isDrawn(p)) draw.AddCircleFilled(chart.position(p), scaled(2.0f), kOther);
+        if (isDrawn(p)) draw.AddCircleFilled(positionOf(plot, p), scaled(2.0f), kOther);
     for (std::size_t i = 0; i < result.paretoFront.size(); ++i) {
-        const ImVec2 to = chart.position(result.points[result.paretoFront[i]]);
+        const ImVec2 to = positionOf(plot, result.points[result.paretoFront[i]]);
         if (i > 0)
-            draw.AddLine(chart.position(result.points[result.paretoFront[i - 1]]), to, kFront, scaled(1.5f));
+            draw.AddLine(positionOf(plot, result.points[result.paretoFront[i - 1]]), to, kFront,
+                         scaled(1.5f));
         draw.AddCircleFilled(to, scaled(2.5f), kFront);
     }
     for (const TradePreset& d : result.presetPoints) {
-        const ImVec2 to = chart.position(result.points[d.point]);
+        const ImVec2 to = positionOf(plot, result.points[d.point]);
         draw.AddCircleFilled(to, scaled(4.0f), kPreset);
-        const float rightmost = at.x + size.x - ImGui::CalcTextSize(d.preset.c_str()).x - scaled(2.0f);
+        const float rightmost =
+            plot.lower().x + plot.size().x - ImGui::CalcTextSize(d.preset.c_str()).x - scaled(2.0f);
         draw.AddText({std::min(to.x + scaled(6.0f), rightmost), to.y - scaled(17.0f)}, kPreset,
                      d.preset.c_str());
     }
-    if (here) draw.AddCircle(chart.position(result.points[*here]), scaled(7.0f), kHere, 0, scaled(2.0f));
-    const char* axes = "error up, seconds right";
-    draw.AddText({at.x + scaled(4.0f), at.y + size.y - scaled(16.0f)}, IM_COL32(148, 156, 168, 255), axes);
-    if (ImGui::IsItemHovered()) drawPointTooltip(result, chart);
+    if (here) draw.AddCircle(positionOf(plot, result.points[*here]), scaled(7.0f), kHere, 0, scaled(2.0f));
+}
+
+/// Error over time; a click on a mark takes its settings.
+void drawChart(const TradeResult& result, std::optional<std::size_t> here, Settings& settings) {
+    const Plot plot("Chart", scaled(220.0f), axisOf(result, &TradePoint::seconds, "seconds"),
+                    axisOf(result, &TradePoint::error, "RMSE of linear values"));
+    drawMarks(result, plot, here);
+    if (!plot.hovered()) return;
+    const TradePoint* const point = pointAtCursor(result, plot);
+    showTooltip(tooltipOf(point));
+    if (point != nullptr && plot.clicked()) settings = point->settings;
 }
 
 void drawPosition(const TradeResult& result, std::optional<std::size_t> here) {
@@ -138,7 +134,7 @@ void drawTradePanel(Workspace& workspace) {
         dimText("Scene or camera changed since the measurement.");
     if (result->complete) {
         const std::optional<std::size_t> here = measuredPoint(*result, workspace.edit.settings);
-        drawChart(*result, here);
+        drawChart(*result, here, workspace.edit.settings);
         drawPosition(*result, here);
         dimText(fmt::format("{} x {} pixels, threads: {};\ntime differences below {:.0f} % are noise",
                             result->width, result->height, result->threads,

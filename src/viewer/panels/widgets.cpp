@@ -52,8 +52,11 @@ bool labelledRow(std::string_view label, bool emphasised, std::string_view help)
         coloredText({0.74f, 0.76f, 0.79f, 1.0f}, label);
     const bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
     if (!help.empty()) tooltip(help);
-    ImGui::SameLine(start + kLabelFraction * width);
-    ImGui::SetNextItemWidth((1.0f - kLabelFraction) * width);
+    // A label that is longer than its part moves what follows.
+    const float labelEnd = ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x;
+    const float part = std::max(kLabelFraction * width, labelEnd);
+    ImGui::SameLine(start + part);
+    ImGui::SetNextItemWidth(width - part);
     return reset;
 }
 
@@ -65,16 +68,49 @@ void valueRow(std::string_view label, std::string_view content, std::string_view
     const float width = ImGui::CalcTextSize(content.data(), content.data() + content.size()).x;
     const float leftmost = labelEnd + ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetCursorPosX(std::max(leftmost, std::min(ImGui::GetCursorPosX(), right - width)));
-    text(content);
+    fittedText(content);
+}
+
+void fittedText(std::string_view content) {
+    const auto widthOf = [](std::string_view part) {
+        return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+    };
+    const float available = ImGui::GetContentRegionAvail().x;
+    if (widthOf(content) <= available) return text(content);
+    constexpr std::string_view kCut = "...";
+    std::size_t fits = 0, beyond = std::min<std::size_t>(content.size(), 4000);
+    while (fits + 1 < beyond) {
+        const std::size_t middle = (fits + beyond) / 2;
+        (widthOf(content.substr(0, middle)) + widthOf(kCut) <= available ? fits : beyond) = middle;
+    }
+    while (fits > 0 && (static_cast<unsigned char>(content[fits]) & 0xc0) == 0x80) --fits;
+    const std::string shown = std::string(content.substr(0, fits)).append(kCut);
+    ImGui::TextUnformatted(shown.c_str());
+    ui::noteText(content);
+    tooltip(content);
 }
 
 void tooltip(std::string_view content) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    showTooltip(content);
+}
+
+void showTooltip(std::string_view content) {
+    // Inside BeginDisabled() everything is faded.
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0f);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28.0f);
     text(content);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+bool keyPressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+
+bool enterPressed() {
+    return !ImGui::IsWindowAppearing() && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) &&
+           (keyPressed(ImGuiKey_Enter) || keyPressed(ImGuiKey_KeyPadEnter));
 }
 
 bool colorRow(const char* label, Rgb& color) {

@@ -22,20 +22,21 @@ Picture::Picture()
 
 Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<HandlePart> hovered) const {
     const ViewState& view = workspace.view;
-    return {workspace.edit,
-            view.raster,
-            view.traced,
-            view.overlay,
-            workspace.viewSize,
-            SceneOverlays::inputsOf(workspace),
-            workspace.heat.version(),
-            workspace.heat.image() != nullptr,
-            false,
-            workspace.comparison.view,
-            view.selectedLight,
-            view.selectedHandle,
-            hovered,
-            view.scale};
+    return {
+        workspace.edit,
+        {workspace.edit.settings.normalInterpolation, workspace.edit.settings.textureMapping, view.wireframe},
+        view.traced,
+        view.overlay,
+        workspace.viewSize,
+        SceneOverlays::inputsOf(workspace),
+        workspace.heat.version(),
+        workspace.heat.image() != nullptr,
+        false,
+        workspace.comparison.view,
+        view.selectedLight,
+        view.selectedHandle,
+        hovered,
+        view.scale};
 }
 
 void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bool moving) {

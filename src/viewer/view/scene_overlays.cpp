@@ -66,15 +66,16 @@ void SceneOverlays::addSurfaces(const DebugRays::PixelRecording& recording, cons
 void SceneOverlays::addRays(const DebugRays::PixelRecording& recording, const DebugRays& rays,
                             float sceneSize) {
     const DebugRayFilter& filter = rays.filter;
+    const RayWeights weights(recording.trees, filter);
     for (std::size_t i = 0; i < recording.trees.size(); ++i) {
         if (i == recording.chosen) continue;
         // Indices of selected and hidden rays belong to the selected sample.
         DebugRayFilter others = filter;
         others.selected = {};
         others.hidden.clear();
-        append(lines_, debugRayLines(recording.trees[i], others, sceneSize));
+        append(lines_, debugRayLines(recording.trees[i], others, sceneSize, weights));
     }
-    append(lines_, debugRayLines(recording.tree(), filter, sceneSize));
+    append(lines_, debugRayLines(recording.tree(), filter, sceneSize, weights));
     addSurfaces(recording, rays, sceneSize);
     for (const probe::TraversalLog& log : rays.traversals()) {
         append(boxes_, traversalBoxes(log, rays.traversal));

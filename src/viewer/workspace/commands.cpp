@@ -26,6 +26,8 @@ std::string keyText(int key) {
             return "Left";
         case GLFW_KEY_EQUAL:
             return "+";
+        case GLFW_KEY_KP_DECIMAL:
+            return "Numpad .";
         case GLFW_KEY_PAGE_DOWN:
             return "Page down";
         case GLFW_KEY_PAGE_UP:

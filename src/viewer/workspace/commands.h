@@ -34,15 +34,22 @@ enum class Command {
     ToggleOverlay,
     ToggleWireframe,
     ToggleSidePanel,
+    MoveSidePanel,
     ToggleFullScreen,
     IncreaseUiScale,
     DecreaseUiScale,
     ResetUiScale,
+    ResetLayout,
     ResetCamera,
     FrameAll,
     FrontView,
     SideView,
     TopView,
+    BackView,
+    LeftView,
+    BottomView,
+    CenterOnPixel,
+    FocusOnPixel,
     FlyMode,
     RecordRays,
     ClearRays,
@@ -50,6 +57,7 @@ enum class Command {
     PinPixel,
     HideRay,
     IsolateRay,
+    ShowAllRays,
     CopyRays,
     ExportRays,
     ToggleTraversal,
@@ -87,6 +95,7 @@ struct CommandInfo {
     void (*execute)(Application&);
     bool (*enabled)(const Workspace&) = nullptr;  ///< null: always
     bool (*checked)(const Workspace&) = nullptr;  ///< null: the entry has no check mark
+    bool needsPixel = false;  ///< acts on the pixel under the cursor; elsewhere it waits for a click on one
 };
 
 /// One row per command, in the order of the enumeration. Defined by the application, whose functions it

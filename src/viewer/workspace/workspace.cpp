@@ -3,10 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "viewer/model/camera_controller.h"
 
 namespace rayscope::viewer {
+
+namespace {
+
+std::string currentFolder() {
+    std::error_code failed;
+    const std::filesystem::path folder = std::filesystem::current_path(failed);
+    return failed ? "the current folder" : folder.string();
+}
+
+}  // namespace
 
 Workspace::Workspace(EditState first, Diagnostics firstNotes, int threads)
     : edit(std::move(first)), history(edit), sceneNotes(std::move(firstNotes)), render(threads) {
@@ -50,7 +61,7 @@ void Workspace::cancelLoading() {
 void Workspace::reportSaves() {
     while (const auto outcome = saves.poll()) {
         if (outcome->error.empty())
-            notify("Saved " + outcome->names);
+            notify(fmt::format("Saved {} in {}", outcome->names, currentFolder()));
         else
             errorMessage = outcome->error;
     }
@@ -81,18 +92,63 @@ void Workspace::show(LoadedScene loaded, const RequestOverrides* overrides) {
         bvh.clearSelection();
     }
     view.flySpeed = defaultFlySpeed(edit.bounds);
-    history.record(edit);
+    record();
     recent.add(loaded.path);
     if (!overrides) notify(fmt::format("Opened {} in {:.2f} s", loaded.path, loaded.seconds));
 }
 
+bool Workspace::awaitPixel(const CommandInfo& info) {
+    if (!info.needsPixel) return false;
+    if (view.picking == info.command) view.picking.reset();
+    if (!cursor) view.picking = info.command;
+    return !cursor;
+}
+
+void Workspace::record() {
+    if (!history.record(edit)) return;
+    // Steps of the discarded branch.
+    std::erase_if(undoneByUndo_,
+                  [this](const RaysStep& step) { return step.position >= history.position(); });
+    undoneByRedo_.clear();
+}
+
+bool Workspace::raysStepIsLast(const RaysSteps& steps) const {
+    return !steps.empty() && steps.back().position == history.position();
+}
+
+void Workspace::changeRays(DebugRays::Shown shown) {
+    undoneByUndo_.push_back({history.position(), rays.exchange(std::move(shown))});
+    if (undoneByUndo_.size() > kMaxRaysSteps) undoneByUndo_.erase(undoneByUndo_.begin());
+    undoneByRedo_.clear();
+}
+
+void Workspace::exchangeRays(RaysSteps& from, RaysSteps& to) {
+    RaysStep step = std::move(from.back());
+    from.pop_back();
+    to.push_back({step.position, rays.exchange(std::move(step.other))});
+}
+
+void Workspace::clearRays() {
+    if (rays.recording() != nullptr) changeRays({.whole = true});
+}
+
+void Workspace::hideSelectedRay() {
+    if (!rays.selection().empty()) changeRays(rays.withoutSelected());
+}
+
+void Workspace::showAllRays() {
+    if (!rays.filter.hidden.empty()) changeRays({});
+}
+
 void Workspace::undo() {
+    if (raysStepIsLast(undoneByUndo_)) return exchangeRays(undoneByUndo_, undoneByRedo_);
     if (!history.canUndo()) return;
     edit = history.undo();
     view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);
 }
 
 void Workspace::redo() {
+    if (raysStepIsLast(undoneByRedo_)) return exchangeRays(undoneByRedo_, undoneByUndo_);
     if (!history.canRedo()) return;
     edit = history.redo();
     view.selectedLight = std::min(view.selectedLight, static_cast<int>(edit.scene->lights.size()) - 1);

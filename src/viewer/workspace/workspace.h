@@ -19,7 +19,6 @@
 #include "viewer/model/edit_state.h"
 #include "viewer/model/frame_times.h"
 #include "viewer/model/history.h"
-#include "viewer/model/raster_style.h"
 #include "viewer/model/recent_files.h"
 #include "viewer/workspace/commands.h"
 
@@ -28,10 +27,11 @@ namespace rayscope::viewer {
 /// How the scene is viewed; not subject to undo.
 struct ViewState {
     bool traced = false, overlay = true, sidePanel = true, flying = false, liveRay = false;
-    bool showKeys = false, showStatistics = false;
-    RasterStyle raster;
-    float resolution = 1.0f;  ///< pixels of the traced image per pixel of the view
-    double flySpeed = 1.0;    ///< scene units per second
+    bool showKeys = false, showStatistics = false, showRenderWindow = false;
+    std::optional<Command> picking;  ///< waits for a click on a pixel
+    bool wireframe = false;          ///< in the rasterised view
+    float resolution = 1.0f;         ///< pixels of the traced image per pixel of the view
+    double flySpeed = 1.0;           ///< scene units per second
     int selectedLight = -1, selectedHandle = 0;
     float scale = 1.0f;  ///< of the user interface
 };
@@ -40,6 +40,7 @@ struct ViewState {
 struct CursorInfo {
     glm::ivec2 pixel{0};  ///< of the traced image
     std::optional<Rgb> radiance;
+    std::optional<glm::dvec3> position;      ///< of the surface
     std::string object;                      ///< its name in the scene; empty if nothing is hit
     std::uint32_t primitive = kNoPrimitive;  ///< of the world
     long triangle = -1;                      ///< within the object; -1 for a sphere
@@ -73,14 +74,20 @@ struct Workspace {
     std::unique_ptr<RenderJob> job;
     FrameTimes frameTimes;
 
-    std::optional<CursorInfo> cursor;  ///< absent outside the picture
-    std::optional<Notice> notice;      ///< in the status bar
-    std::string errorMessage;          ///< of the error dialog; empty: none
-    glm::ivec2 viewSize{1};            ///< of the picture area, in pixels
+    std::optional<CursorInfo> cursor;     ///< absent outside the picture
+    std::optional<CursorInfo> picked;     ///< what the commands of this frame act on instead of `cursor`
+    std::optional<CursorInfo> menuPixel;  ///< of the context menu
+    bool openPixelMenu = false;           ///< in the next frame
+    std::optional<Notice> notice;         ///< in the status bar
+    std::string errorMessage;             ///< of the error dialog; empty: none
+    glm::ivec2 viewSize{1};               ///< of the picture area, in pixels
 
     /// Commands from keys, menus and panels, executed once per frame.
     std::vector<Command> commands;
     bool closeDialogs = false;  ///< in this frame, because of the Cancel key
+    /// Whether the command has to wait for a click on a pixel, because it needs one and the cursor is
+    /// elsewhere.
+    bool awaitPixel(const CommandInfo& info);
 
     glm::ivec2 imageSize() const;
     /// Whether any background work runs, so that frames have to follow one another.
@@ -97,10 +104,31 @@ struct Workspace {
     void show(LoadedScene loaded, const RequestOverrides* overrides = nullptr);
     /// Reports the end of files that were saved.
     void reportSaves();
+    /// Makes the current state an undo step, if it is another one.
+    void record();
+    bool canUndo() const { return raysStepIsLast(undoneByUndo_) || history.canUndo(); }
+    bool canRedo() const { return raysStepIsLast(undoneByRedo_) || history.canRedo(); }
     void undo();
     void redo();
+    // Undoable changes of the recorded rays.
+    void clearRays();
+    void hideSelectedRay();
+    void showAllRays();
 
   private:
+    /// A change of the recorded rays, after the step of the history with this number.
+    struct RaysStep {
+        std::size_t position;
+        DebugRays::Shown other;  ///< before the change, or after it once it is undone
+    };
+    using RaysSteps = std::vector<RaysStep>;
+    static constexpr std::size_t kMaxRaysSteps = 20;
+
+    bool raysStepIsLast(const RaysSteps& steps) const;
+    void changeRays(DebugRays::Shown shown);
+    void exchangeRays(RaysSteps& from, RaysSteps& to);
+
+    RaysSteps undoneByUndo_, undoneByRedo_;
     std::shared_ptr<const SceneDescription> requirementsScene_;
     SceneRequirements requirements_;
 };
