@@ -16,6 +16,7 @@ struct CameraOverrides {
     std::string name;  ///< of a camera of the scene; empty: the first, or a framing camera if it has none
     std::optional<glm::vec3> lookFrom, lookAt, up;
     std::optional<float> fov;  ///< vertical, degrees
+    std::optional<Lens> lens;
 };
 
 /// Values that override those of the scene file.
@@ -28,8 +29,8 @@ struct RequestOverrides {
     std::uint64_t seed = 0;
 };
 
-/// The camera as options of the command line: "--look-from 0,0,3 --look-at 0,0,0 --up 0,1,0 --fov 50". The
-/// numbers are the shortest that give the same float.
+/// The camera as options of the command line: "--look-from 0,0,3 --look-at 0,0,0 --up 0,1,0 --fov 50", with a
+/// lens also "--lens 2.8,0.05,3". The numbers are the shortest that give the same float.
 std::string toOptions(const CameraDescription& camera);
 
 /// Sets the values that the options in `text` name and keeps the others. Throws InputError with the expected

@@ -42,8 +42,12 @@ RgbImage meanOf(const render::Film& film);
 int samplesOf(const render::Film& film);
 int samplesOf(const render::Film& film, int x, int y);
 
-/// The metadata for the image file of a render: program and version, name of the scene without its folder,
-/// settings, seed, samples per pixel.
+/// The metadata for the image file of a render: program and version, name of the scene without its folder and
+/// whether it was edited, camera, settings, seed, samples per pixel.
 ImageMetadata metadataOf(const RenderRequest& request, int samples);
+
+/// The same for pixels that were copied from a film: with the smallest and the largest number of samples of a
+/// pixel and, if all have the same, the command line that renders the same pixels, as far as there is one.
+ImageMetadata metadataOf(const StillPicture& picture);
 
 }  // namespace rayscope

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace rayscope {
 
@@ -60,8 +61,50 @@ struct RenderStatus {
     bool outOfMemory = false;            ///< whether it failed for lack of memory
 };
 
+/// Pixels that do not change any more, with the request and the samples that made them.
+class StillPicture {
+  public:
+    const RenderRequest& request() const { return request_; }
+    /// Mean of the samples of each pixel, linear; 0 outside the region and where a pixel has no samples.
+    const RgbImage& mean() const { return mean_; }
+    /// Samples of the pixels that have the fewest and the most.
+    int leastSamples() const { return leastSamples_; }
+    int mostSamples() const { return mostSamples_; }
+    /// Replaces the settings that apply to finished pixels (bloom, exposure, encoding) by those of
+    /// `settings`; those that the pixels were traced with stay.
+    void setDisplay(const Settings& settings);
+
+  private:
+    friend class TracedPicture;
+    RenderRequest request_;
+    RgbImage mean_;
+    int leastSamples_ = 0, mostSamples_ = 0;
+};
+
+/// A film with the request and the compiled scene that it is traced with. Only a session makes one, so that
+/// no film can be shown or written with the request of another. Copies share the film, which may still grow.
+class TracedPicture {
+  public:
+    const RenderRequest& request() const { return request_; }
+    const std::shared_ptr<const trace::World>& world() const { return world_; }
+    const std::shared_ptr<const render::Film>& film() const { return film_; }
+    /// A copy of the film as it is now.
+    StillPicture still() const;
+
+  private:
+    friend class RenderSession;
+    TracedPicture(RenderRequest request, std::shared_ptr<const trace::World> world,
+                  std::shared_ptr<const render::Film> film)
+        : request_(std::move(request)), world_(std::move(world)), film_(std::move(film)) {}
+
+    RenderRequest request_;
+    std::shared_ptr<const trace::World> world_;
+    std::shared_ptr<const render::Film> film_;
+};
+
 /// One tile: the mean of each pixel so far, linear.
 struct TileView {
+    const TracedPicture& picture;  ///< that the tile belongs to
     int x0, y0, width, height;
     int imageWidth, imageHeight;  ///< of the whole image
     int samples;
@@ -69,8 +112,9 @@ struct TileView {
 };
 
 /// Renders in the background. submit() returns at once, and a new request replaces the current one. The film
-/// is a valid image at any time; a request that differs only in a larger number of samples or in display
-/// settings continues it. Calls must come from one thread at a time.
+/// is a valid image at any time. A request that differs only in a larger number of samples or in display
+/// settings continues it; one for fewer samples than the film has starts another. Calls must come from one
+/// thread at a time.
 class RenderSession {
   public:
     /// `threads`: number of tracing threads, 0 … kMaxThreads; 0 takes one per core.
@@ -98,8 +142,8 @@ class RenderSession {
     /// state.
     RenderState wait(double seconds = 1e9);
 
-    std::shared_ptr<const trace::World> world() const;  ///< null until compiled
-    std::shared_ptr<const render::Film> film() const;   ///< null until compiled
+    /// What has been traced last or is being traced; nothing until the first request is compiled.
+    std::optional<TracedPicture> picture() const;
 
   private:
     struct State;

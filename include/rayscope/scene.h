@@ -153,6 +153,7 @@ struct SceneDescription {
     std::vector<Light> lights;
     std::shared_ptr<const Environment> environment;
     std::vector<SettingAssignment> settings;
+    bool edited = false;  ///< differs from what loadScene() reads from `path`
 };
 
 /// Throws std::invalid_argument unless the arrays of the mesh have matching sizes and every vertex index is

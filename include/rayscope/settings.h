@@ -103,6 +103,10 @@ enum class Trade {
 /// The maximum over the fields in which a and b differ.
 Invalidates changed(const Settings& a, const Settings& b);
 
+/// `traced` with the fields of `display` that apply to finished pixels: those that invalidate no more than
+/// the display.
+Settings withDisplayOf(const Settings& traced, const Settings& display);
+
 /// Throws std::invalid_argument, with the key and the range, if a value is out of the range of its setting.
 void checkSettings(const Settings& settings);
 

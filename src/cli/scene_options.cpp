@@ -42,6 +42,9 @@ void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     list.add("--look-at", &lookAt, "Point that the camera looks at").form("X,Y,Z", ',');
     list.add("--up", &up, "Direction that is up in the image").form("X,Y,Z", ',');
     list.add("--fov", &fov, "Vertical angle of view in degrees").above(0.0).below(180.0);
+    list.add("--lens", &lens, "Lens of the camera: f-number, focal length and focus distance in scene units")
+        .form("F,FOCAL,DISTANCE", ',')
+        .above(0.0);
     const SettingInfo samples = settingNamed("spp");
     list.add("--spp,--samples", &spp, "Samples per pixel").from(samples.lowest, samples.highest);
     list.add("--preset", &preset,
@@ -84,7 +87,9 @@ SettingAssignment parseAssignment(const std::string& text) {
 
 RequestOverrides overridesOf(const SceneOptions& options) {
     RequestOverrides overrides;
-    overrides.camera = {options.camera, options.lookFrom, options.lookAt, options.up, options.fov};
+    overrides.camera = {options.camera, options.lookFrom, options.lookAt, options.up, options.fov, {}};
+    if (const std::optional<glm::vec3>& lens = options.lens)
+        overrides.camera.lens = Lens{lens->x, lens->y, lens->z};
     overrides.preset = options.preset;
     for (const std::string& text : options.assignments) overrides.settings.push_back(parseAssignment(text));
     overrides.spp = options.spp;

@@ -20,6 +20,7 @@ struct SceneOptions {
     std::string camera;
     std::optional<glm::vec3> lookFrom, lookAt, up;
     std::optional<float> fov;
+    std::optional<glm::vec3> lens;  ///< f-number, focal length, focus distance
     std::optional<int> spp;
     std::string preset;
     std::uint64_t seed = 0;

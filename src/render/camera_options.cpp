@@ -36,15 +36,25 @@ glm::vec3 vector(std::string_view option, std::string_view text) {
     return {v[0], v[1], v[2]};
 }
 
+Lens lens(std::string_view option, std::string_view text) {
+    const glm::vec3 v = vector(option, text);
+    if (!(v.x > 0.0f && v.y > 0.0f && v.z > 0.0f))
+        throw InputError(fmt::format("{}: expected numbers above 0, got '{}'", option, text));
+    return {v.x, v.y, v.z};
+}
+
 }  // namespace
 
 std::string toOptions(const CameraDescription& camera) {
-    return fmt::format("--look-from {} --look-at {} --up {} --fov {}", render::optionText(camera.lookFrom),
-                       render::optionText(camera.lookAt), render::optionText(camera.up), camera.fov);
+    std::string text =
+        fmt::format("--look-from {} --look-at {} --up {} --fov {}", render::optionText(camera.lookFrom),
+                    render::optionText(camera.lookAt), render::optionText(camera.up), camera.fov);
+    if (camera.lens) text += " --lens " + render::optionText(*camera.lens);
+    return text;
 }
 
 CameraDescription withOptions(const CameraDescription& camera, std::string_view text) {
-    constexpr std::array<std::string_view, 4> kOptions{"--look-from", "--look-at", "--up", "--fov"};
+    constexpr std::array<std::string_view, 5> kOptions{"--look-from", "--look-at", "--up", "--fov", "--lens"};
     CameraDescription changed = camera;
     const std::vector<std::string_view> list = splitText(text);
     for (std::size_t i = 0; i < list.size(); i += 2) {
@@ -58,6 +68,8 @@ CameraDescription withOptions(const CameraDescription& camera, std::string_view 
             changed.up = vector(option, value);
         else if (option == "--fov")
             changed.fov = numbers(option, value, 1)[0];
+        else if (option == "--lens")
+            changed.lens = lens(option, value);
         else
             throw InputError(fmt::format("expected {}, got '{}'{}", base::joinChoices(kOptions), option,
                                          base::didYouMean(option, kOptions)));

@@ -64,6 +64,12 @@ int Film::completeSamples() const {
     return tiles_.empty() ? 0 : least;
 }
 
+int Film::mostSamples() const {
+    int most = 0;
+    for (int i = 0; i < tileCount(); ++i) most = std::max(most, samples(i));
+    return most;
+}
+
 double Film::doneFraction(int targetSamples) const {
     double sum = 0.0;
     for (int i = 0; i < tileCount(); ++i) sum += std::min(samples(i), targetSamples);
@@ -85,10 +91,19 @@ PixelSums Film::sums(int x, int y, int& samples) const {
 }
 
 RgbImage Film::mean() const {
+    int least = 0, most = 0;
+    return mean(least, most);
+}
+
+RgbImage Film::mean(int& leastSamples, int& mostSamples) const {
+    leastSamples = tiles_.empty() ? 0 : std::numeric_limits<int>::max();
+    mostSamples = 0;
     RgbImage image(width_, height_, Rgb(0.0f));
     for (int tile = 0; tile < tileCount(); ++tile) {
         const Tile& from = *tiles_[static_cast<std::size_t>(tile)];
         const std::scoped_lock guard(from.lock);
+        leastSamples = std::min(leastSamples, from.samples);
+        mostSamples = std::max(mostSamples, from.samples);
         if (from.samples == 0) continue;
         const PixelBounds bounds = tileBounds(tile);
         const PixelSums* pixel = from.pixels.data();

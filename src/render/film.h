@@ -54,8 +54,9 @@ class Film {
     std::uint32_t version(int tile) const;
     int samples(int tile) const;
 
-    /// The smallest number of samples that any tile has.
+    /// The smallest and the largest number of samples that a tile has.
     int completeSamples() const;
+    int mostSamples() const;
     /// The fraction, 0 … 1, of `targetSamples` in all tiles that are committed.
     double doneFraction(int targetSamples) const;
     /// Sums and sample count of one pixel of the region.
@@ -63,6 +64,8 @@ class Film {
 
     /// The mean of each pixel; outside the region, and before the first sample, 0.
     RgbImage mean() const;
+    /// The same with the smallest and the largest number of samples of these means.
+    RgbImage mean(int& leastSamples, int& mostSamples) const;
 
   private:
     struct Tile {

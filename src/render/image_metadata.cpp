@@ -1,6 +1,7 @@
 #include "render/image_metadata.h"
 
 #include <fmt/format.h>
+#include <rayscope/open_request.h>
 
 #include <filesystem>
 
@@ -8,14 +9,15 @@ namespace rayscope::render {
 
 std::string softwareName() { return "Rayscope " RAYSCOPE_VERSION; }
 
-ImageMetadata imageMetadata(const SceneDescription& scene, const Settings& settings, std::uint64_t seed,
-                            int samples) {
+ImageMetadata imageMetadata(const RenderRequest& request, int samples) {
     ImageMetadata metadata = {{"Software", softwareName()},
-                              {"scene", std::filesystem::path(scene.path).filename().string()},
-                              {"seed", std::to_string(seed)},
+                              {"scene", std::filesystem::path(request.scene->path).filename().string()},
+                              {"camera", toOptions(request.camera)},
+                              {"seed", std::to_string(request.seed)},
                               {"samples", std::to_string(samples)}};
+    if (request.scene->edited) metadata["scene.edited"] = "true";
     for (const std::string_view key : settingKeys())
-        metadata[fmt::format("setting.{}", key)] = textOf(settings, key);
+        metadata[fmt::format("setting.{}", key)] = textOf(request.settings, key);
     return metadata;
 }
 

@@ -29,6 +29,7 @@ CameraDescription cameraFor(const SceneDescription& scene, const CameraOverrides
     camera.lookAt = overrides.lookAt.value_or(camera.lookAt);
     camera.up = overrides.up.value_or(camera.up);
     camera.fov = overrides.fov.value_or(camera.fov);
+    if (overrides.lens) camera.lens = overrides.lens;
     render::checkCamera(camera);
     return camera;
 }

@@ -5,6 +5,7 @@
 
 #include "render/film.h"
 #include "render/image_metadata.h"
+#include "render/probe_command.h"
 #include "trace/compile.h"
 
 namespace rayscope {
@@ -54,8 +55,10 @@ RenderedImage renderImage(const RenderRequest& request, const RenderOptions& opt
     session.submit(std::move(submitted));
     image.status = waitFor(session, options);
     if (options.progress) options.progress(image.status);
-    image.world = session.world();
-    image.film = session.film();
+    if (const std::optional<TracedPicture> picture = session.picture()) {
+        image.world = picture->world();
+        image.film = picture->film();
+    }
     image.mean = image.film ? image.film->mean() : RgbImage(request.width, request.height);
     return image;
 }
@@ -75,7 +78,18 @@ int samplesOf(const render::Film& film, int x, int y) {
 }
 
 ImageMetadata metadataOf(const RenderRequest& request, int samples) {
-    return render::imageMetadata(*request.scene, request.settings, request.seed, samples);
+    return render::imageMetadata(request, samples);
+}
+
+ImageMetadata metadataOf(const StillPicture& picture) {
+    const int least = picture.leastSamples(), most = picture.mostSamples();
+    ImageMetadata metadata = metadataOf(picture.request(), least);
+    if (most != least) {
+        metadata["samples.most"] = std::to_string(most);
+    } else if (const auto command = render::renderCommand(picture.request(), least)) {
+        metadata["command"] = *command;
+    }
+    return metadata;
 }
 
 }  // namespace rayscope

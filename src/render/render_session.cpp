@@ -73,7 +73,7 @@ void RenderSession::finishTiles() {
 }
 
 RenderStatus RenderSession::status() const {
-    std::shared_ptr<render::Film> film;
+    std::shared_ptr<const render::Film> film;
     RenderStatus status;
     double doneAtStart = 0.0, runningSeconds = 0.0;
     {
@@ -98,12 +98,9 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
     base::checkArgument(static_cast<bool>(take), "take is empty");
     const render::SessionClock::time_point start = render::SessionClock::now();
     State& s = *state_;
-    std::shared_ptr<render::Film> film;
-    {
-        const std::scoped_lock guard(s.lock);
-        film = s.film;
-    }
-    if (!film) return 0;
+    const std::optional<TracedPicture> picture = this->picture();
+    if (!picture) return 0;
+    const std::shared_ptr<const render::Film>& film = picture->film();
     if (film != s.collectedFilm) {
         s.collectedFilm = film;
         s.collectedVersions.assign(static_cast<std::size_t>(film->tileCount()), 0);
@@ -125,7 +122,7 @@ int RenderSession::collect(const std::function<void(const TileView&)>& take, dou
         for (const render::PixelSums& pixel : copy.pixels)
             mean.push_back(Rgb(pixel.radiance / static_cast<double>(copy.samples)));
         const PixelBounds bounds = film->tileBounds(tile);
-        take({bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, film->width(),
+        take({*picture, bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0, film->width(),
               film->height(), copy.samples, mean});
         ++delivered;
     }
@@ -144,14 +141,20 @@ RenderState RenderSession::wait(double seconds) {
     return state_->status.state;
 }
 
-std::shared_ptr<const trace::World> RenderSession::world() const {
+std::optional<TracedPicture> RenderSession::picture() const {
     const std::scoped_lock guard(state_->lock);
-    return state_->world;
+    return state_->picture;
 }
 
-std::shared_ptr<const render::Film> RenderSession::film() const {
-    const std::scoped_lock guard(state_->lock);
-    return state_->film;
+StillPicture TracedPicture::still() const {
+    StillPicture still;
+    still.request_ = request_;
+    still.mean_ = film_->mean(still.leastSamples_, still.mostSamples_);
+    return still;
+}
+
+void StillPicture::setDisplay(const Settings& settings) {
+    request_.settings = withDisplayOf(request_.settings, settings);
 }
 
 }  // namespace rayscope

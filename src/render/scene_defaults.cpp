@@ -38,4 +38,8 @@ void checkCamera(const CameraDescription& camera) {
 
 std::string optionText(const glm::vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
 
+std::string optionText(const Lens& lens) {
+    return fmt::format("{},{},{}", lens.fNumber, lens.focalLength, lens.focusDistance);
+}
+
 }  // namespace rayscope::render

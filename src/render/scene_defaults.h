@@ -21,4 +21,7 @@ void checkCamera(const CameraDescription& camera);
 /// "x,y,z", as --look-from and the like take it; reads back as the same floats.
 std::string optionText(const glm::vec3& v);
 
+/// "F,FOCAL,DISTANCE", as --lens takes it.
+std::string optionText(const Lens& lens);
+
 }  // namespace rayscope::render

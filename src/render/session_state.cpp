@@ -17,8 +17,10 @@ PixelBounds regionOf(const RenderRequest& request) {
     return request.region.value_or(whole);
 }
 
-/// Whether the samples of a film made for `before` are also the first samples of `after`.
-bool continues(const RenderRequest& before, const RenderRequest& after) {
+/// Whether the samples of a picture are also the first samples of `after`, and not more than it asks for.
+bool continues(const TracedPicture& picture, const RenderRequest& after) {
+    if (picture.film()->mostSamples() > after.settings.spp) return false;
+    const RenderRequest& before = picture.request();
     Settings sameCount = before.settings;
     if (!sampling::dependsOnSampleCount(after.settings.sampler)) sameCount.spp = after.settings.spp;
     return before.scene == after.scene && before.camera == after.camera && before.width == after.width &&
@@ -61,20 +63,20 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
     try {
         render::setCrashContext(render::crashContextOf(request));
         const render::SessionClock::time_point start = render::SessionClock::now();
+        const trace::World* const previous = picture ? picture->world().get() : nullptr;
         std::shared_ptr<const trace::World> compiled;
         arena.run([&] {
             compiled = trace::compile({request.scene, request.settings, request.camera, request.width,
                                        request.height, request.keepBinaryTrees},
-                                      world.get(), control.stop);
+                                      previous, control.stop);
         });
         {
             const std::scoped_lock guard(lock);
-            world = compiled;
             status.compileSeconds = render::secondsSince(start);
             status.buildSeconds = compiled->buildReport.seconds;
             status.sahCostGrowth = compiled->buildReport.sahCostGrowth;
         }
-        prepareFilm(request);
+        preparePicture(request, std::move(compiled));
         if (renderPasses(request, control)) outcome = RenderState::Done;
     } catch (const Stopped&) {
         // Cancelled, paused or replaced: the state below follows from `pending` and `paused`.
@@ -96,9 +98,11 @@ void RenderSession::State::serve(const RenderRequest& request, std::uint64_t num
     changedState.notify_all();
 }
 
-void RenderSession::State::prepareFilm(const RenderRequest& request) {
+void RenderSession::State::preparePicture(const RenderRequest& request,
+                                          std::shared_ptr<const trace::World> world) {
     const std::scoped_lock guard(lock);
-    if (!film || !filmRequest || !continues(*filmRequest, request)) {
+    if (!picture || !continues(*picture, request)) {
+        picture.reset();
         film.reset();
         // Now, rather than after the render.
         render::Film::requireMemory(regionOf(request), 1, imagesOf(request));
@@ -107,7 +111,7 @@ void RenderSession::State::prepareFilm(const RenderRequest& request) {
         counters.nonFiniteSamples = 0;
         status.elapsedSeconds = 0.0;
     }
-    filmRequest = request;
+    picture = TracedPicture(request, std::move(world), film);
     status.state = RenderState::Rendering;
     status.targetSamples = request.settings.spp;
     started = render::SessionClock::now();
@@ -120,8 +124,9 @@ bool RenderSession::State::renderPasses(const RenderRequest& request, const rend
     for (int samples = film->completeSamples(); complete && samples < wanted;
          samples = film->completeSamples()) {
         const int target = render::nextPassTarget(samples, wanted, request.progressive);
-        arena.run(
-            [&] { complete = render::renderPass(*world, request.seed, *film, target, control, counters); });
+        arena.run([&] {
+            complete = render::renderPass(*picture->world(), request.seed, *film, target, control, counters);
+        });
     }
     const std::scoped_lock guard(lock);
     status.elapsedSeconds += render::secondsSince(started);

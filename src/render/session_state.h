@@ -33,7 +33,7 @@ struct RenderSession::State {
 
     void run();
     void serve(const RenderRequest& request, std::uint64_t epoch, const render::PassControl& control);
-    void prepareFilm(const RenderRequest& request);
+    void preparePicture(const RenderRequest& request, std::shared_ptr<const trace::World> world);
     bool renderPasses(const RenderRequest& request, const render::PassControl& control);
 
     render::ThreadArena arena;
@@ -45,15 +45,14 @@ struct RenderSession::State {
     std::uint64_t epoch = 0;
     std::stop_source stop, drain;
     RenderStatus status;
-    std::shared_ptr<const trace::World> world;
-    std::shared_ptr<render::Film> film;
-    std::optional<RenderRequest> filmRequest;  ///< the request that the film belongs to
+    std::shared_ptr<render::Film> film;  ///< of `picture`, for the passes
+    std::optional<TracedPicture> picture;
     render::RenderCounters counters;
     render::SessionClock::time_point started{};
     double doneAtStart = 0.0;
 
     // Used by collect() only.
-    std::shared_ptr<render::Film> collectedFilm;
+    std::shared_ptr<const render::Film> collectedFilm;
     std::vector<std::uint32_t> collectedVersions;
     int nextTile = 0;
 

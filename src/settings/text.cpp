@@ -101,6 +101,14 @@ Invalidates changed(const Settings& a, const Settings& b) {
     return result;
 }
 
+Settings withDisplayOf(const Settings& traced, const Settings& display) {
+    Settings result = traced;
+    settings::forEachSetting([&](const auto& row) {
+        if (row.invalidates <= Invalidates::Display) result.*row.member = display.*row.member;
+    });
+    return result;
+}
+
 void assign(Settings& settings, std::string_view key, std::string_view value) {
     bool known = false;
     settings::forEachSetting([&](const auto& row) {

@@ -116,11 +116,18 @@ void expectAccepted(const NumberOption& number, const std::string& text) {
 TEST(OptionTable, HasTheNumberOptionsThatThisTestIsAbout) {
     std::set<std::string_view> names;
     for (const NumberOption& number : numberOptions()) names.insert(number.option->mainName());
-    for (const char* name :
-         {"--threads", "--size",   "--look-from",  "--look-at",          "--up",         "--fov",
-          "--spp",     "--seed",   "--time-limit", "--target-error",     "--confidence", "--pixelbounds",
-          "--pixel",   "--sample", "--rounds",     "--budget",           "--rays",       "--fail-above",
-          "--tile",    "--range",  "--exposure",   "--pixels-per-degree"})
+    for (const char* name : {"--threads",    "--size",
+                             "--look-from",  "--look-at",
+                             "--up",         "--fov",
+                             "--spp",        "--seed",
+                             "--time-limit", "--target-error",
+                             "--confidence", "--pixelbounds",
+                             "--pixel",      "--sample",
+                             "--rounds",     "--budget",
+                             "--rays",       "--fail-above",
+                             "--tile",       "--range",
+                             "--exposure",   "--pixels-per-degree",
+                             "--lens"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 

@@ -137,8 +137,8 @@ TEST(Aov, FilmValuesAreItsMoments) {
     RenderSession session(1);
     session.submit(request);
     ASSERT_EQ(session.wait(60.0), RenderState::Done);
-    AovRequest aovs{*session.world()};
-    const auto film = session.film();
+    AovRequest aovs{*session.picture()->world()};
+    const auto film = session.picture()->film();
     aovs.film = film.get();
     const std::vector<Aov> wanted{Aov::Samples, Aov::Variance, Aov::Error};
     const auto images = renderAovs(aovs, wanted);
@@ -146,10 +146,12 @@ TEST(Aov, FilmValuesAreItsMoments) {
         for (int x = 0; x < 16; ++x) {
             double mean = 0.0, squares = 0.0;
             for (int i = 0; i < 8; ++i)
-                mean += math::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) / 8.0;
+                mean +=
+                    math::luminance(probeSample(*session.picture()->world(), 0, {x, y, i}).radiance) / 8.0;
             for (int i = 0; i < 8; ++i)
-                squares +=
-                    std::pow(math::luminance(probeSample(*session.world(), 0, {x, y, i}).radiance) - mean, 2);
+                squares += std::pow(
+                    math::luminance(probeSample(*session.picture()->world(), 0, {x, y, i}).radiance) - mean,
+                    2);
             EXPECT_EQ(images[0].at(x, y).x, 8.0f);
             EXPECT_NEAR(images[1].at(x, y).x, squares / 7.0, 1e-6 + 1e-4 * squares);
             EXPECT_NEAR(images[2].at(x, y).x, std::sqrt(squares / 56.0), 1e-4);

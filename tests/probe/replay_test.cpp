@@ -68,8 +68,8 @@ TEST_P(Replay, ReplayedPixelsEqualTheFilm) {
         ASSERT_EQ(session.wait(), RenderState::Done);
         for (int y = 0; y < opened.request.height; ++y)
             for (int x = 0; x < opened.request.width; ++x) {
-                const ReplayResult replayed =
-                    verifyReplay(*session.world(), *session.film(), opened.request.seed, x, y);
+                const ReplayResult replayed = verifyReplay(
+                    *session.picture()->world(), *session.picture()->film(), opened.request.seed, x, y);
                 ASSERT_TRUE(replayed.matchesFilm) << x << " " << y;
                 ASSERT_TRUE(replayed.sumMatches) << x << " " << y;
                 ASSERT_EQ(replayed.samples, 4);

@@ -10,6 +10,8 @@ TEST(CameraOptions, survivesPrintingAndParsing) {
     camera.lookAt = {1e7f, 2.0f, -0.7f};
     camera.fov = 33.3f;
     EXPECT_EQ(withOptions(CameraDescription{}, toOptions(camera)), camera);
+    camera.lens = Lens{1.4f, 0.0501f, 3.3333333f};
+    EXPECT_EQ(withOptions(CameraDescription{}, toOptions(camera)), camera);
 }
 
 TEST(CameraOptions, changesOnlyWhatItNames) {
@@ -33,6 +35,7 @@ TEST(CameraOptions, errorsNameTheExpectedForm) {
     EXPECT_NE(messageOf("--look-from 1,2").find("three numbers"), std::string::npos);
     EXPECT_NE(messageOf("--look-from 1,2,3,4").find("three numbers"), std::string::npos);
     EXPECT_NE(messageOf("--look-from nan,2,3").find("three numbers"), std::string::npos);
+    EXPECT_NE(messageOf("--lens 2.8,0,3").find("above 0"), std::string::npos);
     EXPECT_NE(messageOf("--fov").find("a number"), std::string::npos);
     EXPECT_NE(messageOf("--fov 180").find("between 0 and 180"), std::string::npos);
     EXPECT_NE(messageOf("--look-from 0,0,0 --look-at 0,0,0").find("the same point"), std::string::npos);

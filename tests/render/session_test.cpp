@@ -46,7 +46,7 @@ std::uint64_t renderedHash(const RenderRequest& request, int threads) {
     RenderSession session(threads);
     session.submit(request);
     EXPECT_EQ(session.wait(), RenderState::Done);
-    return test::hashOf(*session.film());
+    return test::hashOf(*session.picture()->film());
 }
 
 TEST(Session, GivesTheSameBitsForAnyThreadCountAndPassPlan) {
@@ -87,7 +87,7 @@ TEST(Session, GivesTheSameBitsAfterFiveHundredCancellations) {
     }
     session.submit(request);
     EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_EQ(test::hashOf(*session.film()), expected);
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), expected);
 }
 
 TEST(Session, ContinuesTheFilmIfOnlyTheSampleCountGrows) {
@@ -95,15 +95,62 @@ TEST(Session, ContinuesTheFilmIfOnlyTheSampleCountGrows) {
     RenderSession session(2);
     session.submit(request);
     session.wait();
-    const auto film = session.film();
+    const auto film = session.picture()->film();
     const std::uint64_t raysBefore = session.status().rays;
     request.settings.spp = 8;
     session.submit(request);
     session.wait();
-    EXPECT_EQ(session.film(), film);
+    EXPECT_EQ(session.picture()->film(), film);
     EXPECT_GT(session.status().rays, raysBefore);
     EXPECT_EQ(session.status().samples, 8);
-    EXPECT_EQ(test::hashOf(*session.film()), renderedHash(request, 1));
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
+}
+
+TEST(Session, FewerSamplesStartAnotherFilm) {
+    RenderRequest request = requestFor(richScene(), 50, 8);
+    RenderSession session(2);
+    session.submit(request);
+    session.wait();
+    const TracedPicture before = *session.picture();
+    request.settings.spp = 2;
+    session.submit(request);
+    EXPECT_EQ(session.wait(), RenderState::Done);
+    EXPECT_NE(session.picture()->film(), before.film());
+    EXPECT_EQ(session.picture()->still().mostSamples(), 2);
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
+    EXPECT_EQ(before.still().leastSamples(), 8) << "the earlier picture keeps its film and its request";
+    EXPECT_EQ(before.request().settings.spp, 8);
+}
+
+/// While requests follow one another, each tile and each picture belongs to the request that it names.
+TEST(Session, APictureIsAlwaysThatOfItsRequest) {
+    const auto scene = richScene();
+    std::vector<RenderRequest> requests;
+    std::vector<RgbImage> expected;
+    for (int i = 0; i < 4; ++i) {
+        requests.push_back(requestFor(scene, 50 + i, 1));
+        requests.back().camera.fov += static_cast<float>(i);
+        requests.back().seed = static_cast<std::uint64_t>(i);
+        RenderSession session(1);
+        session.submit(requests.back());
+        session.wait();
+        expected.push_back(session.picture()->still().mean());
+    }
+    RenderSession session(3);
+    std::mt19937 random(7);
+    int tiles = 0;
+    while (tiles < 2000) {
+        session.submit(requests[random() % 4]);
+        session.wait(1e-6 * static_cast<double>(random() % 2000));
+        tiles += session.collect([&](const TileView& tile) {
+            const std::uint64_t i = tile.picture.request().seed;
+            ASSERT_EQ(tile.picture.request().camera, requests[i].camera);
+            for (int y = 0; y < tile.height; ++y)
+                for (int x = 0; x < tile.width; ++x)
+                    ASSERT_EQ(tile.mean[static_cast<std::size_t>(y * tile.width + x)],
+                              expected[i].at(tile.x0 + x, tile.y0 + y));
+        });
+    }
 }
 
 TEST(Session, KeepsTheFilmIfOnlyTheDisplayChanges) {
@@ -111,16 +158,16 @@ TEST(Session, KeepsTheFilmIfOnlyTheDisplayChanges) {
     RenderSession session(2);
     session.submit(request);
     session.wait();
-    const auto film = session.film();
+    const auto film = session.picture()->film();
     request.settings.exposure = 1.0f;
     request.settings.bloom = true;
     session.submit(request);
     EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_EQ(session.film(), film);
+    EXPECT_EQ(session.picture()->film(), film);
     request.settings.shading = false;
     session.submit(request);
     session.wait();
-    EXPECT_NE(session.film(), film);
+    EXPECT_NE(session.picture()->film(), film);
 }
 
 TEST(Session, SharesGeometryBetweenWorldsIfALightMoves) {
@@ -128,13 +175,13 @@ TEST(Session, SharesGeometryBetweenWorldsIfALightMoves) {
     RenderSession session(2);
     session.submit(requestFor(scene, 50, 1));
     session.wait();
-    const auto before = session.world();
+    const auto before = session.picture()->world();
     SceneDescription moved = *scene;
     std::get<PointLight>(moved.lights[0].shape).position.x += 1.0f;
     session.submit(requestFor(std::make_shared<const SceneDescription>(moved), 50, 1));
     session.wait();
-    EXPECT_NE(session.world(), before);
-    EXPECT_EQ(session.world()->motionGroups[0].accel, before->motionGroups[0].accel);
+    EXPECT_NE(session.picture()->world(), before);
+    EXPECT_EQ(session.picture()->world()->motionGroups[0].accel, before->motionGroups[0].accel);
 }
 
 TEST(Session, ANewRequestReplacesTheCurrentOne) {
@@ -149,8 +196,8 @@ TEST(Session, ANewRequestReplacesTheCurrentOne) {
     last.seed = 99;
     session.submit(last);
     EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_EQ(session.film()->width(), 40);
-    EXPECT_EQ(test::hashOf(*session.film()), renderedHash(last, 1));
+    EXPECT_EQ(session.picture()->film()->width(), 40);
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(last, 1));
     EXPECT_EQ(session.status().epoch, 61u);
 }
 
@@ -168,10 +215,10 @@ TEST(Session, PausesAndResumes) {
     waitForSamples(session, 1);
     session.pause();
     EXPECT_EQ(session.wait(), RenderState::Paused);
-    const std::uint64_t hash = test::hashOf(*session.film());
+    const std::uint64_t hash = test::hashOf(*session.picture()->film());
     const int samples = session.status().samples;
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    EXPECT_EQ(test::hashOf(*session.film()), hash);
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), hash);
 
     session.resume();
     waitForSamples(session, samples + 1);
@@ -182,7 +229,7 @@ TEST(Session, PausesAndResumes) {
     request.settings.spp = 2 * session.status().samples;
     session.submit(request);
     EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_EQ(test::hashOf(*session.film()), renderedHash(request, 1));
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
 }
 
 TEST(Session, PausesARequestThatHasNotStarted) {
@@ -204,7 +251,7 @@ TEST(Session, PausesARequestThatHasNotStarted) {
     session.pause();
     session.resume();
     EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_EQ(test::hashOf(*session.film()), renderedHash(request, 1));
+    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
 }
 
 /// A callback of collect() that copies tiles into the image.
@@ -223,7 +270,7 @@ TEST(Session, DeliversEachTileOnceAfterEachChange) {
     session.wait();
     RgbImage seen(request.width, request.height, Rgb(-1.0f));
     session.collect(pasteInto(seen));
-    EXPECT_EQ(seen.pixels, session.film()->mean().pixels);
+    EXPECT_EQ(seen.pixels, session.picture()->film()->mean().pixels);
     EXPECT_EQ(session.collect([](const TileView&) {}), 0);
 }
 
@@ -239,7 +286,7 @@ TEST(Session, PollingDeliversTheFinalImage) {
     }
     session.collect(pasteInto(seen));
     EXPECT_GT(delivered, 0);
-    EXPECT_EQ(seen.pixels, session.film()->mean().pixels);
+    EXPECT_EQ(seen.pixels, session.picture()->film()->mean().pixels);
 }
 
 TEST(Session, RendersOnlyTheRegion) {
@@ -250,7 +297,7 @@ TEST(Session, RendersOnlyTheRegion) {
     part.submit(request);
     whole.wait();
     part.wait();
-    const RgbImage a = whole.film()->mean(), b = part.film()->mean();
+    const RgbImage a = whole.picture()->film()->mean(), b = part.picture()->film()->mean();
     for (int y = 0; y < request.height; ++y)
         for (int x = 0; x < request.width; ++x) {
             const bool inside = x >= 10 && x < 45 && y >= 5 && y < 40;
@@ -268,7 +315,7 @@ TEST(Session, CountsNonFiniteSamplesAndKeepsThemInTheFilm) {
     session.submit(requestFor(std::make_shared<const SceneDescription>(scene), 50, 1));
     EXPECT_EQ(session.wait(), RenderState::Done);
     EXPECT_GT(session.status().nonFiniteSamples, 0u);
-    const RgbImage mean = session.film()->mean();
+    const RgbImage mean = session.picture()->film()->mean();
     EXPECT_TRUE(std::ranges::any_of(mean.pixels, [](const Rgb& pixel) { return !math::isFinite(pixel); }));
 }
 
@@ -279,7 +326,7 @@ TEST(Session, IsDestroyedWithoutCompletingTheImage) {
         session.submit(requestFor(richScene(), 60, kEndless));
         waitForSamples(session, 1);
         EXPECT_EQ(session.status().state, RenderState::Rendering);
-        film = session.film();
+        film = session.picture()->film();
     }
     EXPECT_GE(film->completeSamples(), 1);
     EXPECT_LT(film->completeSamples(), kEndless);
@@ -291,7 +338,7 @@ TEST(Session, AnEmptySceneIsBlack) {
     RenderSession session(2);
     session.submit(requestFor(std::make_shared<const SceneDescription>(scene), 50, 1));
     EXPECT_EQ(session.wait(), RenderState::Done);
-    for (const Rgb& pixel : session.film()->mean().pixels) EXPECT_EQ(pixel, Rgb(0.0f));
+    for (const Rgb& pixel : session.picture()->film()->mean().pixels) EXPECT_EQ(pixel, Rgb(0.0f));
 }
 
 }  // namespace

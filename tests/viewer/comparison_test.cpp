@@ -4,6 +4,8 @@
 
 #include <thread>
 
+#include "traced.h"
+
 namespace rayscope::viewer {
 namespace {
 
@@ -26,7 +28,7 @@ TEST(Comparison, MeasuresTheCurrentPictureAgainstTheKeptOne) {
     EXPECT_FALSE(comparison.visible());
     settle(comparison, flat(16, 16, 0.5f), 1);
     EXPECT_EQ(comparison.metrics(), nullptr) << "there is no A";
-    comparison.keep({}, flat(16, 16, 0.25f), 4);
+    comparison.keep(flatPicture(16, 16, 0.25f));
     EXPECT_FALSE(comparison.visible()) << "not requested";
     comparison.view.shown = true;
     settle(comparison, flat(16, 16, 0.75f), 1);
@@ -41,7 +43,7 @@ TEST(Comparison, MeasuresTheCurrentPictureAgainstTheKeptOne) {
 
 TEST(Comparison, ReportsWhetherMetricsAreOfTheCompletePicture) {
     Comparison comparison;
-    comparison.keep({}, flat(16, 16, 0.25f), 1);
+    comparison.keep(flatPicture(16, 16, 0.25f));
     comparison.view.shown = true;
     const RgbImage b = flat(16, 16, 0.5f);
     const auto wait = [&](bool complete, int revision, const RgbImage& image) {
@@ -69,7 +71,7 @@ TEST(Comparison, ReportsWhetherMetricsAreOfTheCompletePicture) {
 
 TEST(Comparison, HasNoMetricsForOtherSizesOrDiscardedPictures) {
     Comparison comparison;
-    comparison.keep({}, flat(16, 16, 0.25f), 1);
+    comparison.keep(flatPicture(16, 16, 0.25f));
     comparison.view.shown = true;
     settle(comparison, flat(16, 16, 0.5f), 1);
     ASSERT_NE(comparison.metrics(), nullptr);
@@ -83,7 +85,7 @@ TEST(Comparison, HasNoMetricsForOtherSizesOrDiscardedPictures) {
 }
 
 TEST(Comparison, ListsDifferentSettings) {
-    EditState a, b;
+    RenderRequest a, b;
     EXPECT_TRUE(differencesOf(a, b).empty());
     b.settings.spp = 64;
     b.settings.hardShadows = false;

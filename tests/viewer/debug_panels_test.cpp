@@ -50,8 +50,14 @@ TEST(RaysPanel, ShowsTheSamplesOfAPixel) {
         EXPECT_EQ(driver.takeCommands(), std::vector{command}) << label;
     }
     driver.workspace.edit.settings.spp = 17;
+    driver.waitFor("the rays of 17 samples", [&] { return rays.recording()->samples() == 17; });
+    driver.click("Freeze");
+    driver.workspace.edit.settings.spp = 18;
     driver.frame();
-    EXPECT_TRUE(driver.shows("Outdated"));
+    EXPECT_TRUE(driver.shows("Frozen: the scene or a setting changed"));
+    driver.click("Freeze");
+    driver.waitFor("the rays of 18 samples", [&] { return rays.recording()->samples() == 18; });
+    EXPECT_FALSE(driver.shows("Frozen"));
 }
 
 TEST(RaysPanel, SelectsRaysInTheTable) {
@@ -173,11 +179,22 @@ TEST(ComparisonPanel, ComparesTheKeptPicture) {
     driver.click("Keep the traced picture as A (K)");
     EXPECT_EQ(driver.takeCommands(), std::vector{Command::KeepPicture});
     Comparison& comparison = driver.workspace.comparison;
-    comparison.keep(driver.workspace.edit, RgbImage(64, 48), 2);
+    driver.workspace.keepPicture();
+    EXPECT_EQ(comparison.a(), nullptr) << "no traced picture is shown";
+    driver.workspace.view.traced = true;
+    const auto isComplete = [&](int samples) {
+        return driver.workspace.shown.samples() == samples &&
+               driver.workspace.shown.isFull(driver.workspace.edit, driver.workspace.imageSize());
+    };
+    driver.waitFor("the picture", [&] { return isComplete(2); });
+    driver.workspace.keepPicture();
+    ASSERT_NE(comparison.a(), nullptr);
     const Settings kept = driver.workspace.edit.settings;
     driver.workspace.edit.settings.spp = 3;
-    driver.frame();
+    driver.waitFor("one more sample", [&] { return isComplete(3); });
     EXPECT_TRUE(driver.shows("spp 2 -> 3"));
+    EXPECT_TRUE(driver.shows("A: 2 samples per pixel, 64 x 48"));
+    EXPECT_TRUE(driver.shows("B: 3 of 3 samples per pixel, 64 x 48"));
     comparison.view.shown = true;
     driver.frame();
     driver.type("Divider", "0.25");

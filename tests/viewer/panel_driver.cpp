@@ -60,19 +60,18 @@ PanelDriver::~PanelDriver() {
 std::vector<Command> PanelDriver::takeCommands() { return std::exchange(workspace.commands, {}); }
 
 void PanelDriver::frame() {
-    const auto world = workspace.render.session().world();
-    const glm::ivec2 size = workspace.imageSize();
-    workspace.render.update(
-        {workspace.edit, size.x, size.y, false, workspace.view.traced, workspace.stopCriteria});
-    if (world) workspace.bvh.update(world);
-    if (workspace.view.traced)
-        workspace.heat.update(workspace.render.currentWorld(), workspace.render.session().film(), 1);
+    workspace.updateTracing(false);
+    const std::optional<TracedPicture> picture = workspace.render.session().picture();
+    if (const auto world = workspace.worldOfScene()) workspace.bvh.update(world);
+    if (workspace.view.traced && picture)
+        workspace.heat.update(workspace.render.currentWorld(), picture->film(), 1);
     if (auto loaded = workspace.loader.poll()) workspace.show(std::move(*loaded));
     workspace.reportSaves();
     workspace.lab.update();
     workspace.trade.update();
     workspace.rays.update();
     workspace.rays.updateTraversal();
+    workspace.rays.follow(workspace.edit, picture);
 
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();
@@ -94,6 +93,7 @@ void PanelDriver::frame() {
     drawColorBar(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
     drawPixelMarks(workspace, {0.0f, 20.0f}, 1.0);
     drawPickingMarks(workspace, {0.0f, 20.0f}, {900.0f, 600.0f});
+    drawTracedNotice(workspace, {0.0f, 20.0f});
     workspace.closeDialogs = false;
     ImGui::Render();
 }
@@ -113,8 +113,8 @@ void PanelDriver::waitForWorld() {
 
 void PanelDriver::recordPixel(int x, int y) {
     waitForWorld();
-    workspace.rays.recordPixel(workspace.render.currentWorld(), workspace.edit, workspace.imageSize(),
-                               {x, y, 0}, nullptr);
+    workspace.rays.recordPixel(*workspace.render.currentPicture(), workspace.edit.settings.spp, {x, y, 0},
+                               DebugRays::Compare::WithNothing);
     waitFor("replay", [this] { return !workspace.rays.busy(); });
     workspace.rays.diagnose();
     waitFor("diagnosis", [this] { return !workspace.rays.busy(); });

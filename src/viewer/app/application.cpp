@@ -74,8 +74,7 @@ void Application::resetLayout() {
 
 double Application::frameInterval() const {
     if (framesToDraw_ > 0 || input_.moving() || workspace_.view.flying) return kMotionSeconds;
-    const bool working =
-        workspace_.busy() || openDialog_.busy() || picture_.computing() || !workspace_.commands.empty();
+    const bool working = workspace_.busy() || openDialog_.busy() || !workspace_.commands.empty();
     return working ? kRefineSeconds : kQuietSeconds;
 }
 
@@ -181,9 +180,7 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     requestLiveRay();
     executeCommands();
 
-    const glm::ivec2 image = workspace_.imageSize();
-    workspace_.render.update({workspace_.edit, image.x, image.y, input_.moving(), workspace_.view.traced,
-                              workspace_.stopCriteria});
+    workspace_.updateTracing(input_.moving());
     updateJobs();
     picture_.update(workspace_, input_.hoveredHandlePart(), input_.moving());
     updateComparison();
@@ -191,28 +188,30 @@ void Application::drawPicture(const Layout& parts, double seconds) {
     drawColorBar(workspace_, parts.pictureOrigin, parts.pictureSize);
     drawPixelMarks(workspace_, parts.pictureOrigin, unit);
     drawPickingMarks(workspace_, parts.pictureOrigin, parts.pictureSize);
+    drawTracedNotice(workspace_, parts.pictureOrigin);
     drawDetailNotice(picture_.counts(), parts.pictureOrigin, parts.pictureSize);
     updateCursorRadiance();
 }
 
 void Application::updateComparison() {
     const RenderControl& render = workspace_.render;
-    const bool complete = !render.busy() && !input_.moving() && !picture_.computing();
-    workspace_.comparison.update(picture_.shownImage(), picture_.shownRevision(), complete,
+    const ShownPicture& shown = workspace_.shown;
+    const bool complete = !render.busy() && !input_.moving() && !shown.computingBloom() &&
+                          shown.isFull(workspace_.edit, workspace_.imageSize());
+    workspace_.comparison.update(shown.displayed(), shown.revision(), complete,
                                  workspace_.edit.settings.exposure);
 }
 
 /// Starts and polls the jobs whose results are visible.
 void Application::updateJobs() {
     const bool bvhVisible = std::exchange(workspace_.bvhPanelOpen, false) || workspace_.bvh.shown.any();
-    const std::shared_ptr<const trace::World> world = workspace_.render.session().world();
-    const bool isCurrent = world && world->description == workspace_.edit.scene;
-    if ((bvhVisible && isCurrent) || workspace_.bvh.busy())
-        workspace_.bvh.update(isCurrent ? world : nullptr);
+    const std::optional<TracedPicture> picture = workspace_.render.session().picture();
+    const std::shared_ptr<const trace::World> world = workspace_.worldOfScene();
+    if ((bvhVisible && world) || workspace_.bvh.busy()) workspace_.bvh.update(world);
 
     // While the picture is still being refined, a heat map would compete for the cores.
     const bool idle = !workspace_.render.busy() && !input_.moving();
-    const auto film = workspace_.render.session().film();
+    const std::shared_ptr<const render::Film> film = picture ? picture->film() : nullptr;
     if (workspace_.view.traced && (idle || workspace_.heat.busy()))
         workspace_.heat.update(workspace_.render.currentWorld(), film, workspace_.render.threads());
 
@@ -222,19 +221,15 @@ void Application::updateJobs() {
     DebugRays& rays = workspace_.rays;
     rays.update();
     rays.updateTraversal();
-    const bool settled =
-        workspace_.render.currentWorld() && workspace_.render.status().state == RenderState::Done;
-    if (film && settled && workspace_.view.traced &&
-        !rays.isStaleFor(workspace_.edit, workspace_.imageSize()))
-        rays.verifyAgain(film);
+    rays.follow(workspace_.edit, picture);
+    const bool settled = workspace_.render.status().state == RenderState::Done;
+    if (picture && settled && workspace_.view.traced && !workspace_.view.liveRay) rays.verify(*picture);
 }
 
 void Application::updateCursorRadiance() {
     std::optional<CursorInfo>& cursor = workspace_.cursor;
-    const RgbImage& image = picture_.tracedImage();
-    const bool shown =
-        workspace_.view.traced && glm::ivec2(image.width, image.height) == workspace_.imageSize();
-    if (cursor && shown) cursor->radiance = image.at(cursor->pixel.x, cursor->pixel.y);
+    if (cursor && workspace_.view.traced)
+        cursor->radiance = workspace_.shown.radiance(workspace_.edit, workspace_.imageSize(), cursor->pixel);
 }
 
 /// Waits for the first scene, unless it takes long: most windows then open with their scene.

@@ -62,12 +62,12 @@ class Application {
     void copyRays();
     void exportRays();
     void saveImage();
-    void keepPicture();
     void copyPixel();
     void copyCamera();
     void frameScene();
     void setScale(float scale);
     void saveScreenshotNow();
+    ImageMetadata rasterMetadata() const;
     void savePixels(const std::string& path, FramebufferPixels pixels, const ImageMetadata& metadata);
 
     std::string firstScene_;

@@ -30,14 +30,14 @@ void Application::requestLiveRay() {
     const DebugRays::PixelRecording* recording = workspace_.rays.recording();
     const bool isRecorded = recording &&
                             glm::ivec2(recording->tree().name.x, recording->tree().name.y) == cursor->pixel &&
-                            !workspace_.rays.isStaleFor(workspace_.edit, workspace_.imageSize());
+                            workspace_.rays.isOf(workspace_.edit, workspace_.imageSize());
     if (!isRecorded) commands.push_back(Command::RecordRays);
 }
 
 void Application::recordRays() {
     if (!workspace_.cursor || workspace_.render.status().state == RenderState::Failed) return;
-    const auto world = workspace_.render.currentWorld();
-    if (!world || input_.moving()) {
+    const std::optional<TracedPicture> picture = workspace_.render.currentPicture();
+    if (!picture || input_.moving()) {
         // Retry in the next frame, until the world is compiled.
         workspace_.picked = workspace_.cursor;
         workspace_.commands.push_back(Command::RecordRays);
@@ -45,11 +45,10 @@ void Application::recordRays() {
     }
     const glm::ivec2 pixel = workspace_.cursor->pixel;
     // A live ray follows the cursor, so it is not verified, and few samples are replayed.
-    const bool live = workspace_.view.liveRay;
-    auto film = workspace_.view.traced && !live ? workspace_.render.session().film() : nullptr;
+    const bool live = workspace_.view.liveRay, compares = workspace_.view.traced && !live;
     workspace_.rays.maxSamples = live ? DebugRays::kMaxLiveSamples : DebugRays::kMaxSamples;
-    workspace_.rays.recordPixel(world, workspace_.edit, workspace_.imageSize(), {pixel.x, pixel.y, 0},
-                                std::move(film));
+    workspace_.rays.recordPixel(*picture, workspace_.edit.settings.spp, {pixel.x, pixel.y, 0},
+                                compares ? DebugRays::Compare::WithFilm : DebugRays::Compare::WithNothing);
     workspace_.view.overlay = true;
 }
 
@@ -66,16 +65,14 @@ void Application::frameScene() {
 
 void Application::saveImage() {
     const std::string path = workspace_.saves.nextFreeName();
-    const ImageMetadata metadata =
-        metadataOf(workspace_.edit, workspace_.view.traced ? workspace_.render.status().samples : 0);
-    const auto film = workspace_.render.session().film();
-    if (workspace_.view.traced && film)
-        workspace_.saves.add({path}, [path, film, settings = workspace_.edit.settings, metadata] {
-            writeRenderedImage(path, meanOf(*film), settings, metadata);
-        });
+    if (workspace_.view.traced)
+        workspace_.saveTracedPicture(path);
     else
-        savePixels(path, picture_.rasterPixels(workspace_), metadata);
+        savePixels(path, picture_.rasterPixels(workspace_), rasterMetadata());
 }
+
+/// The metadata of pixels that were not traced, or with overlays: the state, with 0 samples.
+ImageMetadata Application::rasterMetadata() const { return metadataOf(requestOf(workspace_.edit, 1, 1), 0); }
 
 void Application::savePixels(const std::string& path, FramebufferPixels pixels,
                              const ImageMetadata& metadata) {
@@ -87,7 +84,9 @@ void Application::savePixels(const std::string& path, FramebufferPixels pixels,
 void Application::saveScreenshotNow() {
     const std::string path = workspace_.saves.nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
-    ImageMetadata metadata = metadataOf(workspace_.edit, 0);
+    const RenderRequest* traced = workspace_.view.traced ? workspace_.shown.request() : nullptr;
+    ImageMetadata metadata = traced ? metadataOf(*traced, workspace_.shown.samples()) : rasterMetadata();
+    if (const std::string notice = tracedNotice(workspace_); !notice.empty()) metadata["shown"] = notice;
     if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
         metadata["drawn"] = lacking;
     savePixels(path, readFramebuffer(0, 0, size.x, size.y), metadata);
@@ -103,21 +102,6 @@ void Application::copyPixel() {
     if (cursor.triangle >= 0) text += fmt::format(", triangle {}", cursor.triangle);
     window_.copyText(text);
     workspace_.notify("Copied: " + text);
-}
-
-/// Previews are not kept.
-void Application::keepPicture() {
-    const RgbImage& image = picture_.shownImage();
-    const bool whole = glm::ivec2(image.width, image.height) == workspace_.imageSize();
-    if (!workspace_.view.traced || !whole || !workspace_.render.currentWorld()) {
-        workspace_.notify("No traced picture at full resolution yet: show the ray-traced view and try again",
-                          Severity::Warning);
-        return;
-    }
-    const int samples = workspace_.render.status().samples;
-    workspace_.comparison.keep(workspace_.edit, image, samples);
-    workspace_.comparison.view.shown = true;
-    workspace_.notify(fmt::format("Kept as A with {} samples per pixel", samples));
 }
 
 void Application::copyRays() {

@@ -51,7 +51,7 @@ void focusOnPixel(Workspace& workspace) {
 }
 
 void selectLeafUnderCursor(Workspace& workspace) {
-    const auto world = workspace.render.session().world();
+    const std::shared_ptr<const trace::World> world = workspace.worldOfScene();
     if (!world || !workspace.cursor || workspace.cursor->primitive == kNoPrimitive) return;
     workspace.bvh.selectLeafOf(world->locatePrimitive(workspace.cursor->primitive).inGroup);
 }

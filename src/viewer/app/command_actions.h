@@ -8,6 +8,7 @@ inline void toggle(bool& value) { value = !value; }
 
 void toggleHeatMap(Workspace& workspace);
 void toggleComparison(Workspace& workspace);
+inline void keepPicture(Workspace& workspace) { workspace.keepPicture(); }
 void flipPictures(Workspace& workspace);
 void resetCamera(Workspace& workspace);
 /// The camera looks at the surface under the cursor, and orbits around it.

@@ -82,7 +82,7 @@ struct CommandTable {
          .execute = perform<toggleHeatMap>, .checked = [](const Workspace& w) { return w.heat.shown; }},
         {.command = Command::KeepPicture, .menu = "View", .label = "Keep as A",
          .help = "Keep the traced picture as A for comparison.",
-         .shortcut = {GLFW_KEY_K}, .separatorBefore = true, .execute = perform<&Application::keepPicture>},
+         .shortcut = {GLFW_KEY_K}, .separatorBefore = true, .execute = perform<keepPicture>},
         {.command = Command::ComparePictures, .menu = "View", .label = "Compare A with B",
          .help = "Show the kept picture A beside the current picture B.",
          .shortcut = {GLFW_KEY_V},

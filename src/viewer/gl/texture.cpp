@@ -55,10 +55,13 @@ GlTexture GlTexture::forMaterial(const Texture& source) {
     return texture;
 }
 
-void GlTexture::upload(int x, int y, int width, int height, const Rgb* pixels) {
+void GlTexture::upload(const PixelBounds& bounds, const RgbImage& image) {
     glBindTexture(GL_TEXTURE_2D, id_);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, x, y, width, height, GL_RGB, GL_FLOAT, pixels);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, image.width);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, bounds.x0, bounds.y0, bounds.x1 - bounds.x0, bounds.y1 - bounds.y0,
+                    GL_RGB, GL_FLOAT, &image.at(bounds.x0, bounds.y0));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 void GlTexture::bind(int unit) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <epoxy/gl.h>
 #include <rayscope/image.h>
+#include <rayscope/render_session.h>
 #include <rayscope/scene.h>
 
 namespace rayscope::viewer {
@@ -18,7 +19,8 @@ class GlTexture {
     /// Half-float pixels with mipmaps; with the wrap mode of `texture`.
     static GlTexture forMaterial(const Texture& texture);
 
-    void upload(int x, int y, int width, int height, const Rgb* pixels);
+    /// Copies a rectangle of the image to the same place.
+    void upload(const PixelBounds& bounds, const RgbImage& image);
     void bind(int unit) const;
     bool empty() const { return id_ == 0; }
     int width() const { return width_; }

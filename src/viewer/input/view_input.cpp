@@ -19,12 +19,6 @@ constexpr double kClickPixels = 4.0;     // largest movement between press and r
 constexpr double kWheelFactor = 0.88;    // of the distance, per notch
 constexpr double kSettleSeconds = 0.18;  // a motion ends this long after its last event
 
-/// The world of the current scene, possibly compiled for another camera.
-std::shared_ptr<const trace::World> worldOf(Workspace& workspace) {
-    std::shared_ptr<const trace::World> world = workspace.render.session().world();
-    return world && world->description == workspace.edit.scene ? world : nullptr;
-}
-
 struct SurfacePoint {
     glm::dvec3 position;
     Hit hit;
@@ -148,7 +142,7 @@ void ViewInput::wheel(Workspace& workspace, const ViewFrame& frame, double notch
         return;
     }
     glm::dvec3 anchor = pointAtFocusDepth(workspace.edit.camera, frame, cursor_);
-    if (const auto world = worldOf(workspace))
+    if (const auto world = workspace.worldOfScene())
         if (const auto surface = surfaceAt(*world, frame, cursor_)) anchor = surface->position;
     zoomToward(workspace.edit.camera, anchor, std::pow(kWheelFactor, notches));
     lastWheel_ = Clock::now();
@@ -182,7 +176,7 @@ void ViewInput::updateCursor(Workspace& workspace, const ViewFrame& frame, bool 
     const glm::dvec2 position = cursor_ * glm::dvec2(image) / glm::dvec2(frame.width, frame.height);
     CursorInfo info;
     info.pixel = glm::clamp(glm::ivec2(glm::floor(position)), glm::ivec2(0), image - 1);
-    if (const auto world = worldOf(workspace)) {
+    if (const auto world = workspace.worldOfScene()) {
         const ViewFrame imageFrame = viewFrame(workspace.edit.camera, image.x, image.y);
         if (const auto surface = surfaceAt(*world, imageFrame, glm::dvec2(info.pixel) + 0.5)) {
             const trace::PrimitiveLocation name = world->locatePrimitive(surface->hit.primitive);

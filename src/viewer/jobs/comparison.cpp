@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "viewer/jobs/shown_picture.h"
+
 namespace rayscope::viewer {
 
 namespace {
@@ -11,8 +13,9 @@ constexpr double kMetricsInterval = 2.0;
 
 }  // namespace
 
-void Comparison::keep(EditState state, RgbImage image, int samples) {
-    kept_ = Kept{std::move(state), std::make_shared<const RgbImage>(std::move(image)), samples};
+void Comparison::keep(StillPicture picture) {
+    auto image = std::make_shared<const RgbImage>(withBloom(picture.mean(), picture.request().settings));
+    kept_ = Kept{std::move(picture), std::move(image)};
     metrics_.reset();
     ++view.version;
 }
@@ -48,7 +51,7 @@ void Comparison::update(const RgbImage& b, int revision, bool complete, float ex
     });
 }
 
-std::vector<std::string> differencesOf(const EditState& a, const EditState& b) {
+std::vector<std::string> differencesOf(const RenderRequest& a, const RenderRequest& b) {
     std::vector<std::string> differences;
     for (const std::string_view key : settingKeys()) {
         const std::string before = textOf(a.settings, key), now = textOf(b.settings, key);

@@ -1,11 +1,11 @@
 #pragma once
 #include <rayscope/compare.h>
+#include <rayscope/render_session.h>
 #include <chrono>
 #include <memory>
 #include <optional>
 
 #include "viewer/jobs/background_job.h"
-#include "viewer/model/edit_state.h"
 
 namespace rayscope::viewer {
 
@@ -28,11 +28,10 @@ class Comparison {
     View view;
 
     struct Kept {
-        EditState state;
-        std::shared_ptr<const RgbImage> image;  ///< linear, with bloom
-        int samples = 0;
+        StillPicture picture;
+        std::shared_ptr<const RgbImage> image;  ///< its means with the bloom of its settings
     };
-    void keep(EditState state, RgbImage image, int samples);
+    void keep(StillPicture picture);
     void discard();
     const Kept* a() const { return kept_ ? &*kept_ : nullptr; }
     /// Whether A is to be drawn.
@@ -67,7 +66,7 @@ class Comparison {
     Clock::time_point measuredAt_{};
 };
 
-/// The settings in which two states differ, as "spp 4 -> 16"; "camera", "scene" where those differ, too.
-std::vector<std::string> differencesOf(const EditState& a, const EditState& b);
+/// The settings in which two requests differ, as "spp 4 -> 16"; "camera", "scene" where those differ, too.
+std::vector<std::string> differencesOf(const RenderRequest& a, const RenderRequest& b);
 
 }  // namespace rayscope::viewer

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sampling/sample_stream.h"
+#include "trace/compile.h"
 #include "trace/world.h"
 #include "viewer/model/viewer_seed.h"
 
@@ -49,14 +50,19 @@ std::vector<RayTree> recordTrees(const trace::World& world, SampleId id, int sam
 
 }  // namespace
 
-void DebugRays::recordPixel(std::shared_ptr<const trace::World> world, const EditState& state,
-                            glm::ivec2 imageSize, SampleId id, std::shared_ptr<const render::Film> film) {
-    PixelRecording recording;
+void DebugRays::recordPixel(const TracedPicture& picture, int samples, SampleId id, Compare compare) {
+    RenderRequest request = picture.request();
     // Beside the rasterised view the world is compiled for one sample per pixel.
-    recording.samples =
-        sampling::dependsOnSampleCount(world->settings.sampler) ? world->settings.spp : state.settings.spp;
-    recording.state = state;
-    recording.imageSize = imageSize;
+    if (!sampling::dependsOnSampleCount(request.settings.sampler)) request.settings.spp = samples;
+    following_.discard();
+    startRecording(std::move(request), picture.world(), id,
+                   compare == Compare::WithFilm ? picture.film() : nullptr);
+}
+
+void DebugRays::startRecording(RenderRequest request, std::shared_ptr<const trace::World> world, SampleId id,
+                               std::shared_ptr<const render::Film> film) {
+    PixelRecording recording;
+    recording.request = std::move(request);
     recording.trees = {RayTree{}};
     recording.trees[0].name = id;
     recording.pixel = probe::replayPixel(*world, kViewerSeed, id.x, id.y, 1);
@@ -71,8 +77,68 @@ void DebugRays::recordPixel(std::shared_ptr<const trace::World> world, const Edi
     startReplay(id, std::move(film));
 }
 
+/// The request of the recording with the scene, the settings, the lens and the field of view of the state.
+RenderRequest DebugRays::followed(const EditState& state) const {
+    RenderRequest request = recording_->request;
+    request.scene = state.scene;
+    request.settings = state.settings;
+    request.camera.lens = state.camera.lens;
+    request.camera.fov = state.camera.fov;
+    return request;
+}
+
+bool DebugRays::isOutdated(const EditState& state) const {
+    if (!recording_) return false;
+    const RenderRequest request = followed(state);
+    return !isSameView(recording_->request, request) || recording_->samples() != request.settings.spp;
+}
+
+void DebugRays::follow(const EditState& state, const std::optional<TracedPicture>& picture) {
+    if (recording_ && recording_->request.scene->path != state.scene->path) clear();
+    if (!recording_ || frozen || following_.busy() || !isOutdated(state)) return;
+    // The world of the state is compiled for its picture; that for the other camera shares its geometry.
+    RenderRequest ofState = requestOf(state, 1, 1);
+    if (!picture) return;
+    ofState.camera = picture->request().camera;
+    if (!isSameView(picture->request(), ofState)) return;
+    following_.start(
+        [request = followed(state), shared = picture->world()](const std::stop_token& stop, JobProgress&) {
+            auto world = trace::compile({request.scene, request.settings, request.camera, request.width,
+                                         request.height, request.keepBinaryTrees},
+                                        shared.get(), stop);
+            return Followed{request, std::move(world)};
+        });
+}
+
+namespace {
+
+/// Whether rays with the same index have the same role.
+bool sameRays(const RayTree& a, const RayTree& b) {
+    return std::ranges::equal(
+               a.nodes, b.nodes,
+               [](const RayNode& x, const RayNode& y) { return x.parent == y.parent && x.kind == y.kind; }) &&
+           std::ranges::equal(a.shadowRays, b.shadowRays, [](const ShadowRay& x, const ShadowRay& y) {
+               return x.node == y.node && x.light == y.light && x.sample == y.sample;
+           });
+}
+
+}  // namespace
+
+/// Records the selected sample again; selected and hidden rays stay so if there are the same rays.
+void DebugRays::recordFollowed(Followed followed) {
+    const RayTree before = recording_->tree();
+    const RaySelection selected = filter.selected;
+    const std::vector<RaySelection> hidden = filter.hidden;
+    SampleId id = before.name;
+    id.index = std::min(id.index, followed.request.settings.spp - 1);
+    startRecording(std::move(followed.request), std::move(followed.world), id, nullptr);
+    if (!sameRays(before, recording_->tree())) return;
+    filter.selected = selected;
+    filter.hidden = hidden;
+}
+
 void DebugRays::startReplay(SampleId id, std::shared_ptr<const render::Film> film) {
-    const int samples = std::min(recording_->samples, maxSamples);
+    const int samples = std::min(recording_->samples(), maxSamples);
     replay_.start([world = recording_->world, film = std::move(film), id, samples](
                       const std::stop_token& stop, JobProgress& progress) {
         const int verified = film ? samplesOf(*film, id.x, id.y) : 0;
@@ -93,6 +159,7 @@ void DebugRays::update() {
         recording_->pixel = std::move(replay->pixel);
         recording_->statistics = std::move(replay->statistics);
     }
+    if (auto followed = following_.poll(); followed && recording_) recordFollowed(std::move(*followed));
     if (pinRequested_ && !replay_.busy()) pin();
     if (auto replayResult = verification_.poll(); replayResult && recording_)
         recording_->replayResult = std::move(*replayResult);
@@ -126,7 +193,7 @@ void DebugRays::recordSample() {
 
 void DebugRays::recordAllSamples() {
     sampleTrees_.start([world = recording_->world, id = recording_->tree().name,
-                        samples = recording_->samples,
+                        samples = recording_->samples(),
                         budget = budget](const std::stop_token& stop, JobProgress& progress) {
         return recordTrees(*world, id, samples, budget, SampleCounter(stop, progress, samples));
     });
@@ -156,12 +223,13 @@ DebugRays::Shown DebugRays::exchange(Shown shown) {
         verification_.discard();
         sampleTrees_.discard();
         diagnosis_.discard();
+        following_.discard();
         diagnosisRequested_ = pinRequested_ = false;
         before.recording = std::exchange(recording_, std::move(shown.recording));
         if (recording_) sample_ = recording_->tree().name.index;
         tree_ = recording_ ? shown.tree : ++trees_;
         // A replay that was discarded before its end starts again.
-        if (recording_ && recording_->pixel.values.size() < static_cast<std::size_t>(recording_->samples))
+        if (recording_ && recording_->pixel.values.size() < static_cast<std::size_t>(recording_->samples()))
             startReplay(recording_->tree().name, nullptr);
     }
     filter.hidden.clear();
@@ -177,7 +245,7 @@ DebugRays::Shown DebugRays::withoutSelected() const {
 
 void DebugRays::selectSample(int index) {
     if (!recording_) return;
-    sample_ = std::clamp(index, 0, std::max(0, recording_->samples - 1));
+    sample_ = std::clamp(index, 0, std::max(0, recording_->samples() - 1));
     const auto number = static_cast<std::size_t>(sample_);
     const bool isRecorded = filter.allSamples && number < recording_->trees.size() &&
                             recording_->trees[number].name.index == sample_;
@@ -191,12 +259,13 @@ void DebugRays::showAllSamples(bool all) {
     if (recording_) recordSample();
 }
 
-void DebugRays::verifyAgain(std::shared_ptr<const render::Film> film) {
-    if (!recording_ || !recording_->replayResult || replay_.busy() || verification_.busy()) return;
+void DebugRays::verify(const TracedPicture& picture) {
+    if (!recording_ || replay_.busy() || verification_.busy()) return;
+    if (!isSameFrame(recording_->request, picture.request())) return;
     const SampleId id = recording_->tree().name;
-    const int samples = samplesOf(*film, id.x, id.y);
-    if (samples == recording_->replayResult->samples) return;
-    verification_.start([world = recording_->world, film = std::move(film), id, samples](
+    const int samples = samplesOf(*picture.film(), id.x, id.y);
+    if (recording_->replayResult && samples == recording_->replayResult->samples) return;
+    verification_.start([world = recording_->world, film = picture.film(), id, samples](
                             const std::stop_token& stop, JobProgress& progress) {
         return verifyReplay(*world, *film, kViewerSeed, id.x, id.y, SampleCounter(stop, progress, samples),
                             stop);
@@ -212,7 +281,8 @@ const std::vector<probe::Diagnosis>* DebugRays::diagnose() {
     PixelRecording& recording = *recording_;
     if (!recording.diagnosis && !std::exchange(diagnosisRequested_, true)) {
         const SampleId id = recording.tree().name;
-        const int samples = std::min(probe::samplesToDiagnose(recording.state.settings), recording.samples);
+        const int samples =
+            std::min(probe::samplesToDiagnose(recording.request.settings), recording.samples());
         diagnosis_.start(
             [world = recording.world, id, samples](const std::stop_token& stop, JobProgress& progress) {
                 return probe::diagnosePixel(*world, kViewerSeed, id.x, id.y, samples,
@@ -267,10 +337,8 @@ void DebugRays::step(int by) {
     traversal.step = std::clamp(traversal.step + by, 0, static_cast<int>(most));
 }
 
-bool DebugRays::isStaleFor(const EditState& state, glm::ivec2 imageSize) const {
-    return recording_ && (recording_->state.scene != state.scene ||
-                          recording_->state.camera != state.camera || recording_->imageSize != imageSize ||
-                          changed(recording_->state.settings, state.settings) > Invalidates::Display);
+bool DebugRays::isOf(const EditState& state, glm::ivec2 imageSize) const {
+    return recording_ && isSameFrame(recording_->request, requestOf(state, imageSize.x, imageSize.y));
 }
 
 }  // namespace rayscope::viewer

@@ -12,17 +12,16 @@
 
 namespace rayscope::viewer {
 
-/// The recorded rays of one pixel. They are kept until they are cleared; after a change of scene, settings or
-/// camera they are stale. One sample is recorded at once; replay, further samples and diagnosis are
-/// background jobs.
+/// The recorded rays of one pixel, until they are cleared. They follow the settings, the lights and the lens:
+/// after a change the same pixel is recorded again, from the camera position of the first recording, so that
+/// the camera can be moved to look at the rays. One sample is recorded at once; replay, further samples and
+/// diagnosis are background jobs.
 class DebugRays {
   public:
     struct PixelRecording {
         std::vector<RayTree> trees;  ///< of the selected sample, or of all samples within the budget
         std::size_t chosen = 0;      ///< the selected sample, an index into `trees`
-        int samples = 1;             ///< of the pixel with these settings
-        EditState state;
-        glm::ivec2 imageSize{1};
+        RenderRequest request;       ///< that the rays are of, with the samples of the pixel
         std::shared_ptr<const trace::World> world;
         std::optional<ReplayResult> replayResult;
         probe::PixelSamples pixel;  ///< the first sample until replayed, then at most maxSamples
@@ -30,29 +29,39 @@ class DebugRays {
         std::optional<std::vector<probe::Diagnosis>> diagnosis;
 
         const RayTree& tree() const { return trees[chosen]; }
+        int samples() const { return request.settings.spp; }
     };
 
-    /// Records sample `id` of the pixel of `world`, which was compiled from `state`, and starts the replay of
-    /// its samples. With a film the replay is compared with it.
-    void recordPixel(std::shared_ptr<const trace::World> world, const EditState& state, glm::ivec2 imageSize,
-                     SampleId id, std::shared_ptr<const render::Film> film);
+    enum class Compare { WithNothing, WithFilm };
+    /// Records sample `id` of a pixel that has `samples` samples, and starts the replay of these, which may
+    /// be compared with the film of the picture.
+    void recordPixel(const TracedPicture& picture, int samples, SampleId id, Compare compare);
+    /// Records the pixel again if the state differs from the recording in what changes its rays, besides the
+    /// position of the camera, unless the rays are frozen. Shares the world of `picture` if that is of the
+    /// state, and does nothing otherwise. Another scene clears the rays.
+    void follow(const EditState& state, const std::optional<TracedPicture>& picture);
+    bool frozen = false;  ///< the rays do not follow
+    /// Whether follow() would record again if the rays were not frozen.
+    bool isOutdated(const EditState& state) const;
     void clear();
     static constexpr int kMaxSamples = 4096, kMaxLiveSamples = 64;
     int maxSamples = kMaxSamples;  ///< to replay for the chart of samples
     const PixelRecording* recording() const { return recording_ ? &*recording_ : nullptr; }
-    bool isStaleFor(const EditState& state, glm::ivec2 imageSize) const;
+    /// Whether the rays are of a pixel of the picture of this state in this size.
+    bool isOf(const EditState& state, glm::ivec2 imageSize) const;
 
     /// Takes over the results of the jobs. To be called in each frame.
     void update();
     bool busy() const {
-        return replay_.busy() || verification_.busy() || sampleTrees_.busy() || diagnosis_.busy();
+        return replay_.busy() || verification_.busy() || sampleTrees_.busy() || diagnosis_.busy() ||
+               following_.busy();
     }
 
     bool replaying() const { return replay_.busy(); }
     double replayProgress() const { return replay_.progress(); }
     void cancelReplay() { replay_.cancel(); }
-    /// Compares with the film again if its number of samples differs from that of the replay.
-    void verifyAgain(std::shared_ptr<const render::Film> film);
+    /// Compares with the film of the picture unless that has been done with as many samples.
+    void verify(const TracedPicture& picture);
 
     /// Records another sample of the pixel, or all of them.
     void selectSample(int index);
@@ -114,6 +123,14 @@ class DebugRays {
         probe::PixelSamples pixel;
         probe::SampleStatistics statistics;
     };
+    struct Followed {
+        RenderRequest request;
+        std::shared_ptr<const trace::World> world;
+    };
+    RenderRequest followed(const EditState& state) const;
+    void startRecording(RenderRequest request, std::shared_ptr<const trace::World> world, SampleId id,
+                        std::shared_ptr<const render::Film> film);
+    void recordFollowed(Followed followed);
     void startReplay(SampleId id, std::shared_ptr<const render::Film> film);
     void recordSample();
     void recordAllSamples();
@@ -125,6 +142,7 @@ class DebugRays {
     BackgroundJob<ReplayResult> verification_;
     BackgroundJob<std::vector<RayTree>> sampleTrees_;
     BackgroundJob<std::vector<probe::Diagnosis>> diagnosis_;
+    BackgroundJob<Followed> following_;
     bool diagnosisRequested_ = false, pinRequested_ = false;
 
     std::vector<probe::TraversalLog> traversals_;

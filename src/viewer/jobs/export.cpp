@@ -5,14 +5,12 @@
 
 namespace rayscope::viewer {
 
-ImageMetadata metadataOf(const EditState& state, int samples) {
-    ImageMetadata metadata = rayscope::metadataOf(requestOf(state, 1, 1), samples);
-    metadata["camera"] = toOptions(state.camera);
-    return metadata;
+void writePicture(const std::string& path, const StillPicture& picture) {
+    writeRenderedImage(path, picture.mean(), picture.request().settings, metadataOf(picture));
 }
 
 RenderJob::RenderJob(const EditState& state, int width, int height, std::string path, int threads)
-    : state_(state), path_(std::move(path)), session_(threads) {
+    : path_(std::move(path)), session_(threads) {
     checkImageDestination(path_);
     RenderRequest request = requestOf(state, width, height);
     request.progressive = false;
@@ -27,11 +25,11 @@ void RenderJob::update() {
             phase_ = Phase::Failed;
         } else if (status.state == RenderState::Done) {
             phase_ = Phase::Writing;
-            writing_.start([path = path_, state = state_, film = session_.film(), samples = status.samples](
-                               const std::stop_token&, JobProgress&) {
-                writeRenderedImage(path, meanOf(*film), state.settings, metadataOf(state, samples));
-                return true;
-            });
+            writing_.start(
+                [path = path_, picture = *session_.picture()](const std::stop_token&, JobProgress&) {
+                    writePicture(path, picture.still());
+                    return true;
+                });
         }
     }
     if (phase_ != Phase::Writing) return;

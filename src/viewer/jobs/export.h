@@ -8,8 +8,8 @@
 
 namespace rayscope::viewer {
 
-/// The metadata of a saved image of this state.
-ImageMetadata metadataOf(const EditState& state, int samples);
+/// Writes the picture with its metadata.
+void writePicture(const std::string& path, const StillPicture& picture);
 
 /// A render to a file, in the background and in a session of its own.
 class RenderJob {
@@ -30,7 +30,6 @@ class RenderJob {
     const std::string& error() const { return error_; }
 
   private:
-    EditState state_;
     std::string path_, error_;
     RenderSession session_;
     BackgroundJob<bool> writing_;

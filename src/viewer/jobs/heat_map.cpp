@@ -58,6 +58,7 @@ void HeatMap::update(std::shared_ptr<const trace::World> world, std::shared_ptr<
                      int threads) {
     if (auto computed = job_.poll()) {
         values_ = std::move(computed->values);
+        world_ = computed->source.world;
         statistics_ = std::move(computed->statistics);
         if (fitRange) {
             from = static_cast<float>(std::min(statistics_.lowest, 0.0));

@@ -35,6 +35,8 @@ class HeatMap {
     bool busy() const { return job_.busy(); }
     /// Null unless shown and computed.
     const RgbImage* image() const { return shown && values_ ? &image_ : nullptr; }
+    /// Whether image() is of the view of this world.
+    bool isOf(const std::shared_ptr<const trace::World>& world) const { return world && world == world_; }
     const RgbImage* values() const { return values_ ? &*values_ : nullptr; }
     const HeatStatistics& statistics() const { return statistics_; }
     /// Applies map and range again.
@@ -60,6 +62,7 @@ class HeatMap {
     Source requested_;  ///< of the latest job
     BackgroundJob<Computed> job_;
     std::optional<RgbImage> values_;
+    std::shared_ptr<const trace::World> world_;  ///< of values_
     RgbImage image_;
     HeatStatistics statistics_;
     int version_ = 0;

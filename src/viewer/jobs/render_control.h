@@ -21,9 +21,9 @@ struct StopCriteria {
     bool operator==(const StopCriteria&) const = default;
 };
 
-/// Decides what the session renders: a coarse preview while the camera moves or after an edit, then the
-/// current state at full size; one sample per pixel while the rasterised view is shown, which keeps the world
-/// compiled for debug rays.
+/// Decides what the session renders: of each new view first a preview with as few pixels as it takes to be
+/// whole within a tenth of a second, then the current state at full size; one sample per pixel while the
+/// rasterised view is shown, which keeps the world compiled for debug rays.
 class RenderControl {
   public:
     /// `threads` 0 traces on all cores, but leaves one to the window while something moves.
@@ -43,13 +43,19 @@ class RenderControl {
     bool paused() const { return status_.state == RenderState::Paused; }
 
     RenderSession& session() { return session_; }
+    const RenderSession& session() const { return session_; }
     int threads() const { return threads_; }
     /// At the time of the last update().
     const RenderStatus& status() const { return status_; }
     double raysPerSecond() const;
 
-    /// The world of the current state at full size; null while it is being compiled or a preview is shown.
+    /// The picture of the current state at full size; nothing while it is being compiled or a preview is
+    /// traced.
+    std::optional<TracedPicture> currentPicture() const;
+    /// Its world, or null.
     std::shared_ptr<const trace::World> currentWorld() const;
+    /// The latest picture that has at least one sample of every pixel; perhaps a preview, or of another view.
+    const std::optional<TracedPicture>& whole() const { return whole_; }
     /// Whether a picture is being compiled or rendered.
     bool busy() const;
 
@@ -61,9 +67,16 @@ class RenderControl {
   private:
     using Clock = std::chrono::steady_clock;
 
-    int previewDivisor(const ViewRequest& viewRequest) const;
+    int affordableDivisor(const ViewRequest& viewRequest) const;
+    int nextDivisor(const ViewRequest& viewRequest, const RenderRequest& full) const;
+    std::optional<int> shownDivisor(const RenderRequest& full) const;
+    bool isLate(const RenderRequest& full) const;
     bool mayInterrupt() const;
+    void takeWhole();
+    void measureSpeed();
     void submit(RenderRequest request, bool coarse);
+    void resume(const ViewRequest& viewRequest, const RenderRequest& full);
+    void updateRasterised(const ViewRequest& viewRequest);
     void updateErrorEstimate(const ViewRequest& viewRequest);
     void applyStopCriteria(const ViewRequest& viewRequest);
 
@@ -76,9 +89,11 @@ class RenderControl {
     RenderSession session_;
     RenderStatus status_;
     std::optional<RenderRequest> submitted_;
-    bool coarse_ = false;  ///< the latest submitted render is a preview
+    std::optional<TracedPicture> whole_;
+    bool coarse_ = false;   ///< the latest submitted render is a preview
+    bool resting_ = false;  ///< interrupted, because the rasterised view is shown
     Clock::time_point submittedAt_{};
-    double pixelsPerSecond_ = 2e6;  ///< measured: samples traced per second
+    double pixelsPerSecond_;  ///< estimated: samples traced per second
 
     StopCriteria stopCriteria_;
     std::optional<StopReason> stopReason_;

@@ -1,5 +1,7 @@
 #include "viewer/model/edit_state.h"
 
+#include <algorithm>
+
 #include "viewer/model/viewer_seed.h"
 
 namespace rayscope::viewer {
@@ -22,9 +24,39 @@ RenderRequest requestOf(const EditState& state, int width, int height) {
     return request;
 }
 
+bool isSameView(const RenderRequest& a, const RenderRequest& b) {
+    Settings settings = a.settings;
+    settings.spp = b.settings.spp;
+    return a.scene == b.scene && a.camera == b.camera && a.seed == b.seed &&
+           changed(settings, b.settings) <= Invalidates::Display;
+}
+
+bool isSameView(const RenderRequest& a, const EditState& b) {
+    return isSameView(a, requestOf(b, a.width, a.height));
+}
+
+bool isSameFrame(const RenderRequest& a, const RenderRequest& b) {
+    return isSameView(a, b) && a.width == b.width && a.height == b.height;
+}
+
+RenderRequest previewOf(const RenderRequest& full, int divisor) {
+    RenderRequest preview = full;
+    preview.width = std::max(1, full.width / divisor);
+    preview.height = std::max(1, full.height / divisor);
+    preview.settings.spp = 1;
+    return preview;
+}
+
+std::optional<int> previewDivisor(const RenderRequest& preview, const RenderRequest& full) {
+    for (int divisor = 1; divisor <= kCoarsestDivisor; divisor *= 2)
+        if (isSameFrame(preview, previewOf(full, divisor))) return divisor;
+    return std::nullopt;
+}
+
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights) {
     SceneDescription edited = scene;
     edited.lights = std::move(lights);
+    edited.edited = true;
     return std::make_shared<const SceneDescription>(std::move(edited));
 }
 

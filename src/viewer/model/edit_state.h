@@ -26,7 +26,20 @@ EditState initialState(SceneDescription scene, const RequestOverrides& overrides
 /// The request that renders the state, with the seed of the window.
 RenderRequest requestOf(const EditState& state, int width, int height);
 
-/// The same scene with other lights.
+/// Whether both show the same from the same camera, whatever their size, number of samples and display.
+bool isSameView(const RenderRequest& a, const RenderRequest& b);
+bool isSameView(const RenderRequest& a, const EditState& b);
+/// Whether they also have the same size.
+bool isSameFrame(const RenderRequest& a, const RenderRequest& b);
+
+/// The request of `full` with a fraction of its pixels and one sample of each: 1/divisor in both directions.
+RenderRequest previewOf(const RenderRequest& full, int divisor);
+inline constexpr int kCoarsestDivisor = 64;
+/// The divisor, 1 to kCoarsestDivisor, with which `preview` shows the same as `full`; nothing if it shows
+/// another view.
+std::optional<int> previewDivisor(const RenderRequest& preview, const RenderRequest& full);
+
+/// The same scene with other lights, marked as edited.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);
 
 }  // namespace rayscope::viewer

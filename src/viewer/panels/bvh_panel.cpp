@@ -164,7 +164,7 @@ void drawBvhPanel(Workspace& workspace) {
                                                 : "The BVH is off: every ray tests every primitive.");
         return;
     }
-    const auto world = workspace.render.session().world();
+    const std::shared_ptr<const trace::World> world = workspace.worldOfScene();
     if (world && world->motionGroups.size() > 1) {
         int motionGroup = static_cast<int>(bvh.motionGroup);
         const int step =

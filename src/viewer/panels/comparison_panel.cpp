@@ -55,12 +55,18 @@ void drawMetrics(const Comparison& comparison) {
 }
 
 void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
-    dimText(fmt::format("A: {} samples per pixel, {} x {}", a.samples, a.image->width, a.image->height));
-    const std::vector<std::string> differences = differencesOf(a.state, workspace.edit);
-    if (differences.empty()) dimText("B has the same settings as A: change some.");
-    for (const std::string& difference : differences) text(difference);
+    dimText(fmt::format("A: {} samples per pixel, {} x {}", samplesText(a.picture), a.image->width,
+                        a.image->height));
+    if (const RenderRequest* b = workspace.shown.request()) {
+        dimText(fmt::format("B: {} of {} samples per pixel, {} x {}", workspace.shown.samples(),
+                            b->settings.spp, b->width, b->height));
+        if (const std::string notice = tracedNotice(workspace); !notice.empty()) text("B: " + notice);
+        const std::vector<std::string> differences = differencesOf(a.picture.request(), *b);
+        if (differences.empty()) dimText("B has the same settings as A: change some.");
+        for (const std::string& difference : differences) text(difference);
+    }
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
-    if (ui::button("Restore settings", {half, 0.0f})) workspace.edit.settings = a.state.settings;
+    if (ui::button("Restore settings", {half, 0.0f})) workspace.edit.settings = a.picture.request().settings;
     tooltip("Set B to the settings of A; can be undone.");
     ImGui::SameLine();
     if (ui::button("Discard A", {half, 0.0f})) workspace.comparison.discard();
@@ -85,6 +91,13 @@ void drawComparisonPanel(Workspace& workspace) {
     }
     ImGui::Separator();
     drawSettingsOf(workspace, *comparison.a());
+}
+
+void drawTracedNotice(const Workspace& workspace, glm::vec2 origin) {
+    const std::string notice = tracedNotice(workspace);
+    // Below the marks of compared pictures.
+    const float y = origin.y + scaled(8.0f) + 2.0f * ImGui::GetTextLineHeight();
+    if (!notice.empty()) pictureLabel(notice.c_str(), {origin.x + scaled(8.0f), y});
 }
 
 void drawComparisonMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 size) {

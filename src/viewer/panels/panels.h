@@ -57,6 +57,10 @@ void drawPickingMarks(const Workspace& workspace, glm::vec2 origin, glm::vec2 si
 /// The commands for a pixel, at the cursor.
 void drawContextMenu(Workspace& workspace);
 
+/// What the traced picture is, in the upper left corner of the picture, unless it is the complete picture of
+/// the current state.
+void drawTracedNotice(const Workspace& workspace, glm::vec2 origin);
+
 /// What is left out while the camera moves, in the lower left corner of the picture.
 void drawDetailNotice(const DrawnCounts& counts, glm::vec2 origin, glm::vec2 size);
 

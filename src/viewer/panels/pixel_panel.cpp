@@ -30,7 +30,7 @@ void drawGrid(DebugRays& rays, const DebugRays::PixelRecording& recording, float
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     ui::area("Sample positions", {side, side});
     draw.AddRectFilled(at, {at.x + side, at.y + side}, IM_COL32(20, 22, 26, 255));
-    const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(recording.samples))));
+    const int cells = static_cast<int>(std::floor(std::sqrt(static_cast<double>(recording.samples()))));
     for (int i = 0; i <= cells && cells <= 64; ++i) {
         const float offset = side * static_cast<float>(i) / static_cast<float>(cells);
         const ImU32 color = IM_COL32(70, 74, 82, 255);

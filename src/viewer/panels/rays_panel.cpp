@@ -89,15 +89,15 @@ void drawReplayProgress(DebugRays& rays) {
 void drawSamples(DebugRays& rays, const DebugRays::PixelRecording& recording) {
     int sample = recording.tree().name.index;
     labelledRow("Sample");
-    if (ui::sliderInt("##sample", &sample, 0, std::max(0, recording.samples - 1), "%d", kClamp))
+    if (ui::sliderInt("##sample", &sample, 0, std::max(0, recording.samples() - 1), "%d", kClamp))
         rays.selectSample(sample);
     tooltip("Sample of the pixel that the table lists.");
     bool all = rays.filter.allSamples;
     if (ui::checkbox("Draw all samples", &all)) rays.showAllSamples(all);
     if (!all) return;
-    const std::string drawn = fmt::format("{} of {} drawn", recording.trees.size(), recording.samples);
+    const std::string drawn = fmt::format("{} of {} drawn", recording.trees.size(), recording.samples());
     ImGui::SameLine();
-    if (static_cast<int>(recording.trees.size()) < recording.samples)
+    if (static_cast<int>(recording.trees.size()) < recording.samples())
         coloredText(kWarningText, drawn);
     else
         dimText(drawn);
@@ -114,10 +114,19 @@ void drawRecording(Workspace& workspace, const DebugRays::PixelRecording& record
     const RayTree& tree = recording.tree();
     text(fmt::format("Pixel {}, {}: {} rays, {} shadow rays", tree.name.x, tree.name.y, tree.nodes.size(),
                      tree.shadowRays.size()));
-    // One line in any case, so that the controls below do not move.
-    if (rays.isStaleFor(workspace.edit, workspace.imageSize()))
-        coloredText(kWarningText, "Outdated: scene, settings or camera changed");
-    else if (rays.replaying())
+    ui::checkbox("Freeze", &rays.frozen);
+    tooltip(
+        "Keep these rays. Otherwise the pixel is recorded again after each change of the settings, the "
+        "lights "
+        "or the lens, from the camera position of the first recording.");
+    ImGui::SameLine();
+    if (rays.frozen && rays.isOutdated(workspace.edit))
+        coloredText(kWarningText, "Frozen: the scene or a setting changed");
+    else if (rays.frozen)
+        dimText("Frozen");
+    else
+        dimText(rays.isOf(workspace.edit, workspace.imageSize()) ? "of this view" : "of an earlier view");
+    if (rays.replaying())
         drawReplayProgress(rays);
     else if (recording.replayResult)
         drawReplay(*recording.replayResult);

@@ -6,8 +6,6 @@
 namespace rayscope::viewer {
 
 namespace {
-/// Time per frame for collecting tiles, of a frame time of 33 ms.
-constexpr double kCollectSeconds = 0.006;
 /// Opacity of lines behind surfaces.
 constexpr float kHiddenOpacity = 0.28f;
 
@@ -30,7 +28,7 @@ Picture::Inputs Picture::inputsOf(const Workspace& workspace, std::optional<Hand
         workspace.viewSize,
         SceneOverlays::inputsOf(workspace),
         workspace.heat.version(),
-        workspace.heat.image() != nullptr,
+        workspace.heat.image() != nullptr && workspace.heat.isOf(workspace.render.currentWorld()),
         false,
         workspace.comparison.view,
         view.selectedLight,
@@ -48,12 +46,11 @@ void Picture::update(Workspace& workspace, std::optional<HandlePart> hovered, bo
     inputs.moving = moving;
     const bool everything = resize(inputs) || inputs != drawn_;
     std::optional<PixelBounds> changed;
-    if (workspace.view.traced)
-        changed = traced_.update(workspace.render.session(), workspace.edit.settings, kCollectSeconds);
+    if (workspace.view.traced) changed = traced_.update(workspace.shown);
     if (!everything && !changed) return;
 
     // While the picture is refined, only the rectangle of the new tiles is drawn again.
-    const RgbImage& image = traced_.image();
+    const RgbImage& image = workspace.shown.image();
     const glm::ivec2 pixels(target_.width(), target_.height());
     const bool part =
         !everything && !workspace.comparison.visible() && glm::ivec2(image.width, image.height) == pixels;

@@ -27,11 +27,6 @@ class Picture {
 
     /// The rasterised view without overlays, of the view's size.
     FramebufferPixels rasterPixels(const Workspace& workspace);
-    const RgbImage& tracedImage() const { return traced_.image(); }
-    /// The traced picture with bloom, if it is on; its revision increases whenever it changes.
-    const RgbImage& shownImage() const { return traced_.shownImage(); }
-    int shownRevision() const { return traced_.revision(); }
-    bool computing() const { return traced_.computingBloom(); }
     /// How much of the scene and the overlays the picture shows.
     const DrawnCounts& counts() const { return counts_; }
 

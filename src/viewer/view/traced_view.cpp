@@ -1,83 +1,44 @@
 #include "viewer/view/traced_view.h"
 
-#include <rayscope/display.h>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace rayscope::viewer {
+
+namespace {
+
+GlTexture uploaded(const RgbImage& image) {
+    GlTexture texture = GlTexture::floatImage(image.width, image.height);
+    texture.upload({0, image.width, 0, image.height}, image);
+    return texture;
+}
+
+}  // namespace
 
 TracedView::TracedView() { glGenVertexArrays(1, &emptyVertexArray_); }
 
 TracedView::~TracedView() { glDeleteVertexArrays(1, &emptyVertexArray_); }
 
-/// The old picture, scaled, is the placeholder until tiles of the new size arrive.
-void TracedView::resize(int width, int height) {
-    RgbImage scaled(width, height);
-    if (!image_.empty())
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x)
-                scaled.at(x, y) = image_.at(x * image_.width / width, y * image_.height / height);
-    image_ = std::move(scaled);
-    texture_ = GlTexture::floatImage(width, height);
-    texture_.upload(0, 0, width, height, image_.pixels.data());
-    markChanged({0, width, 0, height});
-}
-
-void TracedView::take(const TileView& tile) {
-    if (tile.imageWidth != image_.width || tile.imageHeight != image_.height)
-        resize(tile.imageWidth, tile.imageHeight);
-    for (int y = 0; y < tile.height; ++y) {
-        const auto row = tile.mean.begin() + static_cast<std::ptrdiff_t>(y) * tile.width;
-        std::copy(row, row + tile.width,
-                  image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(tile.x0, tile.y0 + y)));
+std::optional<PixelBounds> TracedView::update(const ShownPicture& shown) {
+    const RgbImage& image = shown.image();
+    const PixelBounds whole{0, image.width, 0, image.height};
+    std::optional<PixelBounds> changed;
+    if (shown.replaced()) {
+        texture_ = uploaded(image);
+        changed = whole;
     }
-    texture_.upload(tile.x0, tile.y0, tile.width, tile.height, tile.mean.data());
-    markChanged({tile.x0, tile.x0 + tile.width, tile.y0, tile.y0 + tile.height});
-}
-
-void TracedView::markChanged(const PixelBounds& bounds) {
-    if (!changed_) changed_ = bounds;
-    changed_ = PixelBounds{std::min(changed_->x0, bounds.x0), std::max(changed_->x1, bounds.x1),
-                           std::min(changed_->y0, bounds.y0), std::max(changed_->y1, bounds.y1)};
-}
-
-std::optional<PixelBounds> TracedView::update(RenderSession& session, const Settings& settings,
-                                              double budgetSeconds) {
-    const PixelBounds before{0, image_.width, 0, image_.height};
-    changed_.reset();
-    session.collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
-    if (changed_) bloomOutdated_ = true;
-    if (updateBloom(settings)) markChanged(before);
-    if (changed_) ++revision_;
-    return changed_;
-}
-
-bool TracedView::updateBloom(const Settings& settings) {
-    bool arrived = false;
-    if (auto image = bloom_.poll()) {
-        bloomImage_ = std::move(*image);
-        bloomTexture_ = GlTexture::floatImage(bloomImage_.width, bloomImage_.height);
-        bloomTexture_.upload(0, 0, bloomImage_.width, bloomImage_.height, bloomImage_.pixels.data());
-        bloomShown_ = settings.bloom;
-        arrived = true;
+    for (const PixelBounds& tile : shown.changedTiles()) {
+        if (!shown.replaced()) texture_.upload(tile, image);
+        if (!changed) changed = tile;
+        changed = PixelBounds{std::min(changed->x0, tile.x0), std::max(changed->x1, tile.x1),
+                              std::min(changed->y0, tile.y0), std::max(changed->y1, tile.y1)};
     }
-    if (!settings.bloom) {
-        const bool wasShown = std::exchange(bloomShown_, false);
-        bloomOutdated_ = true;
-        return arrived || wasShown;
-    }
-    if (settings != bloomSettings_) bloomOutdated_ = true;
-    if (!bloom_.busy() && bloomOutdated_ && !image_.empty()) {
-        bloomSettings_ = settings;
-        bloomOutdated_ = false;
-        bloom_.start([image = image_, settings](const std::stop_token&, JobProgress&) {
-            Settings bloomOnly = settings;  // the shader applies the exposure
-            bloomOnly.exposure = 0.0f;
-            return applyDisplayTransform(image, bloomOnly);
-        });
-    }
-    return arrived;
+    if (shown.bloomChanged()) changed = whole;
+    if (!shown.bloomShown())
+        bloomTexture_ = GlTexture();
+    else if (shown.bloomChanged())
+        bloomTexture_ = uploaded(shown.displayed());
+    return changed;
 }
 
 void TracedView::draw(const Settings& settings, glm::ivec2 size) {
@@ -88,8 +49,7 @@ void TracedView::draw(const Settings& settings, glm::ivec2 size) {
         glClear(GL_COLOR_BUFFER_BIT);
         return;
     }
-    fill(bloomShown_ ? bloomTexture_ : texture_, size, std::exp2(settings.exposure),
-         settings.tone == Encoding::None);
+    fill(shownTexture(), size, std::exp2(settings.exposure), settings.tone == Encoding::None);
 }
 
 void TracedView::drawComparison(const Comparison& comparison, const Settings& settings, glm::ivec2 size) {
@@ -97,13 +57,12 @@ void TracedView::drawComparison(const Comparison& comparison, const Settings& se
     const Comparison::Kept& a = *comparison.a();
     if (keptVersion_ != view.version) {
         keptVersion_ = view.version;
-        keptTexture_ = GlTexture::floatImage(a.image->width, a.image->height);
-        keptTexture_.upload(0, 0, a.image->width, a.image->height, a.image->pixels.data());
+        keptTexture_ = uploaded(*a.image);
     }
     if (view.mode == CompareMode::Difference) {
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
-        fill(bloomShown_ ? bloomTexture_ : texture_, size, view.brightness, false, &keptTexture_);
+        fill(shownTexture(), size, view.brightness, false, &keptTexture_);
         return;
     }
     draw(settings, size);
@@ -112,15 +71,15 @@ void TracedView::drawComparison(const Comparison& comparison, const Settings& se
                             : (view.flipped ? size.x : 0);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, columns, size.y);
-    fill(keptTexture_, size, std::exp2(a.state.settings.exposure), a.state.settings.tone == Encoding::None);
+    const Settings& ofA = a.picture.request().settings;
+    fill(keptTexture_, size, std::exp2(ofA.exposure), ofA.tone == Encoding::None);
     glDisable(GL_SCISSOR_TEST);
 }
 
 void TracedView::drawImage(const RgbImage& image, int version, glm::ivec2 size) {
     if (otherVersion_ != version) {
         otherVersion_ = version;
-        otherTexture_ = GlTexture::floatImage(image.width, image.height);
-        otherTexture_.upload(0, 0, image.width, image.height, image.pixels.data());
+        otherTexture_ = uploaded(image);
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

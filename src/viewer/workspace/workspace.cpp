@@ -38,10 +38,16 @@ glm::ivec2 Workspace::imageSize() const {
     return glm::max(glm::ivec2(size), glm::ivec2(1));
 }
 
+std::shared_ptr<const trace::World> Workspace::worldOfScene() const {
+    const std::optional<TracedPicture> picture = render.session().picture();
+    return picture && picture->request().scene == edit.scene ? picture->world() : nullptr;
+}
+
 bool Workspace::busy() const {
     const bool exporting = job && job->running();
-    const bool running[] = {render.busy(), loader.busy(), rays.busy(), bvh.busy(),        heat.busy(),
-                            lab.busy(),    trade.busy(),  exporting,   comparison.busy(), saves.busy()};
+    const bool running[] = {render.busy(),     loader.busy(), rays.busy(),           bvh.busy(),
+                            heat.busy(),       lab.busy(),    trade.busy(),          exporting,
+                            comparison.busy(), saves.busy(),  shown.computingBloom()};
     return std::find(std::begin(running), std::end(running), true) != std::end(running);
 }
 
@@ -138,6 +144,44 @@ void Workspace::hideSelectedRay() {
 
 void Workspace::showAllRays() {
     if (!rays.filter.hidden.empty()) changeRays({});
+}
+
+void Workspace::updateTracing(bool moving) {
+    constexpr double kCollectSeconds = 0.006;  // per frame, of a frame time of 33 ms
+    const glm::ivec2 size = imageSize();
+    render.update({edit, size.x, size.y, moving, view.traced, stopCriteria});
+    if (view.traced) shown.update(render, edit.settings, kCollectSeconds);
+}
+
+/// The traced picture of the current state at full size, with the display of its settings.
+std::optional<StillPicture> Workspace::fullPicture() {
+    if (!view.traced || !shown.isFull(edit, imageSize())) {
+        notify("No traced picture at full resolution yet: show the ray-traced view and try again",
+               Severity::Warning);
+        return std::nullopt;
+    }
+    StillPicture picture = shown.source()->still();
+    picture.setDisplay(edit.settings);
+    return picture;
+}
+
+void Workspace::keepPicture() {
+    std::optional<StillPicture> picture = fullPicture();
+    if (!picture) return;
+    notify(fmt::format("Kept as A with {} samples per pixel", samplesText(*picture)));
+    comparison.keep(std::move(*picture));
+    comparison.view.shown = true;
+}
+
+void Workspace::saveTracedPicture(const std::string& path) {
+    std::optional<StillPicture> picture = fullPicture();
+    if (picture) saves.add({path}, [path, picture = std::move(*picture)] { writePicture(path, picture); });
+}
+
+std::string tracedNotice(const Workspace& workspace) {
+    const bool heat = workspace.heat.image() != nullptr;
+    if (!workspace.view.traced || heat) return "";
+    return noticeOf(workspace.shown, workspace.edit, workspace.imageSize());
 }
 
 void Workspace::undo() {

@@ -15,6 +15,7 @@
 #include "viewer/jobs/render_control.h"
 #include "viewer/jobs/save_queue.h"
 #include "viewer/jobs/scene_loader.h"
+#include "viewer/jobs/shown_picture.h"
 #include "viewer/jobs/trade_job.h"
 #include "viewer/model/edit_state.h"
 #include "viewer/model/frame_times.h"
@@ -60,6 +61,7 @@ struct Workspace {
     Diagnostics sceneNotes;
     ViewState view;
     RenderControl render;
+    ShownPicture shown;
     DebugRays rays;
     BvhInspector bvh;
     HeatMap heat;
@@ -90,6 +92,9 @@ struct Workspace {
     bool awaitPixel(const CommandInfo& info);
 
     glm::ivec2 imageSize() const;
+    /// The world of the current scene, perhaps compiled for another camera or other settings; null until it
+    /// is compiled.
+    std::shared_ptr<const trace::World> worldOfScene() const;
     /// Whether any background work runs, so that frames have to follow one another.
     bool busy() const;
     /// Requirements of the scene with the lens of the current camera; computed once per scene.
@@ -115,6 +120,14 @@ struct Workspace {
     void hideSelectedRay();
     void showAllRays();
 
+    /// Traces the current state: decides what is rendered and takes over what was traced. To be called once
+    /// per frame.
+    void updateTracing(bool moving);
+    /// Keeps the traced picture as A. Previews and pictures of other states are not kept: a notice says so.
+    void keepPicture();
+    /// Writes the traced picture to a file, in the background; not a preview, as above.
+    void saveTracedPicture(const std::string& path);
+
   private:
     /// A change of the recorded rays, after the step of the history with this number.
     struct RaysStep {
@@ -129,8 +142,15 @@ struct Workspace {
     void exchangeRays(RaysSteps& from, RaysSteps& to);
 
     RaysSteps undoneByUndo_, undoneByRedo_;
+
+    std::optional<StillPicture> fullPicture();
+
     std::shared_ptr<const SceneDescription> requirementsScene_;
     SceneRequirements requirements_;
 };
+
+/// What the traced picture in the view is, unless it is not shown or the complete picture of the current
+/// state; see noticeOf().
+std::string tracedNotice(const Workspace& workspace);
 
 }  // namespace rayscope::viewer

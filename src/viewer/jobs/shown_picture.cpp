@@ -1,0 +1,146 @@
+#include "viewer/jobs/shown_picture.h"
+
+#include <fmt/format.h>
+
+#include <rayscope/display.h>
+#include <algorithm>
+#include <utility>
+
+#include "render/film.h"
+
+namespace rayscope::viewer {
+
+namespace {
+
+/// The image with another size, for a view whose tiles of that size are still to come.
+RgbImage resized(const RgbImage& image, int width, int height) {
+    RgbImage scaled(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            scaled.at(x, y) = image.at(x * image.width / width, y * image.height / height);
+    return scaled;
+}
+
+/// Whether tiles of `next` may replace those of `shown` one by one.
+bool refines(const TracedPicture& next, const TracedPicture& shown) {
+    return previewDivisor(shown.request(), next.request()).value_or(1) > 1;
+}
+
+}  // namespace
+
+RgbImage withBloom(const RgbImage& mean, Settings settings) {
+    settings.exposure = 0.0f;
+    return applyDisplayTransform(mean, settings);
+}
+
+void ShownPicture::update(RenderControl& render, const Settings& display, double budgetSeconds) {
+    changed_.clear();
+    replaced_ = bloomChanged_ = false;
+    takeWhole(render.whole());
+    render.session().collect([this](const TileView& tile) { take(tile); }, budgetSeconds);
+    if (const auto latest = render.session().picture();
+        latest && source_ && latest->film() == source_->film())
+        source_ = latest;  // the request that continues the film
+    if (replaced_ || !changed_.empty()) {
+        bloomOutdated_ = true;
+        ++revision_;
+    }
+    updateBloom(display);
+    if (!source_) return;
+    request_ = source_->request();
+    Settings& shown = request_->settings;
+    shown = withDisplayOf(shown, bloomShown_ ? bloomImageSettings_ : display);
+    shown.bloom = bloomShown_;
+    shown.exposure = display.exposure;
+    shown.tone = display.tone;
+}
+
+void ShownPicture::takeWhole(const std::optional<TracedPicture>& whole) {
+    if (!whole || whole->film() == wholeFilm_) return;
+    wholeFilm_ = whole->film();
+    if (!source_ || source_->film() != whole->film()) replace(*whole, whole->film()->mean());
+}
+
+void ShownPicture::replace(TracedPicture picture, RgbImage image) {
+    if (source_ && !isSameView(picture.request(), source_->request())) bloomShown_ = false;
+    source_ = std::move(picture);
+    image_ = std::move(image);
+    replaced_ = true;
+}
+
+void ShownPicture::take(const TileView& tile) {
+    if (!source_) return;
+    if (source_->film() != tile.picture.film()) {
+        if (!refines(tile.picture, *source_)) return;
+        replace(tile.picture, resized(image_, tile.imageWidth, tile.imageHeight));
+    }
+    for (int y = 0; y < tile.height; ++y) {
+        const auto row = tile.mean.begin() + static_cast<std::ptrdiff_t>(y) * tile.width;
+        std::copy(row, row + tile.width,
+                  image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(tile.x0, tile.y0 + y)));
+    }
+    changed_.push_back({tile.x0, tile.x0 + tile.width, tile.y0, tile.y0 + tile.height});
+}
+
+void ShownPicture::updateBloom(const Settings& display) {
+    if (auto bloomed = bloom_.poll();
+        bloomed && source_ && display.bloom && isSameView(bloomed->request, source_->request())) {
+        bloomImage_ = std::move(bloomed->image);
+        bloomImageSettings_ = bloomed->request.settings;
+        bloomShown_ = bloomChanged_ = true;
+        ++revision_;
+    }
+    if (!display.bloom) {
+        bloomOutdated_ = true;
+        bloomChanged_ = std::exchange(bloomShown_, false);
+        if (bloomChanged_) ++revision_;
+        return;
+    }
+    if (withDisplayOf(bloomSettings_, display) != bloomSettings_) bloomOutdated_ = true;
+    if (bloom_.busy() || !bloomOutdated_ || !source_) return;
+    bloomSettings_ = display;
+    bloomOutdated_ = false;
+    RenderRequest request = source_->request();
+    request.settings = withDisplayOf(request.settings, display);
+    bloom_.start([image = image_, request = std::move(request)](const std::stop_token&, JobProgress&) {
+        return Bloomed{withBloom(image, request.settings), request};
+    });
+}
+
+int ShownPicture::samples() const { return source_ ? source_->film()->completeSamples() : 0; }
+
+bool ShownPicture::isFull(const EditState& state, glm::ivec2 size) const {
+    return source_ && isSameFrame(source_->request(), requestOf(state, size.x, size.y)) && samples() > 0;
+}
+
+std::optional<Rgb> ShownPicture::radiance(const EditState& state, glm::ivec2 size, glm::ivec2 pixel) const {
+    if (!source_ || !isSameFrame(source_->request(), requestOf(state, size.x, size.y))) return std::nullopt;
+    int samples = 0;
+    const render::PixelSums sums = source_->film()->sums(pixel.x, pixel.y, samples);
+    if (samples == 0) return std::nullopt;
+    return Rgb(sums.radiance / static_cast<double>(samples));
+}
+
+std::string samplesText(const StillPicture& picture) {
+    const int least = picture.leastSamples(), most = picture.mostSamples();
+    return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+}
+
+std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ivec2 size) {
+    const RenderRequest* request = shown.request();
+    if (request == nullptr) return "";
+    const RenderRequest full = requestOf(state, size.x, size.y);
+    const std::optional<int> divisor = previewDivisor(*request, full);
+    if (!divisor) {
+        if (request->scene != full.scene) return "previous scene";
+        if (request->camera != full.camera) return "previous view";
+        return isSameView(*request, full) ? "previous size" : "previous settings";
+    }
+    if (*divisor > 1) return fmt::format("preview: 1/{} of the resolution", *divisor);
+    if (const int samples = shown.samples(); samples > full.settings.spp)
+        return fmt::format("previous picture with {} samples per pixel", samples);
+    if (state.settings.bloom && !shown.bloomShown()) return "without bloom";
+    return "";
+}
+
+}  // namespace rayscope::viewer
