@@ -52,8 +52,8 @@ struct RenderStatus {
     double progress = 0.0;               ///< 0 … 1
     double elapsedSeconds = 0.0;         ///< spent on tracing the current film
     double remainingSeconds = 0.0;       ///< estimate; 0 when unknown
-    double compileSeconds = 0.0;         ///< the whole of the latest compilation
-    double buildSeconds = 0.0;           ///< its part for building and refitting BVHs
+    double compileSeconds = 0.0;         ///< of the latest compilation
+    double buildSeconds = 0.0;           ///< of its BVHs, also if an earlier compilation has built them
     double sahCostGrowth = 1.0;          ///< SAH cost after refits over that of the BVHs as built
     std::uint64_t rays = 0;              ///< traced for the current film, of all kinds
     std::uint64_t nonFiniteSamples = 0;  ///< NaN or infinite; they are part of the film

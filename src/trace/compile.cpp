@@ -73,7 +73,8 @@ void compileMotionGroups(World& world, const World* previous, bool keepBinaryTre
     constexpr std::uint32_t kManyPrimitives = 1 << 16;
     world.hasSlowRays = !settings.bvh && world.primitiveCount() > kManyPrimitives;
     world.buildReport.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        sameTrees ? previous->buildReport.seconds
+                  : std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 bool reflects(const Material& material, const Settings& settings) {

@@ -48,7 +48,8 @@ struct PrimitiveLocation {
 
 /// How the BVHs of a world were made.
 struct BuildReport {
-    double seconds = 0.0;        ///< spent on building or refitting BVHs for this world
+    /// Spent on building or refitting its BVHs, also if they are those of the previous world.
+    double seconds = 0.0;
     double sahCostGrowth = 1.0;  ///< largest AccelSummary::costGrowth of the motion groups
 };
 

@@ -2,6 +2,8 @@
 
 #include <rayscope/diagnostics.h>
 
+#include <algorithm>
+
 #include "measure/statistics/deadline.h"
 #include "post/display_transform.h"
 #include "render/pass_plan.h"
@@ -22,7 +24,10 @@ std::optional<TimedRender> renderTimed(render::ThreadArena& workers, const trace
             return std::nullopt;
         }
         TimedRender timed;
-        timed.buildSeconds = world->buildReport.seconds;
+        const bool reused =
+            previous && std::ranges::equal(previous->motionGroups, world->motionGroups, {},
+                                           &trace::MotionGroup::accel, &trace::MotionGroup::accel);
+        timed.buildSeconds = reused ? 0.0 : world->buildReport.seconds;
         render::Film film(request.width, request.height, {0, request.width, 0, request.height});
         render::RenderCounters counters;
         const int wanted = request.settings.spp;

@@ -1,6 +1,7 @@
 #include "viewer/jobs/bvh_inspector.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "bvh/builders/build.h"
 #include "viewer/model/viewer_seed.h"
@@ -19,8 +20,11 @@ InspectedTree inspect(InspectedTree inspected) {
 
 InspectedTree buildReferenceTree(InspectedTree referenceTree, BuildSettings settings) {
     referenceTree.builder = settings.builder;
+    const auto start = std::chrono::steady_clock::now();
     referenceTree.ownedTree = std::make_shared<const bvh::BinaryTree>(
         bvh::buildBinaryTree(referenceTree.geometry->input, settings));
+    referenceTree.buildSeconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return inspect(std::move(referenceTree));
 }
 
@@ -82,6 +86,7 @@ void BvhInspector::update(const std::shared_ptr<const trace::World>& world) {
         fresh.geometry = wanted.geometry;
         fresh.accel = indexingAccel_ = wanted.accel;
         fresh.builder = world->settings.bvhBuilder;
+        fresh.buildSeconds = world->buildReport.seconds;
         referenceTree_.reset();
         referenceBuild_.discard();
         indexing_.start([fresh](const std::stop_token&, JobProgress&) { return inspect(fresh); });

@@ -24,6 +24,7 @@ class BvhInspector {
         std::shared_ptr<const Accel> accel;                ///< holds the tree, or the one it is compared with
         std::shared_ptr<const bvh::BinaryTree> ownedTree;  ///< the tree, if it is a reference tree
         BvhBuilder builder = BvhBuilder::SahBinned;
+        double buildSeconds = 0.0;  ///< of all BVHs of the world, or of the reference tree
         probe::TreeIndex index;
         bvh::TreeStatistics statistics;
 

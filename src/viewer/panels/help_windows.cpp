@@ -87,8 +87,8 @@ void drawStatisticsWindow(Workspace& workspace) {
         const RenderStatus& status = workspace.render.status();
         text(fmt::format("tracing threads: {}", workspace.render.threads()));
         text(fmt::format("rays: {} ({:.2f} Mray/s)", status.rays, workspace.render.raysPerSecond() * 1e-6));
-        text(fmt::format("scene preparation: {:.3f} s, including {:.3f} s for the BVH", status.compileSeconds,
-                         status.buildSeconds));
+        text(fmt::format("scene preparation: {:.3f} s", status.compileSeconds));
+        text(fmt::format("BVH build: {:.3f} s", status.buildSeconds));
         if (status.sahCostGrowth != 1.0)
             text(fmt::format("SAH cost after refit: {:.3f}x", status.sahCostGrowth));
         if (ui::button("Reset")) workspace.frameTimes.clear();

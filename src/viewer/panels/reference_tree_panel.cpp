@@ -46,6 +46,7 @@ void drawTable(const BvhInspector& bvh, const InspectedTree& inspected, const In
     const bvh::TreeStatistics &a = inspected.statistics, &b = referenceTree.statistics;
     row("", "this BVH", "other");
     row("", nameOf(inspected.builder), nameOf(referenceTree.builder));
+    pair("build time", "{:.3f} s", inspected.buildSeconds, referenceTree.buildSeconds);
     pair("SAH cost", "{:.3f}", c.sahCost[0], c.sahCost[1]);
     row("nodes", fmt::format("{}", a.nodes), fmt::format("{}", b.nodes));
     row("levels", fmt::format("{}", a.levels), fmt::format("{}", b.levels));
