@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
 
 #include "math/vectors.h"
 #include "probe/diagnosis_parts.h"
@@ -35,15 +33,35 @@ double variance(const std::vector<double>& values) {
     return values.size() < 2 ? 0.0 : squares / static_cast<double>(values.size() - 1);
 }
 
-/// Whether camera rays of the pixel hit different objects or materials; `evidence` gets a sample of each.
+/// Whether a hit is far from the tangent plane of another of the same pixel, for instance on both sides of a
+/// silhouette of one object.
+bool isBesideSurface(const RayNode& surface, const RayNode& other) {
+    constexpr double kSteep = 10.0, kRounding = 1e-4;
+    const glm::dvec3 between = glm::dvec3(other.position) - glm::dvec3(surface.position);
+    const glm::dvec3 along = glm::normalize(glm::dvec3(surface.ray.direction));
+    const double across = glm::length(glm::cross(along, between));
+    const double distance = math::distance(surface.ray.origin, surface.position);
+    return std::abs(glm::dot(between, glm::dvec3(surface.geometricNormal))) >
+           kSteep * across + kRounding * distance;
+}
+
+/// Whether camera rays of the pixel hit different surfaces: objects, materials, or parts of one object;
+/// `evidence` gets a sample of each.
 bool seesDifferentSurfaces(const PixelEvidence& pixel, std::vector<Evidence>& evidence) {
-    std::set<std::pair<int, int>> surfaces;  // object and material
+    const auto nodeOf = [&](std::size_t sample) -> const RayNode& {
+        return pixel.trees[sample].nodes.front();
+    };
+    const auto isSame = [&](const RayNode& a, const RayNode& b) {
+        if (!a.hit || !b.hit) return a.hit == b.hit;
+        return a.object == b.object && a.material == b.material && !isBesideSurface(a, b);
+    };
     for (std::size_t sample = 0; sample < pixel.trees.size(); ++sample) {
-        const RayNode& node = pixel.trees[sample].nodes.front();
-        if (surfaces.insert(node.hit ? std::pair(node.object, node.material) : std::pair(-1, -1)).second)
-            evidence.push_back({static_cast<int>(sample), 0, -1});
+        const bool known = std::any_of(evidence.begin(), evidence.end(), [&](const Evidence& seen) {
+            return isSame(nodeOf(static_cast<std::size_t>(seen.sample)), nodeOf(sample));
+        });
+        if (!known) evidence.push_back({static_cast<int>(sample), 0, -1});
     }
-    return surfaces.size() > 1;
+    return evidence.size() > 1;
 }
 
 /// Whether some light samples are visible and others occluded; `evidence` gets one of each.
@@ -59,15 +77,27 @@ bool isPenumbra(const PixelEvidence& pixel, std::vector<Evidence>& evidence) {
     return visible > 0 && occluded > 0;
 }
 
-/// Medians over pixels on a regular grid over the image, of the first sample of each.
-SampleCost medianCosts(const PixelEvidence& pixel) {
-    constexpr int kColumns = 7;
-    const trace::World& world = pixel.world;
+/// The pixels of a regular grid of `columns` * `columns` whose first sample hits a surface.
+std::vector<glm::ivec2> surfacePixels(const PixelEvidence& pixel, int columns) {
+    std::vector<glm::ivec2> pixels;
+    for (int i = 0; i < columns * columns; ++i) {
+        const glm::ivec2 at((2 * (i % columns) + 1) * pixel.world.width / (2 * columns),
+                            (2 * (i / columns) + 1) * pixel.world.height / (2 * columns));
+        if (probeSample(pixel.world, pixel.seed, {at.x, at.y, 0}).nodes.front().hit) pixels.push_back(at);
+    }
+    return pixels;
+}
+
+/// Medians of the first samples of pixels that see a surface; nothing if no such pixels are found.
+std::optional<SampleCost> medianCosts(const PixelEvidence& pixel) {
+    constexpr std::size_t kEnough = 16;
+    std::vector<glm::ivec2> pixels;
+    for (int columns = 7; columns <= 28 && pixels.size() < kEnough; columns *= 2)
+        pixels = surfacePixels(pixel, columns);
+    if (pixels.empty()) return std::nullopt;
     std::vector<double> nodes, tests, rays;
-    for (int i = 0; i < kColumns * kColumns; ++i) {
-        const int x = (2 * (i % kColumns) + 1) * world.width / (2 * kColumns),
-                  y = (2 * (i / kColumns) + 1) * world.height / (2 * kColumns);
-        const SampleCost cost = costAt(world, pixel.seed, x, y, 1);
+    for (const glm::ivec2 at : pixels) {
+        const SampleCost cost = costAt(pixel.world, pixel.seed, at.x, at.y, 1);
         nodes.push_back(cost.nodes);
         tests.push_back(cost.tests);
         rays.push_back(cost.rays);
@@ -76,7 +106,7 @@ SampleCost medianCosts(const PixelEvidence& pixel) {
         std::sort(values.begin(), values.end());
         return values[values.size() / 2];
     };
-    return {.nodes = median(nodes), .tests = median(tests), .rays = median(rays)};
+    return SampleCost{.nodes = median(nodes), .tests = median(tests), .rays = median(rays)};
 }
 
 /// A duplicate surface along some ray of the first samples.
@@ -161,7 +191,9 @@ std::optional<Diagnosis> diagnoseSlow(const PixelEvidence& pixel) {
     const SampleId name = pixel.trees.empty() ? SampleId{} : pixel.trees.front().name;
     const SampleCost cost =
         costAt(pixel.world, pixel.seed, name.x, name.y, static_cast<int>(pixel.trees.size()));
-    const SampleCost median = medianCosts(pixel);
+    const std::optional<SampleCost> medians = medianCosts(pixel);
+    if (!medians) return std::nullopt;
+    const SampleCost& median = *medians;
     if (!(cost.nodes > kSlow * std::max(median.nodes, 10.0) ||
           cost.tests > kSlow * std::max(median.tests, 10.0)))
         return std::nullopt;
@@ -169,8 +201,9 @@ std::optional<Diagnosis> diagnoseSlow(const PixelEvidence& pixel) {
     const double perRay = cost.nodes / std::max(cost.rays, 1.0),
                  medianPerRay = median.nodes / std::max(median.rays, 1.0);
     const std::string howMuch = fmt::format(
-        "A sample visits {:.0f} BVH nodes and tests {:.0f} primitives (the median over the image: {:.0f} and "
-        "{:.0f})",
+        "A sample visits {:.0f} BVH nodes and tests {:.0f} primitives (median of the pixels that see a "
+        "surface: "
+        "{:.0f} and {:.0f})",
         cost.nodes, cost.tests, median.nodes, median.tests);
     if (const auto duplicate = findDuplicate(pixel, why.evidence); duplicate != kNoPrimitive) {
         why.cause = Cause::DuplicateGeometry;

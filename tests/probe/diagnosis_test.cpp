@@ -149,6 +149,48 @@ TEST(Diagnosis, PenumbraWithFewSamples) {
     EXPECT_EQ(score.wrong, 0);
 }
 
+/// A small object on an empty background: most pixels of the image see nothing, and that is no measure of a
+/// ray that hits the object.
+TEST(Diagnosis, OrdinaryPixelsOfASmallObjectAreNotSlow) {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(0.8f))};
+    for (int i = 0; i < 4096; ++i) {
+        const float x = -0.4f + 0.0125f * static_cast<float>(i % 64),
+                    y = -0.4f + 0.0125f * static_cast<float>(i / 64);
+        scene.meshes.push_back(test::quad({x, y, 0}, {0.0125f, 0, 0}, {0, 0.0125f, 0}));
+    }
+    scene.lights = {test::pointLight({0.5f, 1.0f, 2.5f})};
+    const auto world = compiled(scene, {}, 40);
+    int hits = 0;
+    for (int y = 0; y < 40; y += 3)
+        for (int x = 0; x < 40; x += 3) {
+            hits += probeSample(*world, 1, {x, y, 0}).nodes.front().hit ? 1 : 0;
+            for (const probe::Diagnosis& why : probe::diagnosePixel(*world, 1, x, y, 4))
+                EXPECT_NE(why.symptom, probe::Symptom::Slow) << x << " " << y << " " << why.sentence;
+        }
+    EXPECT_GT(hits, 5);
+}
+
+/// Two walls of one object and one material behind one another: the pixels along the nearer edge are noisy,
+/// because their samples see both.
+TEST(Diagnosis, SilhouetteOfAnObjectInFrontOfItself) {
+    SceneDescription scene;
+    scene.materials = {test::material(Rgb(0.8f))};
+    auto data = std::make_shared<MeshData>();
+    data->positions = {{-9, -9, 0}, {9, -9, 0},     {9, 9, 0},     {-9, 9, 0},
+                       {-9, -9, 2}, {0.05f, -9, 2}, {0.05f, 9, 2}, {-9, 9, 2}};
+    data->triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+    scene.meshes = {{"walls", data, {}, {0}, glm::vec3(0.0f)}};
+    scene.lights = {test::pointLight({2.0f, 0.0f, 1.0f}), test::pointLight({-0.5f, 0.0f, 2.2f}, Rgb(0.2f))};
+    Settings settings;
+    settings.hardShadows = false;
+    const Score score =
+        diagnosisScore(*compiled(scene, settings), probe::Symptom::Noisy, {probe::Cause::Edge});
+    EXPECT_GT(score.right, 3);
+    EXPECT_EQ(score.wrong, 0);
+    EXPECT_EQ(score.unknown, 0);
+}
+
 TEST(Diagnosis, DuplicateGeometry) {
     // Two thousand copies of a triangle in the middle, beside a wall that takes few intersection tests.
     SceneDescription scene = wall();
