@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include "math/vectors.h"
+#include "scene/check_camera.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"
@@ -69,7 +70,7 @@ void drawCameraPanel(Workspace& workspace) {
     valueRow("Lens",
              changed.lens ? fmt::format("focus at {:.4g}", changed.lens->focusDistance) : "none (pinhole)",
              "Depth of field and its lens are in the tab Settings, section Camera.");
-    if (changed.lookFrom != changed.lookAt && math::length(changed.up) > 0.0) camera = changed;
+    if (scene::problemOf(changed).empty()) camera = changed;
     drawCameraText(workspace);
     ImGui::Spacing();
 }

@@ -80,7 +80,8 @@ void drawRange(HeatMap& heat) {
     labelledRow("Range");
     float ends[] = {heat.from, heat.to};
     const float speed = std::max(1e-6f, 0.005f * std::abs(heat.to - heat.from));
-    if (ui::noted("##range", ImGui::DragFloat2("##range", ends, speed, 0.0f, 0.0f, "%.4g"))) {
+    const auto draw = [&] { return ImGui::DragFloat2("##range", ends, speed, 0.0f, 0.0f, "%.4g"); };
+    if (ui::noted("##range", ui::finiteEdit(ends, draw))) {
         heat.from = ends[0];
         heat.to = ends[1];
         heat.fitRange = false;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "base/atomic_file.h"
@@ -86,6 +87,15 @@ Scope::~Scope() {
 std::map<std::string, bool>& sections() { return changedSections; }
 const std::string& currentTab() { return drawnTab; }
 void selectTab(std::string_view name) { wantedTab = name; }
+
+bool finiteEdit(std::span<float> values, const std::function<bool()>& draw) {
+    const std::vector<float> before(values.begin(), values.end());
+    const bool edited = draw();
+    if (std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); }))
+        return edited;
+    std::copy(before.begin(), before.end(), values.begin());
+    return false;
+}
 
 bool section(const char* label, ImGuiTreeNodeFlags flags) {
     const std::string key = drawnTab + "/" + label;

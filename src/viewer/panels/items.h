@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,13 +78,19 @@ inline bool sliderInt(const char* label, int* value, int lowest, int highest, co
                       ImGuiSliderFlags flags = 0) {
     return noted(label, ImGui::SliderInt(label, value, lowest, highest, format, flags));
 }
+/// Draws a control of these numbers. An edit that makes one of them infinite or NaN, such as 1e999, changes
+/// nothing, like a text that is no number. Returns whether they were edited.
+bool finiteEdit(std::span<float> values, const std::function<bool()>& draw);
+
 inline bool sliderFloat(const char* label, float* value, float lowest, float highest,
                         const char* format = "%.3f", ImGuiSliderFlags flags = 0) {
-    return noted(label, ImGui::SliderFloat(label, value, lowest, highest, format, flags));
+    const auto draw = [&] { return ImGui::SliderFloat(label, value, lowest, highest, format, flags); };
+    return noted(label, finiteEdit({value, 1}, draw));
 }
 inline bool dragFloat(const char* label, float* value, float speed, float lowest, float highest,
                       const char* format, ImGuiSliderFlags flags = 0) {
-    return noted(label, ImGui::DragFloat(label, value, speed, lowest, highest, format, flags));
+    const auto draw = [&] { return ImGui::DragFloat(label, value, speed, lowest, highest, format, flags); };
+    return noted(label, finiteEdit({value, 1}, draw));
 }
 /// An area that draws nothing itself, for instance for a plot.
 inline bool area(const char* label, ImVec2 size) { return noted(label, ImGui::InvisibleButton(label, size)); }

@@ -60,12 +60,11 @@ std::string rangeText(const settings::Choice<E, N>& row) {
 }
 
 template <class Row>
-std::string helpOf(const Row& row, std::string_view inactiveReason) {
-    const Settings defaults;
+std::string helpOf(const Row& row, const Settings& settings, std::string_view inactiveReason) {
     std::string help =
-        fmt::format("{}\n\n--set {}={}\n{}{}{}\nDouble-click the label or right-click to reset.",
-                    row.text.help, row.text.key, textOf(defaults, row.text.key), rangeText(row),
-                    row.text.unit.empty() ? "" : " ", row.text.unit);
+        fmt::format("{}\n\n--set {}={}\n{}{}{}, default {}\nDouble-click the label or right-click to reset.",
+                    row.text.help, row.text.key, textOf(settings, row.text.key), rangeText(row),
+                    row.text.unit.empty() ? "" : " ", row.text.unit, textOf(Settings{}, row.text.key));
     if (!inactiveReason.empty()) help = fmt::format("Inactive: {}.\n\n{}", inactiveReason, help);
     return help;
 }
@@ -80,7 +79,7 @@ void drawRow(const Row& row, Settings& settings, const SceneRequirements& needs)
     const std::string id(row.text.key);
     ImGui::PushID(id.c_str());
     ImGui::BeginDisabled(!reason.empty());
-    const std::string help = helpOf(row, reason);
+    const std::string help = helpOf(row, settings, reason);
     bool reset = labelledRow(row.text.label, edited, help);
     drawControl(row, settings);
     tooltip(help);

@@ -116,10 +116,12 @@ bool enterPressed() {
 bool colorRow(const char* label, Rgb& color) {
     labelledRow(label);
     ImGui::PushID(label);
-    const bool edited =
-        ui::noted("##color", ImGui::ColorEdit3("##color", &color.x,
-                                               ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
-                                                   ImGuiColorEditFlags_NoOptions));
+    const auto draw = [&] {
+        return ImGui::ColorEdit3(
+            "##color", &color.x,
+            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions);
+    };
+    const bool edited = ui::noted("##color", ui::finiteEdit({&color.x, 3}, draw));
     ImGui::PopID();
     return edited;
 }
@@ -129,8 +131,8 @@ bool vectorRow(const char* label, glm::vec3& value, float speed) {
     ImGui::PushID(label);
     // Three numbers of four digits need the full width.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {scaled(2.0f), ImGui::GetStyle().FramePadding.y});
-    const bool edited =
-        ui::noted("##vector", ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g"));
+    const auto draw = [&] { return ImGui::DragFloat3("##vector", &value.x, speed, 0.0f, 0.0f, "%.4g"); };
+    const bool edited = ui::noted("##vector", ui::finiteEdit({&value.x, 3}, draw));
     ImGui::PopStyleVar();
     ImGui::PopID();
     return edited;
