@@ -42,6 +42,7 @@ class Film {
 
     int tileCount() const { return static_cast<int>(tiles_.size()); }
     PixelBounds tileBounds(int tile) const;  ///< clipped to the region
+    int tileAt(int x, int y) const;          ///< the tile of a pixel of the region
 
     /// A consistent copy of a tile.
     struct TileCopy {
@@ -74,7 +75,6 @@ class Film {
         int samples = 0;
         std::atomic<std::uint32_t> version{0};
     };
-    int tileAt(int x, int y) const;
 
     int width_, height_;
     PixelBounds region_;

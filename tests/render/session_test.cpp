@@ -106,53 +106,6 @@ TEST(Session, ContinuesTheFilmIfOnlyTheSampleCountGrows) {
     EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
 }
 
-TEST(Session, FewerSamplesStartAnotherFilm) {
-    RenderRequest request = requestFor(richScene(), 50, 8);
-    RenderSession session(2);
-    session.submit(request);
-    session.wait();
-    const TracedPicture before = *session.picture();
-    request.settings.spp = 2;
-    session.submit(request);
-    EXPECT_EQ(session.wait(), RenderState::Done);
-    EXPECT_NE(session.picture()->film(), before.film());
-    EXPECT_EQ(session.picture()->still().mostSamples(), 2);
-    EXPECT_EQ(test::hashOf(*session.picture()->film()), renderedHash(request, 1));
-    EXPECT_EQ(before.still().leastSamples(), 8) << "the earlier picture keeps its film and its request";
-    EXPECT_EQ(before.request().settings.spp, 8);
-}
-
-/// While requests follow one another, each tile and each picture belongs to the request that it names.
-TEST(Session, APictureIsAlwaysThatOfItsRequest) {
-    const auto scene = richScene();
-    std::vector<RenderRequest> requests;
-    std::vector<RgbImage> expected;
-    for (int i = 0; i < 4; ++i) {
-        requests.push_back(requestFor(scene, 50 + i, 1));
-        requests.back().camera.fov += static_cast<float>(i);
-        requests.back().seed = static_cast<std::uint64_t>(i);
-        RenderSession session(1);
-        session.submit(requests.back());
-        session.wait();
-        expected.push_back(session.picture()->still().mean());
-    }
-    RenderSession session(3);
-    std::mt19937 random(7);
-    int tiles = 0;
-    while (tiles < 2000) {
-        session.submit(requests[random() % 4]);
-        session.wait(1e-6 * static_cast<double>(random() % 2000));
-        tiles += session.collect([&](const TileView& tile) {
-            const std::uint64_t i = tile.picture.request().seed;
-            ASSERT_EQ(tile.picture.request().camera, requests[i].camera);
-            for (int y = 0; y < tile.height; ++y)
-                for (int x = 0; x < tile.width; ++x)
-                    ASSERT_EQ(tile.mean[static_cast<std::size_t>(y * tile.width + x)],
-                              expected[i].at(tile.x0 + x, tile.y0 + y));
-        });
-    }
-}
-
 TEST(Session, KeepsTheFilmIfOnlyTheDisplayChanges) {
     RenderRequest request = requestFor(richScene(), 50, 4);
     RenderSession session(2);

@@ -183,7 +183,7 @@ TEST(ComparisonPanel, ComparesTheKeptPicture) {
     EXPECT_EQ(comparison.a(), nullptr) << "no traced picture is shown";
     driver.workspace.view.traced = true;
     const auto isComplete = [&](int samples) {
-        return driver.workspace.shown.samples() == samples &&
+        return driver.workspace.shown.leastSamples() == samples &&
                driver.workspace.shown.isFull(driver.workspace.edit, driver.workspace.imageSize());
     };
     driver.waitFor("the picture", [&] { return isComplete(2); });

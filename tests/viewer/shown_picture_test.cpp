@@ -30,7 +30,7 @@ struct TracedWorkspace {
     bool complete() const {
         const ShownPicture& shown = workspace.shown;
         return shown.isFull(workspace.edit, workspace.imageSize()) &&
-               shown.samples() == workspace.edit.settings.spp && !workspace.render.busy() &&
+               shown.leastSamples() == workspace.edit.settings.spp && !workspace.render.busy() &&
                shown.source()->film() == workspace.render.session().picture()->film();
     }
     void settle() {
@@ -50,7 +50,7 @@ TEST(ShownPicture, HasTheSamplesOfItsLabelAfterTheNumberOfSamplesWasLowered) {
     EXPECT_EQ(noticeOf(view.workspace.shown, view.workspace.edit, {96, 64}),
               "previous picture with 16 samples per pixel");
     view.settle();
-    EXPECT_EQ(view.workspace.shown.samples(), 1);
+    EXPECT_EQ(view.workspace.shown.leastSamples(), 1);
     EXPECT_EQ(view.workspace.shown.image().pixels, rendered(view.workspace.edit, {96, 64}).pixels);
     EXPECT_NE(view.workspace.shown.image().pixels, sixteen.pixels);
     EXPECT_EQ(view.workspace.shown.request()->settings.spp, 1);
@@ -121,15 +121,15 @@ TEST(ShownPicture, KeepsItsPixelsWhileTheRasterisedViewIsShown) {
 
 TEST(ShownPicture, RestsAtOneSampleBesideTheRasterisedViewAndGoesOnAfterwards) {
     TracedWorkspace view(stateOf("spheres", 4096), {64, 48});
-    while (view.workspace.shown.samples() < 1) view.frame();
+    while (view.workspace.shown.leastSamples() < 1) view.frame();
     view.workspace.view.traced = false;
     do view.frame();
     while (view.workspace.render.busy());
-    const int samples = view.workspace.shown.samples();
+    const int samples = view.workspace.shown.leastSamples();
     EXPECT_LT(samples, 4096);
     EXPECT_NE(view.workspace.render.currentWorld(), nullptr) << "for debug rays";
     view.workspace.view.traced = true;
-    while (view.workspace.shown.samples() <= samples) view.frame();
+    while (view.workspace.shown.leastSamples() <= samples) view.frame();
     EXPECT_GE(view.workspace.shown.source()->film()->mostSamples(), samples);
 }
 

@@ -729,7 +729,7 @@ def is_warning_orange(red, green, blue):
 
 
 def test_replay(viewer):
-    """Ctrl+click records; the replay is bit-identical, becomes outdated with the camera, and stays; rays can be picked."""
+    """Ctrl+click records; the replay is bit-identical, and the rays stay when the camera moves; rays can be picked."""
     viewer.click("Rays")
     viewer.key("Tab")
     viewer.point(*ASIDE)
@@ -738,9 +738,9 @@ def test_replay(viewer):
     viewer.click(350, 399)
     viewer.do("keyup", "ctrl")
     wait_for("the result of the replay", lambda: viewer.says("bit-identical"))
-    expect(not viewer.says("Outdated"), "fresh rays are not outdated")
+    expect(viewer.says("of this view"), "fresh rays are of this view")
     viewer.drag(ASIDE, (ASIDE[0] + 160, ASIDE[1] - 40))
-    wait_for("outdated rays", lambda: viewer.says("Outdated"))
+    wait_for("rays of an earlier view", lambda: viewer.says("of an earlier view"))
     blocked = viewer.settled_picture()
     expect(blocked.count(is_occluded_red) > 60, "the occluded shadow ray is red")
     # A sentence names the ray that it rests on; a click on its button selects that ray.

@@ -85,7 +85,7 @@ void Application::saveScreenshotNow() {
     const std::string path = workspace_.saves.nextFreeName();
     const glm::ivec2 size = window_.framebufferSize();
     const RenderRequest* traced = workspace_.view.traced ? workspace_.shown.request() : nullptr;
-    ImageMetadata metadata = traced ? metadataOf(*traced, workspace_.shown.samples()) : rasterMetadata();
+    ImageMetadata metadata = traced ? metadataOf(*traced, workspace_.shown.leastSamples()) : rasterMetadata();
     if (const std::string notice = tracedNotice(workspace_); !notice.empty()) metadata["shown"] = notice;
     if (const std::string lacking = drawnText(picture_.counts()); !lacking.empty())
         metadata["drawn"] = lacking;

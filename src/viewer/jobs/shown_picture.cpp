@@ -4,6 +4,7 @@
 
 #include <rayscope/display.h>
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "render/film.h"
@@ -58,28 +59,46 @@ void ShownPicture::update(RenderControl& render, const Settings& display, double
 void ShownPicture::takeWhole(const std::optional<TracedPicture>& whole) {
     if (!whole || whole->film() == wholeFilm_) return;
     wholeFilm_ = whole->film();
-    if (!source_ || source_->film() != whole->film()) replace(*whole, whole->film()->mean());
+    if (source_ && source_->film() == wholeFilm_) return;
+    begin(*whole, RgbImage(wholeFilm_->width(), wholeFilm_->height()));
+    render::Film::TileCopy copy;
+    std::vector<Rgb> mean;
+    for (int tile = 0; tile < wholeFilm_->tileCount(); ++tile) {
+        wholeFilm_->read(tile, copy);
+        mean.clear();
+        for (const render::PixelSums& pixel : copy.pixels)
+            mean.push_back(Rgb(pixel.radiance / static_cast<double>(copy.samples)));
+        paste(tile, wholeFilm_->tileBounds(tile), mean, copy.samples);
+    }
 }
 
-void ShownPicture::replace(TracedPicture picture, RgbImage image) {
+void ShownPicture::begin(const TracedPicture& picture, RgbImage image) {
     if (source_ && !isSameView(picture.request(), source_->request())) bloomShown_ = false;
-    source_ = std::move(picture);
+    source_ = picture;
     image_ = std::move(image);
+    samples_.assign(static_cast<std::size_t>(picture.film()->tileCount()), 0);
     replaced_ = true;
+}
+
+void ShownPicture::paste(int tile, const PixelBounds& bounds, std::span<const Rgb> mean, int samples) {
+    const int width = bounds.x1 - bounds.x0;
+    for (int y = bounds.y0; y < bounds.y1; ++y) {
+        const auto row = mean.begin() + static_cast<std::ptrdiff_t>(y - bounds.y0) * width;
+        std::copy(row, row + width,
+                  image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(bounds.x0, y)));
+    }
+    samples_[static_cast<std::size_t>(tile)] = samples;
+    changed_.push_back(bounds);
 }
 
 void ShownPicture::take(const TileView& tile) {
     if (!source_) return;
     if (source_->film() != tile.picture.film()) {
         if (!refines(tile.picture, *source_)) return;
-        replace(tile.picture, resized(image_, tile.imageWidth, tile.imageHeight));
+        begin(tile.picture, resized(image_, tile.imageWidth, tile.imageHeight));
     }
-    for (int y = 0; y < tile.height; ++y) {
-        const auto row = tile.mean.begin() + static_cast<std::ptrdiff_t>(y) * tile.width;
-        std::copy(row, row + tile.width,
-                  image_.pixels.begin() + static_cast<std::ptrdiff_t>(image_.index(tile.x0, tile.y0 + y)));
-    }
-    changed_.push_back({tile.x0, tile.x0 + tile.width, tile.y0, tile.y0 + tile.height});
+    const PixelBounds bounds{tile.x0, tile.x0 + tile.width, tile.y0, tile.y0 + tile.height};
+    paste(source_->film()->tileAt(tile.x0, tile.y0), bounds, tile.mean, tile.samples);
 }
 
 void ShownPicture::updateBloom(const Settings& display) {
@@ -107,18 +126,26 @@ void ShownPicture::updateBloom(const Settings& display) {
     });
 }
 
-int ShownPicture::samples() const { return source_ ? source_->film()->completeSamples() : 0; }
+int ShownPicture::leastSamples() const {
+    return samples_.empty() ? 0 : *std::min_element(samples_.begin(), samples_.end());
+}
+
+int ShownPicture::mostSamples() const {
+    return samples_.empty() ? 0 : *std::max_element(samples_.begin(), samples_.end());
+}
+
+int ShownPicture::samplesOf(glm::ivec2 pixel) const {
+    return samples_[static_cast<std::size_t>(source_->film()->tileAt(pixel.x, pixel.y))];
+}
 
 bool ShownPicture::isFull(const EditState& state, glm::ivec2 size) const {
-    return source_ && isSameFrame(source_->request(), requestOf(state, size.x, size.y)) && samples() > 0;
+    return source_ && isSameFrame(source_->request(), requestOf(state, size.x, size.y)) && leastSamples() > 0;
 }
 
 std::optional<Rgb> ShownPicture::radiance(const EditState& state, glm::ivec2 size, glm::ivec2 pixel) const {
     if (!source_ || !isSameFrame(source_->request(), requestOf(state, size.x, size.y))) return std::nullopt;
-    int samples = 0;
-    const render::PixelSums sums = source_->film()->sums(pixel.x, pixel.y, samples);
-    if (samples == 0) return std::nullopt;
-    return Rgb(sums.radiance / static_cast<double>(samples));
+    if (samplesOf(pixel) == 0) return std::nullopt;
+    return image_.at(pixel.x, pixel.y);
 }
 
 std::string samplesText(const StillPicture& picture) {
@@ -137,7 +164,7 @@ std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ive
         return isSameView(*request, full) ? "previous size" : "previous settings";
     }
     if (*divisor > 1) return fmt::format("preview: 1/{} of the resolution", *divisor);
-    if (const int samples = shown.samples(); samples > full.settings.spp)
+    if (const int samples = shown.mostSamples(); samples > full.settings.spp)
         return fmt::format("previous picture with {} samples per pixel", samples);
     if (state.settings.bloom && !shown.bloomShown()) return "without bloom";
     return "";

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "viewer/jobs/background_job.h"
@@ -23,8 +24,12 @@ class ShownPicture {
     const std::optional<TracedPicture>& source() const { return source_; }
     /// Its request, with the bloom, exposure and encoding with which it is shown; null without a picture.
     const RenderRequest* request() const { return request_ ? &*request_ : nullptr; }
-    /// The samples that every pixel has; 0 while a preview is being replaced.
-    int samples() const;
+    /// The samples of the pixels with the fewest and with the most of them; 0 for those of a preview that is
+    /// being replaced.
+    int leastSamples() const;
+    int mostSamples() const;
+    /// The samples of one pixel of image().
+    int samplesOf(glm::ivec2 pixel) const;
     /// Whether the picture is that of the state in this size, and each pixel has a sample.
     bool isFull(const EditState& state, glm::ivec2 size) const;
 
@@ -48,13 +53,15 @@ class ShownPicture {
   private:
     void takeWhole(const std::optional<TracedPicture>& whole);
     void take(const TileView& tile);
-    void replace(TracedPicture picture, RgbImage image);
+    void begin(const TracedPicture& picture, RgbImage image);
+    void paste(int tile, const PixelBounds& bounds, std::span<const Rgb> mean, int samples);
     void updateBloom(const Settings& display);
 
     std::optional<TracedPicture> source_;
     std::optional<RenderRequest> request_;
     std::shared_ptr<const render::Film> wholeFilm_;  ///< of the latest whole picture that was taken over
     RgbImage image_;
+    std::vector<int> samples_;  ///< of each tile of the film, as far as it is in image_
     std::vector<PixelBounds> changed_;
     bool replaced_ = false, bloomChanged_ = false;
     int revision_ = 0;

@@ -58,7 +58,7 @@ void drawSettingsOf(Workspace& workspace, const Comparison::Kept& a) {
     dimText(fmt::format("A: {} samples per pixel, {} x {}", samplesText(a.picture), a.image->width,
                         a.image->height));
     if (const RenderRequest* b = workspace.shown.request()) {
-        dimText(fmt::format("B: {} of {} samples per pixel, {} x {}", workspace.shown.samples(),
+        dimText(fmt::format("B: {} of {} samples per pixel, {} x {}", workspace.shown.leastSamples(),
                             b->settings.spp, b->width, b->height));
         if (const std::string notice = tracedNotice(workspace); !notice.empty()) text("B: " + notice);
         const std::vector<std::string> differences = differencesOf(a.picture.request(), *b);
