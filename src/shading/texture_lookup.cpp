@@ -22,11 +22,12 @@ int wrapIndex(int i, int size, TextureWrap wrap) {
 double overlap(double from, double to, int i) { return std::min(to, i + 1.0) - std::max(from, 1.0 * i); }
 
 /// Box filter over the exact area of each new pixel, so that odd sizes also keep the mean of the image.
-RgbImage halved(const RgbImage& image) {
+RgbImage halved(const RgbImage& image, const std::stop_token& stop) {
     RgbImage half(std::max(1, image.width / 2), std::max(1, image.height / 2));
     const double columns = static_cast<double>(image.width) / half.width;
     const double rows = static_cast<double>(image.height) / half.height;
     for (int y = 0; y < half.height; ++y) {
+        if (stop.stop_requested()) throw Stopped();
         for (int x = 0; x < half.width; ++x) {
             const double x0 = x * columns, x1 = x0 + columns, y0 = y * rows, y1 = y0 + rows;
             RgbSum sum(0.0);
@@ -54,11 +55,11 @@ BilinearTap bilinearTap(int width, int height, const glm::dvec2& uv, TextureWrap
             y - row};
 }
 
-MipTexture::MipTexture(std::shared_ptr<const Texture> texture, bool withLevels)
+MipTexture::MipTexture(std::shared_ptr<const Texture> texture, bool withLevels, const std::stop_token& stop)
     : texture_(std::move(texture)) {
     if (!withLevels) return;
     while (level(levels_.size()).width > 1 || level(levels_.size()).height > 1)
-        levels_.push_back(halved(level(levels_.size())));
+        levels_.push_back(halved(level(levels_.size()), stop));
 }
 
 glm::dvec3 MipTexture::nearest(const glm::dvec2& uv) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <rayscope/scene.h>
 #include <rayscope/settings.h>
+#include <stop_token>
 #include <vector>
 
 namespace rayscope::shading {
@@ -8,8 +9,8 @@ namespace rayscope::shading {
 /// A texture with its mip levels: level 0 is the image, each further one halves the size by averaging.
 class MipTexture {
   public:
-    /// Without `withLevels` there is level 0 only.
-    MipTexture(std::shared_ptr<const Texture> texture, bool withLevels);
+    /// Without `withLevels` there is level 0 only. Throws Stopped.
+    MipTexture(std::shared_ptr<const Texture> texture, bool withLevels, const std::stop_token& stop = {});
 
     /// The linear colour at uv, where (0, 0) is the lower left corner of the image. Non-finite coordinates
     /// read 0. `footprint` is the width of the ray in units of uv; only the mipmap filter uses it.

@@ -82,7 +82,7 @@ bool reflects(const Material& material, const Settings& settings) {
     return settings.reflectWhen == ReflectWhen::Ks || (material.illum >= 3 && material.illum <= 9);
 }
 
-void compileMaterials(World& world, const World* previous) {
+void compileMaterials(World& world, const World* previous, const std::stop_token& stop) {
     const Settings& settings = world.settings;
     const bool withLevels = settings.textureFilter == TextureFilter::Mipmap;
     std::map<const Texture*, std::shared_ptr<const shading::MipTexture>> made;
@@ -95,7 +95,7 @@ void compileMaterials(World& world, const World* previous) {
     const auto textureOf = [&](const std::shared_ptr<const Texture>& source) -> const shading::MipTexture* {
         if (!source || !settings.textureMapping) return nullptr;
         auto& texture = made[source.get()];
-        if (!texture) texture = std::make_shared<const shading::MipTexture>(source, withLevels);
+        if (!texture) texture = std::make_shared<const shading::MipTexture>(source, withLevels, stop);
         used[source.get()] = texture;
         return texture.get();
     };
@@ -150,7 +150,7 @@ std::shared_ptr<const World> compile(const CompileRequest& request, const World*
     if (!request.settings.depthOfField) camera.lens.reset();
     world->camera = Camera(camera, request.width, request.height);
     if (request.settings.environment) world->environment = request.scene->environment;
-    compileMaterials(*world, previous);
+    compileMaterials(*world, previous, stop);
     compileLights(*world);
     compileMotionGroups(*world, previous, request.keepBinaryTrees, std::move(stop));
     return world;

@@ -33,6 +33,13 @@ TEST(MipTexture, EndsInTheMeanOfTheImageForEverySize) {
     }
 }
 
+TEST(MipTexture, CanBeStoppedWhileItsLevelsAreMade) {
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(shading::MipTexture(noise(8, 8), true, stop.get_token()), Stopped);
+    EXPECT_NO_THROW(shading::MipTexture(noise(8, 8), false, stop.get_token()));
+}
+
 TEST(MipTexture, WithASmallFootprintIsBilinear) {
     const shading::MipTexture mip(noise(8, 8), true);
     for (const float u : {0.1f, 0.45f, 0.9f})
