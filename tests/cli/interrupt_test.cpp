@@ -16,15 +16,37 @@ using test::run;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
+const std::string kInterruptedProgram = std::string("'") + RAYSCOPE_PROGRAM + "'";
+
+/// Interrupts the program as soon as its messages contain `text`. Shells ignore SIGINT in the background.
+ProgramResult interruptAfter(const TemporaryFolder& folder, const std::string& arguments,
+                             const std::string& text) {
+    return run(folder,
+               "env --default-signal=INT " + kInterruptedProgram + " " + arguments +
+                   " 2>messages & p=$!; until grep -q '" + text +
+                   "' messages || ! kill -0 $p; do sleep 0.05; done; kill -INT $p; wait $p; s=$?; cat "
+                   "messages >&2; exit $s");
+}
+
 TEST(Interrupt, WritesTheImage) {
     const TemporaryFolder folder;
-    // In the foreground, because otherwise the signal goes to the process group as well, and two stop at
-    // once.
-    const ProgramResult result =
-        run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
-                        "' render builtin:cornell-area --size 100x100 --spp 1000000 -o a.png");
+    const ProgramResult result = interruptAfter(
+        folder, "render builtin:cornell-area --size 100x100 --spp 1000000 --progress json -o a.png",
+        "\"samples\":[1-9]");
     EXPECT_EQ(result.exitCode, 130) << result.err;
     EXPECT_EQ(readImage(folder / "a.png").width, 100);
+}
+
+TEST(Interrupt, EndsALongLoadThatShowsItsSteps) {
+    const TemporaryFolder folder;
+    // A scene file that does not end.
+    run(folder,
+        "mkfifo s.toml; { while head -c 70000 /dev/zero | tr '\\0' '#'; do sleep 0.3; done; } "
+        "2>/dev/null >s.toml & true");
+    const ProgramResult result =
+        interruptAfter(folder, "render s.toml --progress json -o a.png", "\"step\":\"reading s.toml\"");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
 /// A scene file that takes long to read: a pipe whose blocks arrive after 1.2 and after 3.7 seconds. The
@@ -32,16 +54,8 @@ TEST(Interrupt, WritesTheImage) {
 ProgramResult interruptSlowLoad(const TemporaryFolder& folder, const std::string& arguments) {
     const std::string block = "head -c 70000 /dev/zero | tr '\\0' '#'";
     return run(folder, "rm -f s.toml; mkfifo s.toml; { sleep 1.2; " + block + "; sleep 2.5; " + block +
-                           "; } >s.toml & timeout --foreground --preserve-status -s INT 2.5 '" +
-                           RAYSCOPE_PROGRAM + "' " + arguments);
-}
-
-TEST(Interrupt, EndsALongLoadThatShowsItsSteps) {
-    const TemporaryFolder folder;
-    const ProgramResult result = interruptSlowLoad(folder, "render s.toml --progress json -o a.png");
-    EXPECT_EQ(result.exitCode, 130) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("\"step\":\"reading s.toml\""));
-    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+                           "; } >s.toml & timeout --foreground --preserve-status -s INT 2.5 " +
+                           kInterruptedProgram + " " + arguments);
 }
 
 TEST(Interrupt, EndsTheLoadOfEveryCommand) {
@@ -59,9 +73,8 @@ TEST(Interrupt, EndsALoadThatCannotBeStopped) {
     for (const char* arguments :
          {"info s.toml", "render s.toml -o a.png", "cast s.toml --rays s.toml -o h"}) {
         const ProgramResult result = run(
-            folder, std::string("rm -f s.toml; mkfifo s.toml; timeout --foreground --preserve-status -k 60 "
-                                "-s INT 1 '") +
-                        RAYSCOPE_PROGRAM + "' " + arguments);
+            folder, "rm -f s.toml; mkfifo s.toml; timeout --foreground --preserve-status -k 60 -s INT 1 " +
+                        kInterruptedProgram + " " + arguments);
         EXPECT_EQ(result.exitCode, 130) << arguments << "\n" << result.err;
     }
 }
@@ -69,12 +82,13 @@ TEST(Interrupt, EndsALoadThatCannotBeStopped) {
 TEST(Interrupt, SaysSoIfTheImageStillTakesLong) {
     const TemporaryFolder folder;
     const ProgramResult result =
-        run(folder, std::string("timeout --foreground --preserve-status -s INT 2 '") + RAYSCOPE_PROGRAM +
-                        "' render builtin:triangle --size 3000x3000 --spp 1000000 --set bloom=true --set "
-                        "bloom_size=60 -o a.ppm");
+        interruptAfter(folder,
+                       "render builtin:triangle --size 2000x2000 --spp 1000000 --set bloom=true --set "
+                       "bloom_size=60 --progress json -o a.ppm",
+                       "\"samples\"");
     EXPECT_EQ(result.exitCode, 130) << result.err;
     EXPECT_THAT(result.err, HasSubstr("interrupted: the image so far is processed and written"));
-    EXPECT_EQ(readImage(folder / "a.ppm").width, 3000);
+    EXPECT_EQ(readImage(folder / "a.ppm").width, 2000);
 }
 
 }  // namespace
