@@ -173,8 +173,7 @@ TEST(HostileScene, PipesDevicesAndCirclesOfLinksAreRefused) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     fs::create_symlink("circle", folder / "circle");
     fs::create_symlink("/dev/zero", folder / "link");
-    for (const std::string path : {"pipe", "circle", "link", "/dev/zero", "/dev/random", "/dev/stdin",
-                                   "/dev/tty", "/proc/self/mem", "/proc/self/fd/0", ".", "/"})
+    for (const std::string path : {"pipe", "circle", "link", "/dev/stdin", "/proc/self/mem", "."})
         for (const auto& [name, scene] : scenesThatRead(path)) {
             folder.write(name, scene);
             if (name.ends_with(".mtl")) continue;
