@@ -17,12 +17,16 @@ test_packages=(
 )
 
 # Used if installed; some distributions do not have all of them. Embree and GMP are test oracles, mold links faster,
-# universal-ctags measures the length of functions, and assimp reads its test models for comparison.
+# universal-ctags measures the length of functions, assimp reads its test models for comparison, and the last line checks the
+# packages and the completions.
 optional_packages=(
     libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags
     assimp-testmodels assimp-utils
+    lintian patchelf fish zsh debootstrap desktop-file-utils appstream man-db
 )
 
 # What scripts/fuzz.sh needs besides build_packages.
 fuzz_packages=(clang imagemagick libopenexr-dev python3)
 
+# What scripts/package.sh needs besides build_packages; lintian and debootstrap check the packages in the tests.
+package_packages=(dpkg-dev patchelf)

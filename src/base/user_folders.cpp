@@ -23,5 +23,6 @@ fs::path folderBelow(const char* variable, const char* nameInHome) {
 
 fs::path userCacheFolder() { return folderBelow("XDG_CACHE_HOME", ".cache"); }
 fs::path userConfigFolder() { return folderBelow("XDG_CONFIG_HOME", ".config"); }
+fs::path userDataFolder() { return folderBelow("XDG_DATA_HOME", ".local/share"); }
 
 }  // namespace rayscope::base

@@ -5,6 +5,8 @@
 namespace rayscope::bvh {
 
 #ifdef __x86_64__
+bool isBuilt(Isa) { return true; }
+
 bool isAvailable(Isa isa) {
     switch (isa) {
         case Isa::Avx2:
@@ -19,7 +21,9 @@ bool isAvailable(Isa isa) {
     }
 }
 #else
-bool isAvailable(Isa isa) { return isa == Isa::Auto || isa == Isa::Scalar; }
+bool isBuilt(Isa isa) { return isa == Isa::Auto || isa == Isa::Scalar; }
+
+bool isAvailable(Isa isa) { return isBuilt(isa); }
 #endif
 
 Isa bestIsa() {

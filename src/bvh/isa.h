@@ -5,6 +5,9 @@
 
 namespace rayscope::bvh {
 
+/// Whether this build has kernels for an instruction set. Isa::Auto: yes.
+bool isBuilt(Isa isa);
+
 /// Whether this build has kernels for an instruction set and this machine can run them.
 bool isAvailable(Isa isa);
 

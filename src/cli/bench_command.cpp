@@ -191,7 +191,8 @@ std::function<int()> setUpBench(OptionList& list) {
     auto options = std::make_shared<BenchCommandOptions>();
     options->scenes = {"builtin:cornell", "builtin:monkey", "builtin:teapot"};
     list.add("scenes", &options->scenes,
-             fmt::format("Scenes: {} or builtin:NAME", fmt::join(sceneFileSuffixes(), ", ")));
+             fmt::format("Scenes: {} or builtin:NAME", fmt::join(sceneFileSuffixes(), ", ")))
+        .suggest(builtinSceneNames);
     list.add("--json", &options->jsonFile, "Write all figures to this file").writes(Option::Output::File);
     addThreadsTo(list, options->threads);
     addSettingsTo(list, options->assignments);

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/help_text.h"
 #include "cli/output_files.h"
+#include "cli/version_text.h"
 
 namespace rayscope::cli {
 
@@ -22,7 +23,7 @@ int printUsageError(const std::string& message) {
 int parseAndRun(std::span<const Command> commands, const std::vector<std::string>& arguments) {
     const CommandArguments found = findCommand(commands, arguments);
     if (found.wantsVersion) {
-        base::print("rayscope {}\n", RAYSCOPE_VERSION);
+        base::print("{}", versionText());
         return kSuccess;
     }
     if (!found.command && !found.wantsHelp) throw UsageError("a command is required");

@@ -49,6 +49,8 @@ struct Option {
     Target target;
     std::string help;
     std::vector<std::string> accepted{};  ///< texts; empty: any
+    /// Texts that the completions of shells offer, while others are accepted too.
+    std::vector<std::string> (*suggestions)() = nullptr;
     NumberRange range{};
     std::string valueForm{};  ///< "X,Y,Z"
     char separator = 0;       ///< of several values in one argument; 0: none
@@ -65,6 +67,7 @@ struct Option {
     Option& below(double highest) { return range.highest = highest, range.isHighestExcluded = true, *this; }
     Option& atMost(double highest) { return range.highest = highest, *this; }
     Option& choices(std::vector<std::string> texts) { return accepted = std::move(texts), *this; }
+    Option& suggest(std::vector<std::string> (*texts)()) { return suggestions = texts, *this; }
     /// How the value is written, such as "WxH" with the separator 'x'.
     Option& form(std::string text, char between = 0) {
         return valueForm = std::move(text), separator = between, *this;

@@ -39,6 +39,9 @@ constexpr Command kCommands[] = {
      limited<setUpLab>},
     {"compare", "Measure the error of an image against a reference image", limited<setUpCompare>},
     {"settings", "List every setting: name, meaning, unit, range, default", setUpSettings},
+    {"fetch", "Make the mesh of a built-in scene that is too large to come with the program", setUpFetch},
+    {"manual", "Print the manual page", setUpManual},
+    {"completions", "Print the completions of a shell", setUpCompletions},
 };
 
 }  // namespace

@@ -157,6 +157,7 @@ std::function<int()> setUpCompare(OptionList& list) {
         .writes(Option::Output::Image);
     list.add("--metric", &options->metric,
              "Metric of -o, --map and --fail-above: rmse, relmse, smape, max, ssim (as 1 - SSIM) or flip")
+        .suggest([] { return std::vector<std::string>{"rmse", "relmse", "smape", "max", "ssim", "flip"}; })
         .showDefault();
     list.add("--fail-above", &options->failAbove, "Exit with 4 if the metric exceeds this value or is NaN")
         .atLeast(0.0);

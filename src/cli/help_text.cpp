@@ -41,6 +41,8 @@ std::string row(const std::string& head, std::string_view help) {
     return line + wrapped(help, kHelpColumn) + "\n";
 }
 
+}  // namespace
+
 std::string headOf(const Option& option) {
     std::string head;
     for (const std::string_view name : option.nameList())
@@ -60,33 +62,33 @@ std::string helpOf(const Option& option) {
     return text;
 }
 
-}  // namespace
+std::string usageOf(const Command& command, const OptionList& list) {
+    std::string usage = fmt::format("rayscope {}", command.name);
+    for (const Option& option : list.options()) {
+        if (!option.isPositional()) continue;
+        const bool isRepeated = std::holds_alternative<std::vector<std::string>*>(option.target);
+        const std::string name = option.names + (isRepeated ? "…" : "");
+        usage += option.isRequired ? " " + name : " [" + name + "]";
+    }
+    return usage + " [OPTIONS]";
+}
 
 std::string helpText(std::span<const Command> commands) {
     std::string text =
         "Rayscope, an interactive ray tracer that shows how each pixel is computed\n\n"
         "Usage: rayscope COMMAND [OPTIONS]\n       rayscope [SCENE]\n\nOptions:\n";
     text += row("-h, --help", "Print this text, or that of the command before it");
-    text += row("--version", "Print the version");
+    text += row("--version", "Print the version, the compiler, the kernels and the libraries");
     text += "\nCommands:\n";
     for (const Command& command : commands) text += row(std::string(command.name), command.summary);
     return text;
 }
 
 std::string helpText(const Command& command, const OptionList& list) {
-    std::string usage, positionals, options;
-    for (const Option& option : list.options()) {
-        if (!option.isPositional()) {
-            options += row(headOf(option), helpOf(option));
-            continue;
-        }
-        const bool isRepeated = std::holds_alternative<std::vector<std::string>*>(option.target);
-        const std::string name = option.names + (isRepeated ? "…" : "");
-        usage += option.isRequired ? " " + name : " [" + name + "]";
-        positionals += row(headOf(option), helpOf(option));
-    }
-    std::string text = fmt::format("{}\n\nUsage: rayscope {}{} [OPTIONS]\n", wrapped(command.summary, 0),
-                                   command.name, usage);
+    std::string positionals, options;
+    for (const Option& option : list.options())
+        (option.isPositional() ? positionals : options) += row(headOf(option), helpOf(option));
+    std::string text = fmt::format("{}\n\nUsage: {}\n", wrapped(command.summary, 0), usageOf(command, list));
     if (!positionals.empty()) text += "\nArguments:\n" + positionals;
     text += "\nOptions:\n" + row("-h, --help", "Print this text") + options;
     if (!list.details().empty()) text += "\n" + wrapped(list.details(), 0) + "\n";

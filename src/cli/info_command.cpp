@@ -119,7 +119,7 @@ int runInfo(const InfoOptions& options) {
 
 std::function<int()> setUpInfo(OptionList& list) {
     auto options = std::make_shared<InfoOptions>();
-    list.add("SCENE", &options->scene, sceneOptionHelp());
+    list.add("SCENE", &options->scene, sceneOptionHelp()).suggest(builtinSceneNames);
     list.add("--json", &options->json, "Print JSON");
     list.add("--list", &options->list, "List the built-in scenes");
     return [options] { return runInfo(*options); };

@@ -23,7 +23,31 @@ SettingInfo settingNamed(std::string_view key) {
     throw std::logic_error("no such setting");
 }
 
+std::vector<std::string> presetNames() {
+    std::vector<std::string> names;
+    for (const Preset& preset : presets()) names.emplace_back(preset.name);
+    return names;
+}
+
+/// "KEY=" for numbers, else "KEY=VALUE" for every value.
+std::vector<std::string> assignmentsToSettings() {
+    std::vector<std::string> texts;
+    for (const SettingInfo& info : describeSettings()) {
+        std::vector<std::string_view> values = info.choices;
+        if (info.kind == "boolean") values = {"true", "false"};
+        if (values.empty()) values = {""};
+        for (const std::string_view value : values) texts.push_back(fmt::format("{}={}", info.key, value));
+    }
+    return texts;
+}
+
 }  // namespace
+
+std::vector<std::string> builtinSceneNames() {
+    std::vector<std::string> names;
+    for (const BuiltinScene& scene : builtinScenes()) names.push_back("builtin:" + scene.name);
+    return names;
+}
 
 std::string sceneOptionHelp() {
     const std::vector<std::string> suffixes = sceneFileSuffixes();
@@ -49,12 +73,13 @@ void SceneOptions::addTo(OptionList& list, bool sceneRequired) {
     list.add("--spp,--samples", &spp, "Samples per pixel").from(samples.lowest, samples.highest);
     list.add("--preset", &preset,
              "Settings that trade speed for accuracy: preview, balanced, final or reference; --set and --spp "
-             "override it");
+             "override it")
+        .suggest(presetNames);
     list.add("--seed", &seed, "Seed of the random numbers").showDefault();
 }
 
 void SceneOptions::addSceneTo(OptionList& list, bool sceneRequired) {
-    Option& positional = list.add("SCENE", &scene, sceneOptionHelp());
+    Option& positional = list.add("SCENE", &scene, sceneOptionHelp()).suggest(builtinSceneNames);
     if (sceneRequired) positional.required();
     addThreadsTo(list, threads);
     addSettingsTo(list, assignments);
@@ -67,7 +92,9 @@ void addThreadsTo(OptionList& list, int& threads) {
 }
 
 void addSettingsTo(OptionList& list, std::vector<std::string>& assignments) {
-    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings'; repeatable").form("KEY=VALUE");
+    list.add("-D,--set", &assignments, "Any setting of 'rayscope settings'; repeatable")
+        .form("KEY=VALUE")
+        .suggest(assignmentsToSettings);
 }
 
 void addProgressTo(OptionList& list, std::string& progress) {

@@ -34,6 +34,8 @@ struct SceneOptions {
 
 /// What SCENE may be, for --help.
 std::string sceneOptionHelp();
+/// The built-in scenes as SCENE names them, such as "builtin:cornell".
+std::vector<std::string> builtinSceneNames();
 // Options that several commands have, with the same names and ranges everywhere.
 void addThreadsTo(OptionList& list, int& threads);
 void addSettingsTo(OptionList& list, std::vector<std::string>& assignments);

@@ -14,7 +14,11 @@ void TargetOptions::addTo(OptionList& list) {
     list.add("--confidence", &confidence, "Confidence level of --target-error")
         .from(0.5, 0.9999)
         .showDefault();
-    list.add("--metric", &metric, "Metric of --target-error: rmse or relmse").showDefault();
+    list.add("--metric", &metric, "Metric of --target-error: rmse or relmse")
+        .suggest([] {
+            return std::vector<std::string>{"rmse", "relmse"};
+        })
+        .showDefault();
     list.add("--worst-tile", &worstTile,
              "Apply --target-error to the worst tile of 32 x 32 pixels instead of the whole image");
     list.add("--adaptive", &adaptive,

@@ -3,7 +3,7 @@
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include <cassert>
+#include "base/check_argument.h"
 
 namespace rayscope::render {
 
@@ -21,14 +21,15 @@ void forBlocks(std::size_t count, Query query, std::size_t grain = kGrain) {
 }  // namespace
 
 void castClosest(const trace::World& world, std::span<const Ray> rays, std::span<Hit> hits) {
-    assert(rays.size() == hits.size());
+    base::checkArgument(rays.size() == hits.size(), "hits: {} for {} rays", hits.size(), rays.size());
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
         world.closestHits(rays.subspan(first, count), 0.0f, hits.subspan(first, count));
     });
 }
 
 void castAny(const trace::World& world, std::span<const Ray> rays, std::span<std::uint8_t> occluded) {
-    assert(rays.size() == occluded.size());
+    base::checkArgument(rays.size() == occluded.size(), "occluded: {} for {} rays", occluded.size(),
+                        rays.size());
     forBlocks(rays.size(), [&](std::size_t first, std::size_t count) {
         world.anyHits(rays.subspan(first, count), 0.0f, occluded.subspan(first, count));
     });

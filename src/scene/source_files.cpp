@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
-#include <vector>
 
+#include "base/data_folders.h"
 #include "base/read_file.h"
 #include "base/user_folders.h"
 #include "embedded_scenes.h"
@@ -25,13 +25,6 @@ const scenes::EmbeddedFile* findEmbedded(std::string_view path) {
     const auto found =
         std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.name == path; });
     return found == files.end() ? nullptr : &*found;
-}
-
-/// Folders of files that are too large to be embedded.
-std::vector<fs::path> sceneFolders() {
-    std::vector<fs::path> folders{RAYSCOPE_SOURCE_SCENES, RAYSCOPE_INSTALLED_SCENES};
-    if (const fs::path cache = base::userCacheFolder(); !cache.empty()) folders.push_back(cache);
-    return folders;
 }
 
 }  // namespace
@@ -63,10 +56,10 @@ std::string resolvePath(const std::string& base, std::string name) {
     if (name.starts_with(kBuiltin) || fs::path(name).is_absolute()) return name;
     if (!base.starts_with(kBuiltin)) return (fs::path(base).parent_path() / name).lexically_normal().string();
     if (const std::string embedded = std::string(kBuiltin) + name; findEmbedded(embedded)) return embedded;
-    const std::vector<fs::path> folders = sceneFolders();
-    for (const fs::path& folder : folders)
-        if (const std::string path = (folder / name).string(); fileExists(path)) return path;
-    return (folders.front() / name).string();
+    // Too large to be embedded.
+    const fs::path inData = fs::path("scenes") / name;
+    const fs::path found = base::findDataFile(inData);
+    return (found.empty() ? base::userDataFolder() / inData : found).string();
 }
 
 }  // namespace rayscope::scene

@@ -18,8 +18,8 @@ bool fileExists(const std::string& path);
 void refuseSpecialFile(const std::string& path);
 
 /// The path of a file `name` that the file `base` refers to: relative to the folder of `base`, with \ read as
-/// /. References in embedded files are searched among the embedded files, then in the scenes folder of the
-/// source tree, in that of the installation and in the user's cache folder.
+/// /. References in embedded files are searched among the embedded files, then in the folder scenes/ of
+/// base::dataFolders(); if the file does not exist, the path is that in the user's data folder.
 std::string resolvePath(const std::string& base, std::string name);
 
 }  // namespace rayscope::scene

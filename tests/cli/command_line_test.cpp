@@ -21,7 +21,14 @@ TEST(CommandLine, HelpAndVersion) {
         EXPECT_THAT(run(folder, "rayscope --help").out, HasSubstr(command));
         EXPECT_EQ(run(folder, std::string("rayscope ") + command + " --help").exitCode, 0);
     }
-    EXPECT_THAT(run(folder, "rayscope --version").out, HasSubstr("rayscope "));
+    const ProgramResult version = run(folder, "rayscope --version");
+    EXPECT_EQ(version.exitCode, 0);
+    EXPECT_THAT(version.out,
+                testing::MatchesRegex("rayscope [0-9.]+\ncompiler: .*[0-9], .*\n"
+                                      "kernels: scalar.*; auto selects .*\nlibraries: fmt [0-9].*\n"));
+    for (const char* library :
+         {"GLM", "JSON for Modern C++", "libjpeg", "libpng", "oneTBB", "OpenEXR", "toml++", "zlib"})
+        EXPECT_THAT(version.out, testing::ContainsRegex(std::string(library) + " [0-9]"));
 }
 
 TEST(CommandLine, UsageErrorsExitWithOneAndSuggestTheNearestName) {

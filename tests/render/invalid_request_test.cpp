@@ -6,7 +6,9 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
+#include "render/cast_rays.h"
 #include "support/test_scenes.h"
 
 namespace rayscope {
@@ -106,6 +108,15 @@ TEST(InvalidRequest, LeavesTheSessionUsable) {
 TEST(InvalidRequest, Threads) {
     EXPECT_THROW(RenderSession(-1), std::invalid_argument);
     EXPECT_THROW(RenderSession(kMaxThreads + 1), std::invalid_argument);
+}
+
+TEST(InvalidRequest, RaysWithoutPlaceForTheirResults) {
+    const auto world = test::compileScene(*validRequest().scene, {}, 8, 8);
+    const std::vector<Ray> rays(2);
+    std::vector<Hit> hits(1);
+    std::vector<std::uint8_t> occluded(3);
+    EXPECT_THROW(render::castClosest(*world, rays, hits), std::invalid_argument);
+    EXPECT_THROW(render::castAny(*world, rays, occluded), std::invalid_argument);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST_P(BuiltinScene, LoadsWithoutWarnings) {
     } catch (const InputError& error) {
         // Its mesh is fetched separately.
         ASSERT_EQ(name, "dragon") << error.what();
-        EXPECT_THAT(error.what(), HasSubstr("run scripts/fetch_dragon.sh"));
+        EXPECT_THAT(error.what(), HasSubstr("run 'rayscope fetch dragon' once"));
         return;
     }
     EXPECT_EQ(scene.path, "builtin:" + name);
@@ -92,7 +92,7 @@ TEST(BuiltinScenes, MissingDragonMeshHasAdvice) {
         ADD_FAILURE() << "loaded a missing mesh";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("dragon.toml:11:8: error: mesh file not found: "));
-        EXPECT_THAT(error.what(), HasSubstr("; run scripts/fetch_dragon.sh once"));
+        EXPECT_THAT(error.what(), HasSubstr("; run 'rayscope fetch dragon' once"));
     }
     std::filesystem::remove_all(folder);
 }

@@ -9,7 +9,7 @@ patterns=(
     'surely belo[w]|in vai[n]|[0-9a-z] go before (it|the[m])|times as dea[r]'
     '^(<<<<<<[<] |>>>>>>[>] |======[=]$)'
 )
-folders=(src include shaders scenes scripts cmake docs tests .ci README.md CMakeLists.txt CMakePresets.json)
+folders=(src include shaders scenes scripts cmake docs packaging tests .ci README.md CHANGELOG.md CONTRIBUTING.md vcpkg.json CMakeLists.txt CMakePresets.json)
 found=0
 for pattern in "${patterns[@]}"; do
     for folder in "${folders[@]}"; do
