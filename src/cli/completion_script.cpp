@@ -178,8 +178,10 @@ std::string zshAction(const Values& values) {
 }
 
 std::string zshSpecification(const Option& option) {
-    const std::string value =
-        option.isFlag() ? "" : fmt::format(":{}:{}", zshEscaped(formOf(option)), zshAction(valuesOf(option)));
+    const std::string form = option.isPositional() ? option.names : formOf(option);
+    const std::string value = option.isFlag() ? ""
+                                              : fmt::format("{}:{}:{}", option.impliedValue ? ":" : "",
+                                                            zshEscaped(form), zshAction(valuesOf(option)));
     const bool isRepeated = std::holds_alternative<std::vector<std::string>*>(option.target);
     if (option.isPositional()) return fmt::format("'{}{}'", isRepeated ? "*" : "", value);
     const std::vector<std::string_view> names = option.nameList();

@@ -256,11 +256,7 @@ std::function<int()> setUpRender(OptionList& list) {
     list.add("--aov", &options->aovs,
              fmt::format("AOVs to write beside the first output, as NAME.AOV.exr: {}",
                          fmt::join(aovNames(), ", ")))
-        .form("NAME[,NAME]", ',')
-        .suggest([] {
-            const auto names = aovNames();
-            return std::vector<std::string>(names.begin(), names.end());
-        });
+        .form("NAME[,NAME]", ',');
     list.add("--stats", &options->statsFile, "Write counts and times as JSON").writes(Option::Output::File);
     addProgressTo(list, options->progress);
     list.add("-q,--quiet", &options->quiet, "Print errors only");

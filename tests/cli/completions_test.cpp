@@ -79,7 +79,7 @@ TEST(Completions, OfZshAreValid) {
     EXPECT_THAT(result.out, HasSubstr("\n(--preset)--preset=["));
     EXPECT_THAT(result.out, HasSubstr(":TEXT:{ compadd -- preview balanced final reference; }\n"));
     EXPECT_THAT(result.out, HasSubstr("\n*-o+["));
-    EXPECT_THAT(result.out, HasSubstr("\n:TEXT:{ compadd -- builtin\\:"));
+    EXPECT_THAT(result.out, HasSubstr("\n:SCENE:{ compadd -- builtin\\:"));
 }
 
 }  // namespace

@@ -57,8 +57,9 @@ TEST(ManualPage, NoLineIsARequestByAccident) {
     for (std::size_t begin = 0; begin < page.size();) {
         const std::string line = page.substr(begin, page.find('\n', begin) - begin);
         EXPECT_THAT(line, testing::Not(testing::StartsWith("'")));
-        if (line.starts_with('.'))
+        if (line.starts_with('.')) {
             EXPECT_THAT(line, testing::ContainsRegex("^\\.(\\\\\"|TH |SH |SS |PP$|TP$|B |I |br$)"));
+        }
         begin += line.size() + 1;
     }
 }
