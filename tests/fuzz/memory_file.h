@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ class MemoryFile {
 
     /// Returns the path.
     const std::string& write(FuzzInput input) const {
+        // Some file systems flush a file to the disk when it is overwritten.
+        std::filesystem::remove(path_);
         std::ofstream(path_, std::ios::binary)
             .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
         return path_;
