@@ -83,7 +83,7 @@ class RandomSequence {
         workspace_.rays.update();
         workspace_.rays.follow(workspace_.edit, workspace_.render.session().picture());
         workspace_.comparison.update(workspace_.shown.displayed(), workspace_.shown.revision(), false, 0.0f);
-        if (!moving_) workspace_.history.record(workspace_.edit);
+        if (!moving_) workspace_.record();
         workspace_.reportSaves();
     }
 

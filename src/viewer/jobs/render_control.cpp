@@ -47,7 +47,10 @@ bool hasSameSamples(const RenderRequest& a, const RenderRequest& b) {
 }  // namespace
 
 RenderControl::RenderControl(int threads)
-    : threads_(threadsFor(threads)), yields_(threads <= 0 && threads_ > 1), session_(threads_), pixelsPerSecond_(kUnknownSpeed) {}
+    : threads_(threadsFor(threads)),
+      yields_(threads <= 0 && threads_ > 1),
+      session_(threads_),
+      pixelsPerSecond_(kUnknownSpeed) {}
 
 void RenderControl::yieldCore(bool moving) {
     using oneapi::tbb::global_control;

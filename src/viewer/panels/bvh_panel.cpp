@@ -75,7 +75,7 @@ void drawBuild(Workspace& workspace, const InspectedTree& inspected) {
     ui::sliderInt("##max", &settings.bvhMaxLevel, 0, bvh::kMaxTreeLevel, "%d", kClamp);
     const bvh::TreeStatistics& s = inspected.statistics;
     valueRow("Builder", fmt::format("{}, {} levels", nameOf(inspected.builder), s.levels));
-    valueRow("Nodes", fmt::format("{}, {} of them leaves", s.nodes, s.leaves));
+    valueRow("Nodes", fmt::format("{} ({} leaves)", s.nodes, s.leaves));
     valueRow("Build time", fmt::format("{:.3f} s", inspected.buildSeconds),
              "Of the BVHs of all motion groups, wide trees included; it stays until they are built again.");
     valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));

@@ -3,6 +3,7 @@
 // by label instead of by coordinates. Without a map being recorded, each wrapper is one call and one branch.
 #include <imgui.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <span>
@@ -82,15 +83,26 @@ inline bool sliderInt(const char* label, int* value, int lowest, int highest, co
 /// nothing, like a text that is no number. Returns whether they were edited.
 bool finiteEdit(std::span<float> values, const std::function<bool()>& draw);
 
+/// What is typed into a control with ImGuiSliderFlags_AlwaysClamp is limited to its range, if it is finite.
+inline bool clamped(bool edited, float* value, float lowest, float highest, ImGuiSliderFlags flags) {
+    if (edited && (flags & ImGuiSliderFlags_AlwaysClamp) != 0) *value = std::clamp(*value, lowest, highest);
+    return edited;
+}
 inline bool sliderFloat(const char* label, float* value, float lowest, float highest,
                         const char* format = "%.3f", ImGuiSliderFlags flags = 0) {
-    const auto draw = [&] { return ImGui::SliderFloat(label, value, lowest, highest, format, flags); };
-    return noted(label, finiteEdit({value, 1}, draw));
+    const auto draw = [&] {
+        return ImGui::SliderFloat(label, value, lowest, highest, format,
+                                  flags & ~ImGuiSliderFlags_AlwaysClamp);
+    };
+    return noted(label, clamped(finiteEdit({value, 1}, draw), value, lowest, highest, flags));
 }
 inline bool dragFloat(const char* label, float* value, float speed, float lowest, float highest,
                       const char* format, ImGuiSliderFlags flags = 0) {
-    const auto draw = [&] { return ImGui::DragFloat(label, value, speed, lowest, highest, format, flags); };
-    return noted(label, finiteEdit({value, 1}, draw));
+    const auto draw = [&] {
+        return ImGui::DragFloat(label, value, speed, lowest, highest, format,
+                                flags & ~ImGuiSliderFlags_AlwaysClamp);
+    };
+    return noted(label, clamped(finiteEdit({value, 1}, draw), value, lowest, highest, flags));
 }
 /// An area that draws nothing itself, for instance for a plot.
 inline bool area(const char* label, ImVec2 size) { return noted(label, ImGui::InvisibleButton(label, size)); }

@@ -26,11 +26,11 @@ void drawLensRows(Workspace& workspace) {
     labelledRow("f-number");
     ui::sliderFloat("##fNumber", &camera.lens->fNumber, 0.1f, 64.0f, "%.2g", kFlags);
     labelledRow("Focal length");
-    ui::dragFloat("##focal", &camera.lens->focalLength, 0.01f * camera.lens->focalLength, 1e-6f, 1e6f,
-                  "%.4g");
+    ui::dragFloat("##focal", &camera.lens->focalLength, 0.01f * camera.lens->focalLength, 1e-6f, 1e6f, "%.4g",
+                  kClamp);
     labelledRow("Focus distance");
     ui::dragFloat("##focus", &camera.lens->focusDistance, 0.01f * camera.lens->focusDistance, 1e-6f, 1e9f,
-                  "%.4g");
+                  "%.4g", kClamp);
     if (ui::button("Focus on a pixel...", {-1.0f, 0.0f})) workspace.commands.push_back(Command::FocusOnPixel);
     tooltip(infoOf(Command::FocusOnPixel).help);
 }

@@ -122,8 +122,8 @@ bool Workspace::raysStepIsLast(const RaysSteps& steps) const {
     return !steps.empty() && steps.back().position == history.position();
 }
 
-void Workspace::changeRays(DebugRays::Shown shown) {
-    undoneByUndo_.push_back({history.position(), rays.exchange(std::move(shown))});
+void Workspace::changeRays(DebugRays::Shown wanted) {
+    undoneByUndo_.push_back({history.position(), rays.exchange(std::move(wanted))});
     if (undoneByUndo_.size() > kMaxRaysSteps) undoneByUndo_.erase(undoneByUndo_.begin());
     undoneByRedo_.clear();
 }

@@ -138,7 +138,7 @@ struct Workspace {
     static constexpr std::size_t kMaxRaysSteps = 20;
 
     bool raysStepIsLast(const RaysSteps& steps) const;
-    void changeRays(DebugRays::Shown shown);
+    void changeRays(DebugRays::Shown wanted);
     void exchangeRays(RaysSteps& from, RaysSteps& to);
 
     RaysSteps undoneByUndo_, undoneByRedo_;
