@@ -173,7 +173,7 @@ TEST(StandardStreams, LackOfMemoryIsOneLine) {
         if (result.err.find("AddressSanitizer") != std::string::npos || result.exitCode == 127) GTEST_SKIP();
         EXPECT_EQ(result.exitCode, 2) << arguments << "\n" << result.err;
         EXPECT_THAT(result.err, HasSubstr("error: out of memory")) << arguments;
-        EXPECT_THAT(result.err, HasSubstr("--size")) << arguments;
+        EXPECT_THAT(result.err, HasSubstr("; use ")) << arguments;
         EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     }
 }

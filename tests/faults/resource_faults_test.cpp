@@ -8,7 +8,7 @@
 namespace rayscope::test {
 namespace {
 
-constexpr std::uint64_t kAllocations = 40, kThreads = 20;
+constexpr std::uint64_t kAllocations = 25, kThreads = 20;
 
 const auto kNameOf = [](const testing::TestParamInfo<FaultyCommand>& info) { return info.param.name; };
 
