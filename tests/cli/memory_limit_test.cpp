@@ -31,9 +31,9 @@ void expectOutOfMemory(const TemporaryFolder& folder, const std::string& command
 
 TEST(MemoryLimit, IsCheckedBeforeLargeAllocations) {
     const TemporaryFolder folder;
-    folder.write(
-        "terrain.toml",
-        "version = 1\n[[camera]]\n[[mesh]]\ngenerate = { shape = \"terrain\", cells = [4000, 4000] }\n");
+    folder.write("terrain.toml",
+                 "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\n[[mesh]]\ngenerate = { shape = "
+                 "\"terrain\", cells = [4000, 4000] }\n");
     const std::string size = " --memory-limit 300M ";
     expectOutOfMemory(folder, "rayscope render builtin:triangle -o o.png --spp 1 --size 8000x8000" + size,
                       "a film of 8000 x 8000 pixels needs 4.4 GB, but only");
@@ -49,13 +49,13 @@ TEST(MemoryLimit, IsCheckedBeforeLargeAllocations) {
 
 TEST(MemoryLimit, CoversImagesThatAreRead) {
     const TemporaryFolder folder;
-    writeImage((folder / "large.png").string(), RgbImage(7000, 7000));
-    expectOutOfMemory(folder, "rayscope compare large.png large.png --memory-limit 200M",
-                      "large.png with 7000 x 7000 pixels needs 588 MB");
+    writeImage((folder / "large.png").string(), RgbImage(3000, 3000));
+    expectOutOfMemory(folder, "rayscope compare large.png large.png --memory-limit 90M",
+                      "large.png with 3000 x 3000 pixels needs 108 MB");
     folder.write("scene.toml",
-                 "version = 1\n[[camera]]\n[material.m]\nkd_texture = \"large.png\"\n"
+                 "version = 1\n[[camera]]\nlook_from = [0, 0, 3]\n[material.m]\nkd_texture = \"large.png\"\n"
                  "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"m\"\n");
-    expectOutOfMemory(folder, "rayscope info scene.toml --memory-limit 200M", "large.png");
+    expectOutOfMemory(folder, "rayscope info scene.toml --memory-limit 90M", "large.png");
 }
 
 TEST(MemoryLimit, CoversFilesThatGrowWhileTheyAreRead) {
