@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # scripts/portable_archive.sh BUILD FOLDER: packs the program of a build folder with the shared libraries that other
 # distributions may lack, as FOLDER/rayscope-VERSION-SYSTEM.tar.gz. It runs from any place where the C and the C++ library are
-# as new as here; the window needs the system's OpenGL and X11 or Wayland.
+# as new as here and libX11 is installed, which the library of the window is linked with; the window also needs OpenGL.
 set -euo pipefail
 (($# == 2)) || { echo "usage: portable_archive.sh BUILD FOLDER" >&2; exit 1; }
 build=$1 folder=$2
@@ -18,8 +18,9 @@ program=$staging/$name/bin/rayscope
 libraries=$staging/$name/lib/rayscope
 mkdir -p "$libraries"
 
-# Libraries that belong to the system: those of C and C++, because drivers load them too, and those of the graphics.
-ours() { ! grep -qE '^(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|GL|EGL|GLX|OpenGL|GLdispatch|X[a-z0-9A-Z-]*|xcb[a-z0-9-]*|wayland-[a-z]*|drm|vulkan)\.so)' <<<"$1"; }
+# Libraries that belong to the system: those of C and C++, because drivers load them too, and those of the graphics
+# with what they need (libbsd, libmd).
+ours() { ! grep -qE '^(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|stdc\+\+|gcc_s|GL|EGL|GLX|OpenGL|GLdispatch|X[a-z0-9A-Z-]*|xcb[a-z0-9-]*|wayland-[a-z]*|drm|vulkan|bsd|md)\.so)' <<<"$1"; }
 while read -r library path; do
     [[ $path != not ]] || { echo "error: $library is not installed" >&2; exit 2; }
     ours "$library" || continue

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# In a minimal system of this distribution, made by debootstrap: the portable archive runs without any further package, the
-# Debian package installs with its dependencies and runs, its completions load, and purging it leaves nothing behind.
+# In a minimal system of this distribution, made by debootstrap: the portable archive needs only libX11, the Debian
+# package installs with its dependencies and runs, its completions load, and purging it leaves nothing behind.
 set -euo pipefail
 ((EUID == 0)) || { echo "debootstrap needs root"; exit 77; }
 for tool in debootstrap patchelf; do
@@ -26,6 +26,7 @@ inside() { chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root
 picture=(render builtin:cornell-area --size 64x48 --spp 4 -q -o)
 "$BUILD/rayscope" "${picture[@]}" "$folder/built.pfm"
 
+inside apt-get install -qq -y --no-install-recommends libx11-6 >"$folder/log" 2>&1 || fail "$(tail "$folder/log")"
 inside sh -c 'mkdir /opt/portable && tar -xf /tmp/rayscope-*.tar.gz -C /opt/portable --strip-components=1'
 inside /opt/portable/bin/rayscope "${picture[@]}" /tmp/portable.pfm
 cmp "$system/tmp/portable.pfm" "$folder/built.pfm"

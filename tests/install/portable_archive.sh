@@ -15,8 +15,8 @@ place=$(echo "$folder/a place"/*)
 [[ $(basename "$place") == rayscope-* ]] || fail "the archive does not hold one folder: $place"
 
 # Everything but the C and C++ libraries and the graphics comes from the archive.
-foreign=$(env -i ldd "$place/bin/rayscope" | awk '/=>/ {print $3}' | grep -v "^$place/" |
-    grep -vE '/(libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s|libGL|libEGL|libGLX|libOpenGL|libGLdispatch|libX[^/]*|libxcb[^/]*|libwayland[^/]*)\.so') || true
+foreign=$(env -i ldd "$place/bin/rayscope" | sed -n 's/.* => \(.*\) (0x.*/\1/p' | grep -v "^$place/" |
+    grep -vE '/(libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s|libGL|libEGL|libGLX|libOpenGL|libGLdispatch|libX[^/]*|libxcb[^/]*|libwayland[^/]*|libbsd|libmd)\.so') || true
 [[ -z $foreign ]] || fail "the archive lacks: $foreign"
 for library in fmt tbb OpenEXR png16; do
     [[ -n $(find "$place/lib/rayscope" -name "lib$library*.so*") ]] || fail "the archive lacks lib$library"
