@@ -28,7 +28,7 @@ TEST(CommandLine, HelpAndVersion) {
                                       "kernels: scalar.*; auto selects .*\nlibraries: fmt [0-9].*\n"));
     for (const char* library :
          {"GLM", "JSON for Modern C++", "libjpeg", "libpng", "oneTBB", "OpenEXR", "toml++", "zlib"})
-        EXPECT_THAT(version.out, testing::ContainsRegex(std::string(library) + " [0-9]"));
+        EXPECT_THAT(version.out, HasSubstr(std::string(library) + " "));
 }
 
 TEST(CommandLine, UsageErrorsExitWithOneAndSuggestTheNearestName) {

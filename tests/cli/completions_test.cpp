@@ -21,7 +21,7 @@ using Offers = std::string(const TemporaryFolder& folder, const std::string& lin
 
 std::string bashOffers(const TemporaryFolder& folder, const std::string& line) {
     folder.write("try.sh",
-                 "source script\ncompopt() { :; }\nCOMP_LINE='" + line +
+                 "source ./script\ncompopt() { :; }\nCOMP_LINE='" + line +
                      "'\nCOMP_POINT=${#COMP_LINE}\n_rayscope\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
     return run(folder, "rayscope completions bash >script && bash try.sh").out;
 }
@@ -30,7 +30,7 @@ std::string fishOffers(const TemporaryFolder& folder, const std::string& line) {
     return run(folder,
                "rayscope completions fish >script && HOME=$PWD fish --no-config -c 'source script; "
                "complete -C \"" +
-                   line + "\"'")
+                   line + "\"' | cut -f 1")
         .out;
 }
 

@@ -46,7 +46,7 @@ TEST(ManualPage, ListsWhatHelpLists) {
         EXPECT_THAT(section, HasSubstr(std::string(command.summary)));
         EXPECT_THAT(section, HasSubstr(list.details()));
         for (const Option& option : list.options())
-            EXPECT_THAT(section, HasSubstr(".B " + headOf(option) + "\n" + helpOf(option) + "\n"));
+            EXPECT_THAT(section + "\n", HasSubstr(".B " + headOf(option) + "\n" + helpOf(option) + "\n"));
     });
     for (const char* const code : {"0", "1", "2", "3", "4", "5", "130"})
         EXPECT_THAT(between(page, ".SH EXIT STATUS\n", ".SH"), HasSubstr(std::string(".B ") + code + "\n"));
