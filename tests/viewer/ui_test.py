@@ -1180,7 +1180,7 @@ def test_pixel_commands(viewer):
     viewer.click("Record rays of a pixel...")
     viewer.rect("Rays/Recorded rays")
     viewer.key("Escape")
-    wait_for("no request", lambda: not viewer.says("click a pixel"))
+    wait_for("no request", lambda: not viewer.says("Record rays: click a pixel"))
     viewer.key("Home")
     wait_for("the camera of the file", lambda: viewer.settled_picture().differing(bare) == 0)
     viewer.point(360, 300)
