@@ -158,6 +158,9 @@ void Application::drawPanelEdge(const Layout& parts) {
     const float width = scaled(6.0f);
     const ImVec2 start = ImGui::GetCursorPos();
     ImGui::SetCursorPos({layout_.panelOnLeft ? parts.panelWidth - width : 0.0f, 0.0f});
+    // Dear ImGui clips half of the padding of the window, and what is clipped cannot be grabbed.
+    const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, false);
     ui::noted("Panel edge", ImGui::InvisibleButton("##edge", {width, parts.pictureSize.y}));
     const bool active = ImGui::IsItemActive();
     if (ImGui::IsItemHovered() || active) {
@@ -165,6 +168,7 @@ void Application::drawPanelEdge(const Layout& parts) {
         ImGui::GetWindowDrawList()->AddRectFilled(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
                                                   ImGui::GetColorU32(ImGuiCol_SeparatorHovered));
     }
+    ImGui::PopClipRect();
     const float wider = ImGui::GetIO().MouseDelta.x * (layout_.panelOnLeft ? 1.0f : -1.0f) / scaled(1.0f);
     if (active)
         layout_.panelWidth = std::clamp(layout_.panelWidth + wider, WindowLayout::kMinPanelWidth,
