@@ -50,9 +50,9 @@ class RandomSequence {
         moving_ = false;
         workspace_.view.traced = true;
         workspace_.rays.frozen = false;
-        if (workspace_.render.paused()) workspace_.render.togglePause();
-        if (workspace_.render.status().state == RenderState::Idle) workspace_.edit.camera.fov += 0.25f;
         for (frame(); !isSettled(); frame()) {
+            // A pause takes effect some time after it was asked for.
+            if (workspace_.render.paused()) workspace_.render.togglePause();
             ASSERT_LT(Clock::now(), end) << "never complete";
             std::this_thread::sleep_for(std::chrono::microseconds(200));
         }
@@ -62,7 +62,11 @@ class RandomSequence {
         const RenderRequest wanted = requestOf(workspace_.edit, size().x, size().y);
         EXPECT_TRUE(differencesOf(shown, wanted).empty());
         EXPECT_FALSE(workspace_.rays.isOutdated(workspace_.edit));
+        save();
+        while (workspace_.saves.busy()) frame();
         checkFiles();
+        // A light that was moved has no command line.
+        if (workspace_.edit.scene->edited && below(2)) workspace_.edit = opened(kScenes[below(5)]);
     }
 
     int filesWithCommand() const { return filesWithCommand_; }
@@ -109,7 +113,7 @@ class RandomSequence {
             case 10:
                 return record();
             default:
-                return interrupt();
+                return workspace_.render.togglePause();
         }
     }
 
@@ -202,16 +206,6 @@ class RandomSequence {
         if (const auto picture = workspace_.render.currentPicture())
             workspace_.rays.recordPixel(*picture, workspace_.edit.settings.spp,
                                         {below(size().x), below(size().y), 0}, DebugRays::Compare::WithFilm);
-    }
-
-    void interrupt() {
-        switch (below(3)) {
-            case 0:
-                workspace_.render.session().cancel();
-                break;
-            default:
-                workspace_.render.togglePause();
-        }
     }
 
     void check() {
