@@ -29,14 +29,31 @@ RAYSCOPE_INLINE void visitLeafForAll(const WideTreeView& tree, FastShear& shear,
     }
 }
 
+/// Children in any order. A loop of its own beside traverseAny(), which takes 9 % more instructions as an
+/// instance of a common one.
+template <class BoxLanes>
+RAYSCOPE_INLINE void traverseAll(const WideTreeView& tree, const BoxLanes& lanes, const QueryState& state,
+                                 CrossingSink sink) {
+    ChildRef stack[kStackSize];
+    stack[0] = tree.root;
+    FastShear shear{};
+    for (int stackSize = 1; stackSize > 0;) {
+        const ChildRef ref = stack[--stackSize];
+        if (ref & kTagMask) {
+            visitLeafForAll(tree, shear, ref, state, sink);
+        } else {
+            const WideNode& node = tree.nodes[ref];
+            Lanes entry;
+            const unsigned mask = intersectChildren(node, lanes, state.bound, entry);
+            stackSize += static_cast<int>(compress(mask, node.child, stack + stackSize));
+        }
+    }
+}
+
 void crossings(const WideTreeView& tree, RayData ray, CrossingSink sink) {
     if (!isTraceable(ray)) return;
     withPreparedRay(tree, ray, [&](const auto& lanes, const QueryState& state) {
-        FastShear shear{};
-        traverseUnordered(tree, tree.root, lanes, state, [&](ChildRef leaf) {
-            visitLeafForAll(tree, shear, leaf, state, sink);
-            return false;
-        });
+        traverseAll(tree, lanes, state, sink);
     });
 }
 

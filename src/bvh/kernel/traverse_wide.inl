@@ -198,17 +198,17 @@ RAYSCOPE_INLINE void traverseClosest(const WideTreeView& tree, ChildRef from, co
     }
 }
 
-/// Children in any order, until `visit(leaf)` returns true. Returns whether it did.
-template <class BoxLanes, class Visit, TraversalObserver O = NullTraversalObserver>
-RAYSCOPE_INLINE bool traverseUnordered(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                       const QueryState& state, const Visit& visit, O&& observer = {}) {
+/// Children in any order, up to the first hit.
+template <class BoxLanes, TraversalObserver O = NullTraversalObserver>
+RAYSCOPE_INLINE bool traverseAny(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
+                                 FastShear& shear, QueryState& state, O&& observer = {}) {
     ChildRef stack[kStackSize];
     int stackSize = 0;
     ChildRef ref = from;
     while (true) {
         if constexpr (isObserved<O>) observer.visit(ref, state.best.t);
         if (ref & kTagMask) {
-            if (visit(ref)) return true;
+            if (visitLeaf<true>(tree, shear, ref, state, observer)) return true;
         } else {
             const WideNode& node = tree.nodes[ref];
             Lanes entry;
@@ -223,14 +223,6 @@ RAYSCOPE_INLINE bool traverseUnordered(const WideTreeView& tree, ChildRef from, 
         if (stackSize == 0) return false;
         ref = stack[--stackSize];
     }
-}
-
-/// Up to the first hit.
-template <class BoxLanes, TraversalObserver O = NullTraversalObserver>
-RAYSCOPE_INLINE bool traverseAny(const WideTreeView& tree, ChildRef from, const BoxLanes& lanes,
-                                 FastShear& shear, QueryState& state, O&& observer = {}) {
-    const auto visit = [&](ChildRef leaf) { return visitLeaf<true>(tree, shear, leaf, state, observer); };
-    return traverseUnordered(tree, from, lanes, state, visit, observer);
 }
 
 /// Calls `traverse` with a query and the ray in all lanes, prepared in float where its numbers are in range.
