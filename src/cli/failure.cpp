@@ -36,14 +36,10 @@ void printOutOfMemory(const std::bad_alloc& error) noexcept {
     base::writeMessage("\n");
 }
 
-void printNoThread() noexcept {
-    base::writeMessage(
-        "error: the system does not start more threads or has no memory for them; try fewer with "
-        "--threads\n");
-}
-
 /// oneTBB reports a thread that cannot be created as a runtime_error with the name of the function.
-bool isAboutThreads(const std::exception& error) {
+bool isAboutThreads(const std::exception& error) noexcept {
+    if (const auto* const system = dynamic_cast<const std::system_error*>(&error))
+        return system->code() == std::errc::resource_unavailable_try_again;
     return std::strstr(error.what(), "pthread_create") != nullptr;
 }
 
@@ -61,6 +57,12 @@ bool isAboutThreads(const std::exception& error) {
 
 }  // namespace
 
+const char* messageOf(const std::exception& error) noexcept {
+    return isAboutThreads(error) ? "the system does not start more threads or has no memory for them; try "
+                                   "fewer with --threads"
+                                 : error.what();
+}
+
 int reportFailure() noexcept {
     try {
         throw;
@@ -73,16 +75,8 @@ int reportFailure() noexcept {
         printOutOfMemory({});
     } catch (const Stopped&) {
         return kInterrupted;
-    } catch (const std::system_error& error) {
-        if (error.code() == std::errc::resource_unavailable_try_again)
-            printNoThread();
-        else
-            printError(error.what());
     } catch (const std::exception& error) {
-        if (isAboutThreads(error))
-            printNoThread();
-        else
-            printError(error.what());
+        printError(messageOf(error));
     } catch (...) {
         printError("unknown exception");
     }

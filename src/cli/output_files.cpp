@@ -14,6 +14,7 @@
 #include "base/memory_budget.h"
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/failure.h"
 
 namespace rayscope::cli {
 
@@ -111,7 +112,7 @@ void OutputFiles::write(const std::string& name, const std::function<void()>& wo
     } catch (const Stopped&) {
         throw;
     } catch (const std::exception& error) {
-        base::printMessage("{}\n", toString({Severity::Error, error.what(), {name}}));
+        base::printMessage("{}\n", toString({Severity::Error, messageOf(error), {name}}));
     }
     failed_ = true;
 }
