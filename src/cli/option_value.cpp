@@ -142,6 +142,8 @@ std::string expectationOf(const Option& option) {
         [&](const std::optional<float>*) { return withRange("a number", option); },
         [&](const std::optional<double>*) { return withRange("a number", option); },
         [&](const std::optional<glm::vec3>*) {
+            const std::string range = rangeText(option.range);
+            if (!range.empty()) return fmt::format("{}, 3 numbers {}", option.valueForm, range);
             return fmt::format("{}, 3 numbers from -{:.4g} to {:.4g}", option.valueForm, kLargestFloat,
                                kLargestFloat);
         },

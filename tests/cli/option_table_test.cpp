@@ -127,7 +127,7 @@ TEST(OptionTable, HasTheNumberOptionsThatThisTestIsAbout) {
                              "--rays",       "--fail-above",
                              "--tile",       "--range",
                              "--exposure",   "--pixels-per-degree",
-                             "--lens"})
+                             "--lens",       "--neighbourhood"})
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -175,7 +175,8 @@ TEST(OptionTable, LimitsAreAcceptedAndTheirOuterNeighboursRefused) {
         const auto text = [&](double value) {
             return number.isInteger ? fmt::format("{:.0f}", value) : fmt::format("{}", value);
         };
-        const bool isFloat = holds<float*>(*number.option) || holds<std::optional<float>*>(*number.option);
+        const bool isFloat = holds<float*>(*number.option) || holds<std::optional<float>*>(*number.option) ||
+                             holds<std::optional<glm::vec3>*>(*number.option);
         const auto neighbour = [&](double value, double towards) {
             if (number.isInteger) return value + (towards > value ? 1.0 : -1.0);
             if (isFloat)
