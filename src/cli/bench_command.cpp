@@ -65,7 +65,7 @@ std::string settingText(const measure::BenchRow& row, std::string_view key) {
 }
 
 nlohmann::json json(const measure::BenchRow& row) {
-    nlohmann::json rays;
+    nlohmann::json rays = nlohmann::json::object();
     std::size_t different = 0;
     for (const measure::RayTiming& timing : row.rays) {
         rays[std::string(measure::benchNameOf(timing.kind))] = json(timing);

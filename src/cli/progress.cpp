@@ -21,7 +21,7 @@ std::string barText(double fraction) {
 }
 
 std::string jsonText(const ProgressReport& report) {
-    nlohmann::json event;
+    nlohmann::json event = nlohmann::json::object();
     for (const auto& [name, value] : report.fields)
         std::visit([&](const auto& v) { event[std::string(name)] = v; }, value);
     return base::jsonText(event, -1);

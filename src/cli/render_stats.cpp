@@ -9,7 +9,7 @@ namespace rayscope::cli {
 
 std::string renderStatsJson(const RenderRequest& request, const RenderStatus& status,
                             const trace::World& world, int threads, double totalSeconds) {
-    nlohmann::json settings;
+    nlohmann::json settings = nlohmann::json::object();
     for (const std::string_view key : settingKeys())
         settings[std::string(key)] = textOf(request.settings, key);
     nlohmann::json motionGroups = nlohmann::json::array();

@@ -103,10 +103,13 @@ std::string labText(const LabResult& r) {
     return text;
 }
 
+// Objects are created as such: if memory ends while the library turns a null into an object, it destroys what
+// it has not created.
 std::string labJson(const LabResult& r) {
-    nlohmann::json testPoints = nlohmann::json::array(), failures = nlohmann::json::array(), ranges, totals;
+    nlohmann::json testPoints = nlohmann::json::array(), failures = nlohmann::json::array(),
+                   ranges = nlohmann::json::object(), totals = nlohmann::json::object();
     for (const LabTestPoint& testPoint : r.testPoints) {
-        nlohmann::json methods;
+        nlohmann::json methods = nlohmann::json::object();
         for (const LabMethod method : kLabMethods)
             methods[infoOf(method).name] = toJson(testPoint.of(method));
         testPoints.push_back({{"scale_exponent", testPoint.transform.scale},

@@ -21,7 +21,7 @@ nlohmann::json toJson(const Interval& i) {
 }
 
 nlohmann::json toJson(const TradeResult& result, const TradePoint& p) {
-    nlohmann::json settings;
+    nlohmann::json settings = nlohmann::json::object();
     for (const std::string_view key : settingKeys()) settings[std::string(key)] = textOf(p.settings, key);
     return {{"name", p.name},
             {"role", kRoles[static_cast<int>(p.role)]},
