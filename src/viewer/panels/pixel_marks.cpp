@@ -46,7 +46,7 @@ void drawPixelMarks(const Workspace& workspace, glm::vec2 origin, double unit) {
     for (const PixelMark& mark : pixelMarks(workspace)) {
         const glm::vec2 at = origin + mark.pixel / static_cast<float>(unit);
         const float radius = scaled(mark.recorded ? 7.0f : 5.0f);
-        const ImU32 color = mark.recorded ? IM_COL32(242, 230, 89, 255) : IM_COL32(230, 159, 0, 255);
+        const ImU32 color = mark.recorded ? IM_COL32_WHITE : IM_COL32(230, 159, 0, 255);
         draw.AddCircle({at.x, at.y}, radius, IM_COL32(0, 0, 0, 200), 0, scaled(3.0f));
         draw.AddCircle({at.x, at.y}, radius, color, 0, scaled(1.5f));
         if (!mark.label.empty())
