@@ -7,7 +7,7 @@ namespace rayscope::base {
 
 namespace {
 
-constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::string_view kBase64Digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::string base64Encoded(std::string_view bytes) {
         for (std::size_t k = 0; k < 3; ++k)
             bits = bits << 8 | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0u);
         for (std::size_t k = 0; k < 4; ++k)
-            text += k <= group.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+            text += k <= group.size() ? kBase64Digits[bits >> (18 - 6 * k) & 63] : '=';
     }
     return text;
 }
@@ -28,8 +28,8 @@ std::string base64Encoded(std::string_view bytes) {
 std::optional<std::string> base64Decoded(std::string_view text) {
     std::array<int, 256> values;
     values.fill(-1);
-    for (std::size_t i = 0; i < kDigits.size(); ++i)
-        values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < kBase64Digits.size(); ++i)
+        values[static_cast<unsigned char>(kBase64Digits[i])] = static_cast<int>(i);
     while (text.ends_with('=')) text.remove_suffix(1);
     if (text.size() % 4 == 1) return std::nullopt;
     std::string result;
