@@ -47,7 +47,7 @@ TEST(ShownPicture, HasTheSamplesOfItsLabelAfterTheNumberOfSamplesWasLowered) {
     const RgbImage sixteen = view.workspace.shown.image();
     view.workspace.edit.settings.spp = 1;
     view.frame();
-    EXPECT_EQ(noticeOf(view.workspace.shown, view.workspace.edit, {96, 64}),
+    EXPECT_EQ(noticeOf(view.workspace.shown, view.workspace.edit, {96, 64}, 1),
               "previous picture with 16 samples per pixel");
     view.settle();
     EXPECT_EQ(view.workspace.shown.leastSamples(), 1);
@@ -95,7 +95,7 @@ TEST(ShownPicture, NeverMixesTwoViews) {
             if (shown.source()->request().camera == beforeRequest.camera) {
                 ASSERT_FALSE(replaced) << "the earlier view does not come back";
                 ASSERT_EQ(shown.image().pixels, before.pixels) << "the earlier view stays whole";
-                ASSERT_EQ(noticeOf(shown, view.workspace.edit, {160, 96}), "previous view");
+                ASSERT_EQ(noticeOf(shown, view.workspace.edit, {160, 96}, 1), "previous view");
                 continue;
             }
             replaced = true;

@@ -28,13 +28,10 @@ bool isSameImage(const RenderRequest& a, const RenderRequest& b) {
     return isSameFrame(a, b) && a.settings.spp == b.settings.spp;
 }
 
-/// The number of samples of a picture that stops at an error target.
-constexpr int kMaxSamples = 1 << 16;
-
 RenderRequest fullRequest(const RenderControl::ViewRequest& viewRequest) {
     RenderRequest request = requestOf(viewRequest.state, viewRequest.width, viewRequest.height);
     if (viewRequest.stopCriteria.byError && !sampling::dependsOnSampleCount(request.settings.sampler))
-        request.settings.spp = kMaxSamples;
+        request.settings.spp = RenderControl::kMaxSamples;
     return request;
 }
 

@@ -26,6 +26,9 @@ struct StopCriteria {
 /// rasterised view is shown, which keeps the world compiled for debug rays.
 class RenderControl {
   public:
+    /// Samples per pixel, at most, of a picture that stops at an error target.
+    static constexpr int kMaxSamples = 1 << 16;
+
     /// `threads` 0 traces on all cores, but leaves one to the window while something moves.
     explicit RenderControl(int threads);
 

@@ -153,7 +153,7 @@ std::string samplesText(const StillPicture& picture) {
     return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
 }
 
-std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ivec2 size) {
+std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ivec2 size, int mostSamples) {
     const RenderRequest* request = shown.request();
     if (request == nullptr) return "";
     const RenderRequest full = requestOf(state, size.x, size.y);
@@ -164,7 +164,7 @@ std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ive
         return isSameView(*request, full) ? "previous size" : "previous settings";
     }
     if (*divisor > 1) return fmt::format("preview: 1/{} of the resolution", *divisor);
-    if (const int samples = shown.mostSamples(); samples > full.settings.spp)
+    if (const int samples = shown.mostSamples(); samples > mostSamples)
         return fmt::format("previous picture with {} samples per pixel", samples);
     if (state.settings.bloom && !shown.bloomShown()) return "without bloom";
     return "";

@@ -81,7 +81,8 @@ class ShownPicture {
 std::string samplesText(const StillPicture& picture);
 
 /// What the picture in the view is, if it is not the complete picture of the state in this size: "previous
-/// view", "preview: 1/8 of the resolution" …; otherwise empty.
-std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ivec2 size);
+/// view", "preview: 1/8 of the resolution" …; otherwise empty. The complete picture has at most `mostSamples`
+/// samples per pixel.
+std::string noticeOf(const ShownPicture& shown, const EditState& state, glm::ivec2 size, int mostSamples);
 
 }  // namespace rayscope::viewer

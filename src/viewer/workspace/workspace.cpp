@@ -181,7 +181,9 @@ void Workspace::saveTracedPicture(const std::string& path) {
 std::string tracedNotice(const Workspace& workspace) {
     const bool heat = workspace.heat.image() != nullptr;
     if (!workspace.view.traced || heat) return "";
-    return noticeOf(workspace.shown, workspace.edit, workspace.imageSize());
+    const int mostSamples =
+        workspace.stopCriteria.byError ? RenderControl::kMaxSamples : workspace.edit.settings.spp;
+    return noticeOf(workspace.shown, workspace.edit, workspace.imageSize(), mostSamples);
 }
 
 void Workspace::undo() {
