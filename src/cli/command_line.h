@@ -105,8 +105,8 @@ class OptionList {
 /// A sub-command of the program.
 struct Command {
     std::string_view name, summary;
-    /// Adds the options and returns the function that runs the command with what they were set to; its result
-    /// is the exit code. The list must outlive the function.
+    /// Adds the options and returns the function that runs the command with what they were set to and owns
+    /// the variables that they set; its result is the exit code. The list must outlive the function.
     std::function<int()> (*setUp)(OptionList& options);
 };
 

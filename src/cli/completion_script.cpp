@@ -38,7 +38,7 @@ void forEachCommand(std::span<const Command> commands, Visit visit) {
         OptionList list;
         bool help = false;
         list.add("-h,--help", &help, "Print the options of the command");
-        command.setUp(list);
+        const std::function<int()> owner = command.setUp(list);  // of the variables behind the options
         visit(command, list.options());
     }
 }

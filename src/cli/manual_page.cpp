@@ -36,7 +36,7 @@ std::string entry(std::string_view head, std::string_view text) {
 
 std::string commandSection(const Command& command) {
     OptionList list;
-    command.setUp(list);
+    const std::function<int()> owner = command.setUp(list);  // of the variables behind the options
     std::string text =
         fmt::format(".SS {}\n{}.\n", escaped(usageOf(command, list)), escaped(command.summary));
     if (!list.details().empty()) text += paragraph(list.details());

@@ -69,6 +69,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
 
 }  // namespace
 
+// GCC does not see that allocate() calls malloc().
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void* operator new(std::size_t size) { return allocate(size, 1); }
 void* operator new[](std::size_t size) { return allocate(size, 1); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
