@@ -691,6 +691,9 @@ def test_trade(viewer):
     def is_ring_white(r, g, b):
         return min(r, g, b) > 225
 
+    def charts():
+        return [viewer.capture().crop(*viewer.rect("Chart"))] if viewer.says("Chart") else []
+
     viewer.click("Settings")
     viewer.click("Quality-speed study")
     # In the first budget a busy machine may measure too little for a line.
@@ -698,15 +701,15 @@ def test_trade(viewer):
         viewer.type_into("Time budget", budget)
         viewer.click("Measure quality and speed")
         viewer.point(100, 600)
-        chart = wait_for("the chart with presets", lambda: next(
-            (shown for shown in [viewer.capture().crop(*viewer.rect("Chart"))] if shown.count(is_preset_orange) > 25), None))
+        chart = wait_for("the chart with presets",
+                         lambda: next((shown for shown in charts() if shown.count(is_preset_orange) > 25), None))
         if chart.count(is_front_blue) > 40:
             break
     expect(chart.count(is_front_blue) > 40, "the Pareto front is a line")
     viewer.click(viewer.within("Quality/Preset##preset", 0.02))
     viewer.point(100, 600)
-    ring = wait_for("the position of the first preset", lambda: next(
-        (shown for shown in [viewer.capture().crop(*viewer.rect("Chart"))] if shown.count(is_ring_white) > 15), None))
+    ring = wait_for("the position of the first preset",
+                    lambda: next((shown for shown in charts() if shown.count(is_ring_white) > 15), None))
     expect(ring.differing(chart) > 15, "the ring moved")
 
 
@@ -933,26 +936,28 @@ def test_vertex_colors(viewer):
             viewer.key("Tab")
 
 
-BLOOM_STAGES = "thresholded", "filtered", "added"
-
-
 def test_bloom_stages(viewer):
+    def stage(name, is_new):
+        """The picture of a stage: bloom is computed in the background, so the picture of before stays for a while."""
+        viewer.choose("Bloom stage", name)
+        viewer.point(*ASIDE)
+        return wait_for(f"the stage {name}", lambda: next(
+            (picture for picture in [viewer.settled_picture()] if is_new(picture)), None))
+
     viewer.click("Settings")
     viewer.key("Tab")
     viewer.scroll_to_end(PANEL)
-    stages = []
-    for stage in BLOOM_STAGES:
-        viewer.choose("Bloom stage", stage)
-        viewer.point(*ASIDE)
-        stages.append(viewer.settled_picture())
-    thresholded, filtered, added = stages
-    lit = [stage.count(is_lit) for stage in stages]
+    viewer.point(*ASIDE)
+    everything = viewer.settled_picture().count(is_lit)
+    thresholded = stage("thresholded", lambda picture: picture.count(is_lit) < 0.8 * everything)
+    filtered = stage("filtered", lambda picture: picture.data != thresholded.data)
+    lit = thresholded.count(is_lit), filtered.count(is_lit)
     expect(0 < lit[0] < lit[1], f"the filter spreads what is above the threshold {lit}")
-    expect(added.data != filtered.data, "the last stage is another one")
+    stage("added", lambda picture: picture.data != filtered.data)
     viewer.click("Bloom debug")
     viewer.point(*ASIDE)
-    whole = wait_for("the picture with bloom", lambda: viewer.settled_picture())
-    expect(whole.brightness() > filtered.brightness(), "the glow is added to the picture")
+    wait_for("the glow that is added to the picture",
+             lambda: viewer.settled_picture().brightness() > filtered.brightness())
 
 
 def is_sky_blue(red, green, blue):
