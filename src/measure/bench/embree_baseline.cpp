@@ -1,4 +1,5 @@
 #include "measure/bench/embree_baseline.h"
+#include "base/memory_budget.h"
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
@@ -12,6 +13,8 @@
 #include <new>
 #include <stdexcept>
 #include <vector>
+
+#include "base/memory_budget.h"
 
 namespace rayscope::measure {
 namespace {
@@ -32,10 +35,12 @@ void startWorkers(int threads) {
     arena.execute([&] { oneapi::tbb::parallel_for(0, 4 * arena.max_concurrency(), [](int) {}); });
 }
 
-/// Throws what Embree reports as an error: that of the device, or without one that of its creation.
+/// Throws what Embree reports as an error: that of the device, or without one that of its creation. A lack of
+/// memory in a worker of TBB is an unknown error to Embree, and nothing else is known to cause one.
 void throwOnError(RTCDevice device) {
     const RTCError error = rtcGetDeviceError(device);
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (error == RTC_ERROR_OUT_OF_MEMORY || error == RTC_ERROR_UNKNOWN)
+        base::throwOutOfMemoryWhile("Embree works, or an error that it does not name", "a smaller scene");
     if (error != RTC_ERROR_NONE || !device)
         throw std::runtime_error(fmt::format("Embree failed with error {}", static_cast<int>(error)));
 }
