@@ -16,7 +16,9 @@ std::function<int()> setUpManual(OptionList& list) {
 
 std::function<int()> setUpCompletions(OptionList& list) {
     auto shell = std::make_shared<std::string>();
-    list.add("SHELL", shell.get(), "The shell: bash, fish or zsh").choices({"bash", "fish", "zsh"}).required();
+    list.add("SHELL", shell.get(), "The shell: bash, fish or zsh")
+        .choices({"bash", "fish", "zsh"})
+        .required();
     list.setDetails(
         "Installed packages have the files in the folders where shells look. For one session: "
         "source <(rayscope completions bash)");
