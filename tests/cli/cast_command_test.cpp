@@ -28,7 +28,7 @@ std::string bytesOf(const std::vector<T>& records) {
 template <class T>
 std::vector<T> recordsOf(const std::string& bytes) {
     std::vector<T> records(bytes.size() / sizeof(T));
-    std::memcpy(records.data(), bytes.data(), records.size() * sizeof(T));
+    if (!records.empty()) std::memcpy(records.data(), bytes.data(), records.size() * sizeof(T));
     return records;
 }
 
