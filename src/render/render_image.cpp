@@ -12,17 +12,6 @@ namespace rayscope {
 
 namespace {
 
-bool isBusy(RenderState state) { return state == RenderState::Compiling || state == RenderState::Rendering; }
-
-/// Completes the tiles in flight; if they take longer than half a second after `stop`, drops them.
-void finishTiles(RenderSession& session, const std::stop_token& stop) {
-    constexpr double kSeconds = 0.05;
-    constexpr int kMostWaits = 10;
-    session.finishTiles();
-    for (int waits = 0; isBusy(session.wait(kSeconds));)
-        if (stop.stop_requested() && ++waits == kMostWaits) session.cancel();
-}
-
 /// Blocks until the session has ended in one of the ways of renderImage(). Returns its last status.
 RenderStatus waitFor(RenderSession& session, const RenderOptions& options) {
     using Clock = std::chrono::steady_clock;
@@ -36,7 +25,8 @@ RenderStatus waitFor(RenderSession& session, const RenderOptions& options) {
         if (state == RenderState::Done) return status;
         const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
         if (options.stop.stop_requested() || (options.timeLimit > 0.0 && elapsed >= options.timeLimit)) {
-            finishTiles(session, options.stop);
+            session.finishTiles();
+            session.wait();
             return session.status();
         }
         if (options.progress) options.progress(status);
