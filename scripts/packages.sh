@@ -22,7 +22,7 @@ test_packages=(
 optional_packages=(
     libembree-dev libbenchmark-dev libgmp-dev mold universal-ctags
     assimp-testmodels assimp-utils
-    lintian patchelf fish zsh debootstrap desktop-file-utils appstream man-db
+    lintian patchelf openimageio-tools fish zsh debootstrap desktop-file-utils appstream man-db
 )
 
 # What scripts/fuzz.sh needs besides build_packages.

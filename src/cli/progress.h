@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "base/quantity_text.h"
+#include "base/duration_text.h"
 
 namespace rayscope::cli {
 

@@ -90,13 +90,17 @@ TEST(Render, WritesTheImageAtTheTimeLimit) {
 
 TEST(Render, ALimitThatStopsNothingIsNoFailure) {
     const TemporaryFolder folder;
-    // One tile with one sample: in flight when the time is over, and complete after it.
+    // One tile with one sample: not started, in flight or complete when the time is over, depending on the
+    // machine.
     const std::string render =
         "rayscope render builtin:cornell-area --set parallelogram_samples=100 --size 32x32 --spp 1 -t 1 ";
     ASSERT_EQ(run(folder, render + "-o whole.pfm").exitCode, 0);
-    const ProgramResult result = run(folder, render + "-o limited.pfm --time-limit 0.1");
-    EXPECT_EQ(result.exitCode, 0) << result.err;
-    EXPECT_EQ(test::readText(folder / "limited.pfm"), test::readText(folder / "whole.pfm"));
+    for (const char* limit : {"0.001", "0.01", "0.03", "0.1", "0.3", "100"}) {
+        const ProgramResult result = run(folder, render + "-o limited.pfm --time-limit " + limit);
+        const bool isWhole = test::readText(folder / "limited.pfm") == test::readText(folder / "whole.pfm");
+        EXPECT_EQ(result.exitCode, isWhole ? 0 : 3) << limit << "\n" << result.err;
+        EXPECT_TRUE(isWhole || limit != std::string("100"));
+    }
 }
 
 TEST(Render, ReachesATargetErrorOrReportsTheLimit) {

@@ -1,6 +1,5 @@
 #include "measure/trade/reference_image.h"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <rayscope/diagnostics.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "measure/trade/content_hash.h"
 #include "measure/trade/film_file.h"
 #include "post/display_transform.h"
+#include "render/ordered_tasks.h"
 #include "render/render_pass.h"
 #include "sampling/hash.h"
 #include "trace/radiance.h"
@@ -124,7 +124,7 @@ bool ReferenceImage::isRendered(const Halves& halves) const {
     constexpr int kMostPixels = 16, kSamples = 1 << 18;
     const int pixels = std::clamp(kSamples / std::max(1, samplesOf(halves)), 1, kMostPixels);
     std::atomic<bool> isEqual{true};
-    oneapi::tbb::parallel_for(0, pixels, [&](int i) {
+    render::runOrderedTasks(pixels, [&](int i) {
         const auto half = static_cast<std::size_t>(i) % halves.size();
         const std::uint64_t random = sampling::hashPair(kSeeds[half], static_cast<std::uint64_t>(i));
         const auto below = [](std::uint64_t value, int end) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/quantity_text.h"
+#include "base/byte_size.h"
 #include "bvh/layout/statistics.h"
 #include "viewer/panels/bvh_panels.h"
 #include "viewer/panels/panels.h"
@@ -79,7 +79,7 @@ void drawBuild(Workspace& workspace, const InspectedTree& inspected) {
     valueRow("Build time", fmt::format("{:.3f} s", inspected.buildSeconds),
              "Of the BVHs of all motion groups, wide trees included; it stays until they are built again.");
     valueRow("SAH cost", fmt::format("{:.3f}", s.sahCost));
-    valueRow("Memory", base::byteText(s.bytes));
+    valueRow("Memory", base::byteSizeText(s.bytes));
 }
 
 bool isAncestor(const probe::TreeIndex& index, std::uint32_t node, std::uint32_t below) {

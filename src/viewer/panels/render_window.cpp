@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/quantity_text.h"
+#include "base/duration_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"

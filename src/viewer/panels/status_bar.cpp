@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/quantity_text.h"
+#include "base/duration_text.h"
 #include "viewer/panels/panels.h"
 #include "viewer/panels/theme.h"
 #include "viewer/panels/widgets.h"

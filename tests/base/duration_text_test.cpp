@@ -1,4 +1,4 @@
-#include "base/quantity_text.h"
+#include "base/duration_text.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace rayscope::base {
 namespace {
 
-TEST(QuantityText, durationsHaveOneFormatWithUnits) {
+TEST(DurationText, HasOneFormatWithUnits) {
     EXPECT_EQ(durationText(0.0), "0.00 s");
     EXPECT_EQ(durationText(-1.0), "0.00 s");
     EXPECT_EQ(durationText(std::nan("")), "0.00 s");
@@ -22,14 +22,6 @@ TEST(QuantityText, durationsHaveOneFormatWithUnits) {
     EXPECT_EQ(durationText(2.0 * 3600.0 + 5.0 * 60.0), "2 h 05 min");
     EXPECT_EQ(durationText(1076.0 * 3600.0 + 42.0 * 60.0 + 38.0), "44 d 20 h");
     EXPECT_EQ(durationText(std::numeric_limits<double>::infinity()), durationText(1e15));
-}
-
-TEST(QuantityText, bytesHaveTheLargestUnitBelowThem) {
-    EXPECT_EQ(byteText(512), "512 bytes");
-    EXPECT_EQ(byteText(1024), "1.0 KiB");
-    EXPECT_EQ(byteText(3442995), "3.3 MiB");
-    EXPECT_EQ(byteText((std::uint64_t{1} << 20) - 1), "1.0 MiB") << "not 1024.0 KiB";
-    EXPECT_EQ(byteText(std::uint64_t{5} << 40), "5120.0 GiB");
 }
 
 }  // namespace

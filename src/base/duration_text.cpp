@@ -1,10 +1,10 @@
-#include "base/quantity_text.h"
+#include "base/duration_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace rayscope::base {
 
@@ -17,15 +17,6 @@ std::string durationText(double seconds) {
     if (minutes < 60) return fmt::format("{} min {:02} s", minutes, whole % 60);
     if (minutes < 48 * 60) return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
     return fmt::format("{} d {:02} h", minutes / (24 * 60), minutes / 60 % 24);
-}
-
-std::string byteText(std::uint64_t bytes) {
-    if (bytes < 1024) return fmt::format("{} bytes", bytes);
-    constexpr std::array kUnits{"KiB", "MiB", "GiB"};
-    double value = static_cast<double>(bytes) / 1024.0;
-    std::size_t unit = 0;
-    for (; value >= 1023.95 && unit + 1 < kUnits.size(); ++unit) value /= 1024.0;
-    return fmt::format("{:.1f} {}", value, kUnits[unit]);
 }
 
 }  // namespace rayscope::base
