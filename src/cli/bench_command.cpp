@@ -12,6 +12,7 @@
 #include "math/vectors.h"
 #include "measure/bench/bench.h"
 #include "measure/bench/embree_baseline.h"
+#include "measure/bench/picture_bench.h"
 #include "render/thread_arena.h"
 #include "trace/compile.h"
 #include "trace/motion_group.h"
@@ -53,6 +54,17 @@ nlohmann::json json(const measure::RayTiming& timing) {
                     {"batched_to_embree_single", json(timing.batchedToSingle)},
                     {"batched_to_embree_best", json(timing.batchedToBest)}});
     return row;
+}
+
+nlohmann::json json(const measure::PictureTiming& timing) {
+    return {{"width", timing.size},
+            {"height", timing.size},
+            {"samples", timing.samples},
+            {"rays", timing.rays},
+            {"picture_mrays_per_s", timing.picture},
+            {"queries_mrays_per_s", timing.queries},
+            {"share", timing.share.value},
+            {"share_interval", json(timing.share)}};
 }
 
 /// The value of a setting as text.
@@ -138,6 +150,12 @@ void print(const measure::BenchRow& row) {
                         timing.nodes, timing.leaves, timing.primitives, timing.exact);
 }
 
+void print(const measure::PictureTiming& timing) {
+    base::print("  {:8} {:>8} {:>8} {:>17}\n", "Mray/s", "whole", "its rays", "share of search");
+    base::print("  {:8} {:8.2f} {:8.2f} {:>17}   {} × {}, {} samples, {} rays\n", "picture", timing.picture,
+                timing.queries, ratio(timing.share), timing.size, timing.size, timing.samples, timing.rays);
+}
+
 /// The centre of the first light, or a point above the scene if there is none.
 glm::vec3 lightOf(const SceneDescription& scene) {
     if (scene.lights.empty()) {
@@ -153,11 +171,15 @@ glm::vec3 lightOf(const SceneDescription& scene) {
     return area.corner + 0.5f * (area.edges[0] + area.edges[1]);
 }
 
-measure::BenchRow benchScene(const std::string& name, const BenchCommandOptions& options) {
+RenderRequest openBenchScene(const std::string& name, const BenchCommandOptions& options) {
     SceneOptions sceneOptions;
     sceneOptions.scene = name;
     sceneOptions.assignments = options.assignments;
-    const RenderRequest request = openScene(sceneOptions, true, progressStyle("", false));
+    return openScene(sceneOptions, true, progressStyle("", false));
+}
+
+measure::BenchRow benchRays(const std::string& name, const RenderRequest& request,
+                            const BenchCommandOptions& options) {
     const auto geometries = trace::makeGeometry(*request.scene, false);
     const AccelInput input = geometries.empty() ? AccelInput{} : geometries[0]->input;
     measure::BenchOptions bench;
@@ -173,10 +195,17 @@ int runBenchCommand(const BenchCommandOptions& options) {
     nlohmann::json rows = nlohmann::json::array();
     OutputFiles files;
     for (const std::string& scene : options.scenes) {
-        const measure::BenchRow row = benchScene(scene, options);
+        const RenderRequest request = openBenchScene(scene, options);
+        const measure::BenchRow row = benchRays(scene, request, options);
         print(row);
         base::flushOutput();
+        const measure::PictureTiming picture = measure::timePicture(
+            {.scene = request.scene, .settings = request.settings, .camera = request.camera}, options.size,
+            options.threads, options.rounds);
+        print(picture);
+        base::flushOutput();
         rows.push_back(json(row));
+        rows.back()["picture"] = json(picture);
         if (options.jsonFile.empty()) continue;
         // After each scene, so that an interrupt leaves what was measured.
         files.write(options.jsonFile,

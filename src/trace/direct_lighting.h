@@ -3,6 +3,7 @@
 #include "shading/light_sample.h"
 #include "shading/phong.h"
 #include "trace/shadow_ray.h"
+#include "trace/shadow_walk.h"
 #include "trace/tracer.h"
 
 namespace rayscope::trace {
@@ -146,26 +147,9 @@ void Tracer<O, Terms>::transmittances(std::span<const Ray> shadows, std::span<do
     for (std::size_t i = 0; i < shadows.size(); ++i) visible[i] = occluded[i] ? 0.0 : 1.0;
 }
 
-/// The product of 1 − opacity over all surfaces between a point and a light.
 template <PathObserver O, TermsFor<O> Terms>
 double Tracer<O, Terms>::transmittance(const Ray& shadow) {
-    double passed = 1.0;
-    Ray ray = shadow;
-    const glm::dvec3 end = glm::dvec3(shadow.origin) + glm::dvec3(shadow.direction);
-    Hit hit;
-    while (passed >= 0x1p-64 && !stop_.stop_requested()) {
-        if (!closestHit(ray, hit)) return passed;
-        const Interaction at = interactionAt(world_, ray, sample_.time, {}, hit);
-        passed *= 1.0 - world_.materials[at.material].opacity;
-        // Continue behind the surface to the same end; the direction and its unit of t stay.
-        ray.origin = at.originBehind();
-        const glm::dvec3 rest = end - glm::dvec3(ray.origin);
-        const double done = 1.0 - glm::dot(rest, glm::dvec3(shadow.direction)) /
-                                      glm::dot(glm::dvec3(shadow.direction), glm::dvec3(shadow.direction));
-        if (!(done < static_cast<double>(shadow.tMax))) return passed;
-        ray.tMax = static_cast<float>(static_cast<double>(shadow.tMax) - done);
-    }
-    return 0.0;
+    return transmittanceAlong(world_, shadow, sample_.time, stop_, [this](const Ray&) { ++rays_; });
 }
 
 }  // namespace rayscope::trace

@@ -46,6 +46,12 @@ TEST(Bench, MeasuresEveryKindOfRay) {
             EXPECT_GT(counts["nodes"].get<double>() + counts["leaves"].get<double>(), 0.5) << kind;
             EXPECT_GE(counts["primitives"], counts["exact_tests"]) << kind;
         }
+        const nlohmann::json& picture = row["picture"];
+        EXPECT_EQ(picture["width"], 24);
+        EXPECT_GE(picture["rays"].get<int>(), 24 * 24 * picture["samples"].get<int>());
+        EXPECT_GT(picture["picture_mrays_per_s"], 0.0);
+        EXPECT_GT(picture["queries_mrays_per_s"], 0.0);
+        EXPECT_GT(picture["share"], 0.0);
     }
 }
 
