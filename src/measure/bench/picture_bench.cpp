@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSamples = 4, kProbeSize = 32;
 constexpr double kMostRays = 0x1p22;  ///< 32 bytes each, and 16 of its hit
-constexpr std::size_t kChunk = 16384;
+constexpr std::size_t kRaysPerTask = 16384;
 constexpr std::uint64_t kSeed = 0;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -48,7 +48,7 @@ std::vector<SampleId> samplesOf(const trace::World& world) {
 template <class Work>
 void inChunks(std::size_t size, const Work& work) {
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, size, kChunk),
+        tbb::blocked_range<std::size_t>(0, size, kRaysPerTask),
         [&](const auto& chunk) { work(chunk.begin(), chunk.size()); }, tbb::simple_partitioner{});
 }
 
