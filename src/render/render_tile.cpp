@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "math/vectors.h"
@@ -63,10 +64,10 @@ bool renderTile(const trace::World& world, std::uint64_t seed, Film& film, int t
     const std::span<SampleId> taken = std::span(buffer).first(batch.size());
     for (auto samples = missing.take(taken); !samples.empty(); samples = missing.take(taken)) {
         batch.start(samples);
-        for (std::size_t i = 0; i < samples.size(); ++i) {
+        while (const std::optional<std::size_t> sample = batch.next()) {
             if (stop.stop_requested()) return false;
-            scope.current.set(samples[i]);
-            batch.trace(i);
+            scope.current.set(samples[*sample]);
+            batch.trace();
         }
         const std::span<const trace::SampleResult> results = batch.finish();
         // During the last samples or their shadow rays: the results are meaningless.

@@ -27,7 +27,7 @@ template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                                       const glm::dvec3& throughput) {
     const int n = branch.split ? 1 : world_.lights[light].grid.count();
-    if constexpr (Terms::kDefersShadowRays)
+    if constexpr (Terms::kDefersRays)
         if (world_.canDeferShadowRays()) return addDirectLight<1, true>(light, n, at, branch, throughput);
     if (n == 1 || world_.hasSlowRays)
         addDirectLight<1, false>(light, n, at, branch, throughput);

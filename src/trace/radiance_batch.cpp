@@ -27,17 +27,47 @@ void RadianceBatch::start(std::span<const SampleId> samples) {
     rays_.resize(hasSingleRays_ ? samples.size() : 0);
     for (std::size_t i = 0; i < rays_.size(); ++i)
         rays_[i] = singleCameraRay(world_, streams_[i], cameraSamples_[i]);
-    hits_.resize(rays_.size());
-    world_.closestHits(rays_, 0.0f, hits_);
+    traceRays();
     results_.assign(samples.size(), SampleResult{});
     queue_.start(results_);
+    isFirstWave_ = true;
+    waveSize_ = samples.size();
+    next_ = 0;
 }
 
-void RadianceBatch::trace(std::size_t i) {
+void RadianceBatch::traceRays() {
+    hits_.resize(rays_.size());
+    world_.closestHits(rays_, 0.0f, hits_);
+}
+
+std::optional<std::size_t> RadianceBatch::next() {
+    if (next_ == waveSize_) {
+        queue_.takePaths(paths_);
+        if (paths_.empty()) return {};
+        rays_.clear();
+        for (const PendingPath& path : paths_) rays_.push_back(path.segment.ray);
+        traceRays();
+        isFirstWave_ = false;
+        waveSize_ = paths_.size();
+        next_ = 0;
+    }
+    current_ = next_++;
+    return isFirstWave_ ? current_ : paths_[current_].sample;
+}
+
+void RadianceBatch::trace() {
+    const std::size_t sample = isFirstWave_ ? current_ : paths_[current_].sample;
     NullObserver observer;
-    queue_.beginSample(i);
-    Tracer<NullObserver, TermQueue> tracer(world_, streams_[i], cameraSamples_[i], observer, queue_, stop_);
-    results_[i].rays = hasSingleRays_ ? tracer.traceSample(rays_[i], hits_[i]) : tracer.traceSample();
+    queue_.beginSample(sample);
+    Tracer<NullObserver, TermQueue> tracer(world_, streams_[sample], cameraSamples_[sample], observer, queue_,
+                                           stop_);
+    std::uint64_t& rays = results_[sample].rays;
+    if (!isFirstWave_)
+        rays += tracer.tracePath(paths_[current_], hits_[current_]);
+    else if (hasSingleRays_)
+        rays += tracer.traceSample(rays_[current_], hits_[current_]);
+    else
+        rays += tracer.traceSample();
 }
 
 std::span<const SampleResult> RadianceBatch::finish() {

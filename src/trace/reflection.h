@@ -32,7 +32,8 @@ void Tracer<O, Terms>::reflect(const Segment& segment, const Interaction& at, co
     observer_.ended(segment, RayEnd::Reflected);
     if (settings_.glossy && settings_.glossySigma > 0.0f)
         return reflectGlossy(mirrored, at, branch, direction);
-    trace(mirrored, {branch.key.child(1), branch.split});
+    const Branch next{branch.key.child(1), branch.split, branch.isLast};
+    if (!leaveToNextWave(mirrored, next, 0)) trace(mirrored, next);
 }
 
 /// Rays through a plane at distance 0.3 along the mirror direction, displaced in that plane by normal
@@ -61,6 +62,8 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     std::array<Ray, kGroup> rays, above;
     std::array<Hit, kGroup> hits;
     std::array<bool, kGroup> isAbove;
+    // A single ray may wait for the next wave; several are followed one after the other.
+    const bool isLast = branch.isLast && n == 1;
     for (int first = 0; first < n && !stop_.stop_requested(); first += kGroup) {
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
         std::size_t aboveCount = 0;
@@ -72,14 +75,15 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
             isAbove[k] = glm::dot(displaced, at.geometricNormal) > 0.0;
             if (isAbove[k]) above[aboveCount++] = rays[k];
         }
-        closestHits({above.data(), aboveCount}, hits);
+        if (!(Terms::kDefersRays && isLast)) closestHits({above.data(), aboveCount}, hits);
         std::size_t nextHit = 0;
         for (std::size_t k = 0; k < count; ++k) {
             Segment glossy = part;
             glossy.ray = rays[k];
             const auto number = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(k);
             if (isAbove[k]) {
-                trace(glossy, {branch.key.child(number + 2), branch.split || n > 1}, &hits[nextHit++]);
+                const Branch next{branch.key.child(number + 2), branch.split || n > 1, isLast};
+                if (!leaveToNextWave(glossy, next, 0)) trace(glossy, next, &hits[nextHit++]);
             } else {
                 observer_.segment(glossy);
                 observer_.ended(glossy, RayEnd::BelowSurface);

@@ -16,6 +16,7 @@
 #include "shading/environment_lookup.h"
 #include "trace/camera_sample.h"
 #include "trace/path_observer.h"
+#include "trace/pending_path.h"
 #include "trace/term_sum.h"
 #include "trace/world.h"
 
@@ -25,8 +26,9 @@ constexpr int kRayGroup = 64;  ///< most rays from one point that are traced as 
 
 struct LightTerm;
 
-/// Traces one sample. `Terms` receives the terms: TermSum, or TermQueue for many samples. After a stop
-/// request the rest of the sample is left out, and what `Terms` received is meaningless.
+/// Traces one sample. `Terms` receives the terms: TermSum, or TermQueue for many samples, which also receives
+/// the paths that continue in the next wave. After a stop request the rest of the sample is left out, and
+/// what `Terms` received is meaningless.
 template <PathObserver O, TermsFor<O> Terms>
 class Tracer {
   public:
@@ -44,19 +46,18 @@ class Tracer {
     std::uint64_t traceSample();
     /// The same for the sample's only camera ray and its closest hit, where hasSingleCameraRays().
     std::uint64_t traceSample(const Ray& camera, const Hit& hit);
+    /// Continues a path that was left to a later wave, with the closest hit of its ray. Returns the number of
+    /// further rays, that one included.
+    std::uint64_t tracePath(const PendingPath& path, const Hit& hit);
 
   private:
-    /// A vertex of the path tree.
-    struct Branch {
-        sampling::PathKey key;
-        /// An earlier vertex split into several rays: every choice takes one sample from here on.
-        bool split = false;
-    };
+    using Branch = PathBranch;
 
     void traceLens();
     bool inSharpZone();
-    void traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known = nullptr);
-    void trace(Segment& segment, Branch branch, const Hit* known = nullptr);
+    void traceCamera(const Ray& ray, double weight, const Branch& branch, const Hit* known = nullptr);
+    void trace(Segment& segment, Branch branch, const Hit* known = nullptr, std::uint32_t layer = 0);
+    bool leaveToNextWave(const Segment& segment, const Branch& branch, std::uint32_t layer);
     bool closestHit(const Ray& ray, Hit& hit);
     void closestHits(std::span<const Ray> rays, std::span<Hit> hits);
     void shade(const Segment& segment, const Interaction& at, const Branch& branch,
@@ -105,9 +106,9 @@ class Tracer {
 template <PathObserver O, TermsFor<O> Terms>
 std::uint64_t Tracer<O, Terms>::traceSample() {
     if (hasSingleCameraRays(world_))
-        traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, sampling::PathKey{});
+        traceCamera(singleCameraRay(world_, stream_, sample_), 1.0, {});
     else if (inSharpZone())
-        traceCamera(world_.camera.pinholeRay(sample_.pixel), 1.0, sampling::PathKey{});
+        traceCamera(world_.camera.pinholeRay(sample_.pixel), 1.0, {});
     else
         traceLens();
     return rays_;
@@ -116,7 +117,15 @@ std::uint64_t Tracer<O, Terms>::traceSample() {
 template <PathObserver O, TermsFor<O> Terms>
 std::uint64_t Tracer<O, Terms>::traceSample(const Ray& camera, const Hit& hit) {
     ++rays_;
-    traceCamera(camera, 1.0, sampling::PathKey{}, &hit);
+    traceCamera(camera, 1.0, {.isLast = true}, &hit);
+    return rays_;
+}
+
+template <PathObserver O, TermsFor<O> Terms>
+std::uint64_t Tracer<O, Terms>::tracePath(const PendingPath& path, const Hit& hit) {
+    ++rays_;
+    Segment segment = path.segment;
+    trace(segment, path.branch, &hit, path.layer);
     return rays_;
 }
 
@@ -141,7 +150,7 @@ void Tracer<O, Terms>::traceLens() {
                 n == 1 ? sampling::PathKey{}
                        : sampling::PathKey{}.child(static_cast<std::uint32_t>(first + k));
             const auto i = static_cast<std::size_t>(k);
-            traceCamera(rays[i], 1.0 / n, key, &hits[i]);
+            traceCamera(rays[i], 1.0 / n, {.key = key}, &hits[i]);
         }
     }
 }
@@ -171,25 +180,36 @@ void Tracer<O, Terms>::closestHits(std::span<const Ray> rays, std::span<Hit> hit
 }
 
 template <PathObserver O, TermsFor<O> Terms>
-void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, sampling::PathKey key, const Hit* known) {
+void Tracer<O, Terms>::traceCamera(const Ray& ray, double weight, const Branch& branch, const Hit* known) {
     Segment segment;
     segment.ray = ray;
     segment.throughput = glm::dvec3(weight);
     segment.cone = {0.0, world_.camera.pixelAngle()};
-    trace(segment, {key, false}, known);
+    trace(segment, branch, known);
+}
+
+/// Whether the path has been left to the next wave, which traces the ray of the segment.
+template <PathObserver O, TermsFor<O> Terms>
+bool Tracer<O, Terms>::leaveToNextWave(const Segment& segment, const Branch& branch, std::uint32_t layer) {
+    if constexpr (Terms::kDefersRays) {
+        if (branch.isLast) terms_.addPath(segment, branch, layer);
+        return branch.isLast;
+    }
+    return false;
 }
 
 /// Follows a ray through any number of transparent layers; reflections recurse. `known` is the first closest
-/// hit if it has been computed. On return `segment` is the last one.
+/// hit if it has been computed, `layer` the number of layers that the path has crossed before.
 template <PathObserver O, TermsFor<O> Terms>
-void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) {
-    for (std::uint32_t layer = 0; layer == 0 || !stop_.stop_requested(); ++layer) {
+void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known, std::uint32_t layer) {
+    for (;; ++layer) {
         observer_.segment(segment);
         Hit hit;
-        if (known && layer == 0)
+        if (known)
             hit = *known;
         else
             closestHit(segment.ray, hit);
+        known = nullptr;
         if (hit.primitive == kNoPrimitive) {
             if (world_.environment)
                 add(segment.throughput *
@@ -200,8 +220,11 @@ void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) 
         observer_.hit(at);
 
         const double opacity = world_.materials[at.material].opacity;
-        if (opacity > 0.0) shade(segment, at, branch, opacity * segment.throughput);
-        if (opacity >= 1.0) return;
+        const bool isOpaque = opacity >= 1.0;
+        if (opacity > 0.0)
+            shade(segment, at, {branch.key, branch.split, branch.isLast && isOpaque},
+                  opacity * segment.throughput);
+        if (isOpaque) return;
 
         // Continue behind the surface unless the remaining throughput is negligible.
         segment.throughput *= 1.0 - opacity;
@@ -212,6 +235,7 @@ void Tracer<O, Terms>::trace(Segment& segment, Branch branch, const Hit* known) 
         segment.ray.origin = at.originBehind();
         segment.cone.width = at.coneWidth;
         branch.key = branch.key.child(~layer);
+        if (leaveToNextWave(segment, branch, layer + 1) || stop_.stop_requested()) return;
     }
 }
 

@@ -49,7 +49,7 @@ extern "C" {
     trace::RadianceBatch batch(world, 1, never);
     for (std::size_t first = 0; first < samples.size(); first += trace::RadianceBatch::kSize) {
         batch.start(samples.subspan(first, trace::RadianceBatch::kSize));
-        for (std::size_t i = 0; i < trace::RadianceBatch::kSize; ++i) batch.trace(i);
+        while (batch.next()) batch.trace();
         for (const trace::SampleResult& result : batch.finish()) radiance.push_back(result.radiance);
     }
 }

@@ -75,7 +75,7 @@ TEST_P(RadianceBatchOf, EqualsRadianceOfEachSample) {
              begin += size, size = size * 3 % 200 + 1) {
             const auto some = std::span(samples).subspan(begin, std::min(size, samples.size() - begin));
             batch.start(some);
-            for (std::size_t i = 0; i < some.size(); ++i) batch.trace(i);
+            while (batch.next()) batch.trace();
             const auto results = batch.finish();
             ASSERT_EQ(results.size(), some.size());
             for (std::size_t i = 0; i < some.size(); ++i) {
@@ -99,6 +99,7 @@ TEST(RadianceBatch, OfNoSamplesIsEmpty) {
     const std::stop_token stop;
     trace::RadianceBatch batch(*world, 0, stop);
     batch.start({});
+    EXPECT_FALSE(batch.next());
     EXPECT_TRUE(batch.finish().empty());
 }
 
