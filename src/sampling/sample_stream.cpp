@@ -135,6 +135,15 @@ glm::vec2 SamplePoints::get2D(int k) const {
             coordinate(number, dimension_ + 1, static_cast<std::uint32_t>(key_ >> 32))};
 }
 
+void SampleStream::get2D(Dim dim, std::span<const SampleStream> streams, std::span<glm::vec2> values) {
+    SamplePoints points;
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+        if (i == 0 || streams[i].pixelKey_ != streams[i - 1].pixelKey_) points = streams[i].points(dim);
+        points.index_ = streams[i].index_;
+        values[i] = points.get2D();
+    }
+}
+
 float SamplePoints::get1D(int k) const {
     if (pattern_ == SamplePattern::Independent) return independent(key_, k).x;
     if (pattern_ == SamplePattern::Sobol)

@@ -2,6 +2,7 @@
 #include <rayscope/settings.h>
 #include <rayscope/vector.h>
 #include <cstdint>
+#include <span>
 
 namespace rayscope::sampling {
 
@@ -51,6 +52,13 @@ class SampleStream {
     /// `samplesPerPixel` is the number of strata of a jittered pattern.
     SampleStream(SamplePattern pattern, std::uint64_t seed, int x, int y, int index, int samplesPerPixel);
 
+    /// The stream of another sample of the same pixel.
+    SampleStream withIndex(int index) const {
+        SampleStream other = *this;
+        other.index_ = index;
+        return other;
+    }
+
     /// The n points of this sample for (dim, vertex, which); `which` is the number of the light.
     SamplePoints points(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int n = 1) const;
 
@@ -61,6 +69,9 @@ class SampleStream {
     float get1D(Dim dim, PathKey vertex = {}, std::uint32_t which = 0, int k = 0, int n = 1) const {
         return points(dim, vertex, which, n).get1D(k);
     }
+
+    /// get2D(dim) of each stream. Neighbours of the same pixel share most of the work.
+    static void get2D(Dim dim, std::span<const SampleStream> streams, std::span<glm::vec2> values);
 
   private:
     SamplePattern pattern_;

@@ -40,11 +40,8 @@ constexpr Directions directionsOf(int dimension) {
     return v;
 }
 
-/// The XOR of the direction numbers of one byte of the index, for each of its four bytes: a coordinate is
-/// four lookups. Index and value are in reversed bit order.
-using ByteTable = std::array<std::array<std::uint32_t, 256>, 4>;
-constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
-    std::array<ByteTable, kSobolDimensions> tables{};
+constexpr std::array<SobolTable, kSobolDimensions> makeTables() {
+    std::array<SobolTable, kSobolDimensions> tables{};
     for (int dimension = 0; dimension < kSobolDimensions; ++dimension) {
         const Directions v = directionsOf(dimension);
         for (std::size_t byte = 0; byte < 4; ++byte)
@@ -56,15 +53,9 @@ constexpr std::array<ByteTable, kSobolDimensions> makeTables() {
     }
     return tables;
 }
-constexpr std::array<ByteTable, kSobolDimensions> kTables = makeTables();
-
 }  // namespace
 
-std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension) {
-    const ByteTable& table = kTables[static_cast<std::size_t>(dimension)];
-    return table[0][reversedIndex & 255u] ^ table[1][(reversedIndex >> 8) & 255u] ^
-           table[2][(reversedIndex >> 16) & 255u] ^ table[3][reversedIndex >> 24];
-}
+constinit const std::array<SobolTable, kSobolDimensions> kSobolTables = makeTables();
 
 std::uint32_t sobol(std::uint32_t index, int dimension) {
     return reverseBits(sobolReversed(reverseBits(index), dimension));

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 
 namespace rayscope::sampling {
@@ -21,9 +22,18 @@ constexpr std::uint32_t reverseBits(std::uint32_t x) {
     return __builtin_bswap32(x);
 }
 
+/// The XOR of the direction numbers of one byte of the index, for each of its four bytes: a coordinate is
+/// four lookups. Index and value are in reversed bit order.
+using SobolTable = std::array<std::array<std::uint32_t, 256>, 4>;
+extern const std::array<SobolTable, kSobolDimensions> kSobolTables;
+
 /// sobol() and owenScramble() with arguments and results in reversed bit order. Scrambling works in this
 /// order, so a chain of calls reverses bits only at its ends.
-std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension);
+inline std::uint32_t sobolReversed(std::uint32_t reversedIndex, int dimension) {
+    const SobolTable& table = kSobolTables[static_cast<std::size_t>(dimension)];
+    return table[0][reversedIndex & 255u] ^ table[1][(reversedIndex >> 8) & 255u] ^
+           table[2][(reversedIndex >> 16) & 255u] ^ table[3][reversedIndex >> 24];
+}
 
 constexpr std::uint32_t owenScrambleReversed(std::uint32_t reversed, std::uint32_t seed) {
     reversed += seed;

@@ -13,7 +13,11 @@ struct CameraSample {
     float time;        ///< of the shutter in [0, 1); 0 if nothing moves
 
     CameraSample(const World& world, const sampling::SampleStream& stream, const SampleId& sample)
-        : pixel(glm::dvec2(sample.x, sample.y) + glm::dvec2(stream.get2D(sampling::Dim::Pixel))),
+        : CameraSample(world, stream, sample, stream.get2D(sampling::Dim::Pixel)) {}
+    /// `inPixel` must be the number of the stream for Dim::Pixel.
+    CameraSample(const World& world, const sampling::SampleStream& stream, const SampleId& sample,
+                 const glm::vec2& inPixel)
+        : pixel(glm::dvec2(sample.x, sample.y) + glm::dvec2(inPixel)),
           time(world.moves ? stream.get1D(sampling::Dim::Time) : 0.0f) {}
 };
 

@@ -20,10 +20,18 @@ void RadianceBatch::start(std::span<const SampleId> samples) {
     cameraSamples_.clear();
     // Step by step for all samples: steps of different samples are independent, which hides their latency.
     const Settings& settings = world_.settings;
-    for (const SampleId& sample : samples)
-        streams_.emplace_back(settings.sampler, seed_, sample.x, sample.y, sample.index, settings.spp);
+    const SampleId* previous = nullptr;
+    for (const SampleId& sample : samples) {
+        if (previous && previous->x == sample.x && previous->y == sample.y)
+            streams_.push_back(streams_.back().withIndex(sample.index));
+        else
+            streams_.emplace_back(settings.sampler, seed_, sample.x, sample.y, sample.index, settings.spp);
+        previous = &sample;
+    }
+    inPixel_.resize(samples.size());
+    sampling::SampleStream::get2D(sampling::Dim::Pixel, streams_, inPixel_);
     for (std::size_t i = 0; i < samples.size(); ++i)
-        cameraSamples_.emplace_back(world_, streams_[i], samples[i]);
+        cameraSamples_.emplace_back(world_, streams_[i], samples[i], inPixel_[i]);
     rays_.resize(hasSingleRays_ ? samples.size() : 0);
     for (std::size_t i = 0; i < rays_.size(); ++i)
         rays_[i] = singleCameraRay(world_, streams_[i], cameraSamples_[i]);

@@ -47,6 +47,7 @@ class RadianceBatch {
     const std::stop_token& stop_;
     bool hasSingleRays_;  ///< hasSingleCameraRays(), and the world does not move
     std::vector<sampling::SampleStream> streams_;
+    std::vector<glm::vec2> inPixel_;
     std::vector<CameraSample> cameraSamples_;
     std::vector<PendingPath> paths_;  ///< of the current wave, if it is not the first
     std::vector<Ray> rays_;           ///< of the current wave
