@@ -9,23 +9,6 @@ namespace rayscope::shading {
 
 namespace {
 
-LightSample sampleShape(const PointLight& light, const glm::dvec2&) {
-    return {glm::dvec3(light.position), glm::dvec3(light.color)};
-}
-
-LightSample sampleShape(const SegmentLight& light, const glm::dvec2& u) {
-    const glm::dvec3 a(light.endpoints[0]), b(light.endpoints[1]);
-    return {glm::mix(a, b, u.x), glm::mix(glm::dvec3(light.colors[0]), glm::dvec3(light.colors[1]), u.x)};
-}
-
-LightSample sampleShape(const ParallelogramLight& light, const glm::dvec2& u) {
-    const glm::dvec3 position =
-        glm::dvec3(light.corner) + u.x * glm::dvec3(light.edges[0]) + u.y * glm::dvec3(light.edges[1]);
-    const glm::dvec3 near = glm::mix(glm::dvec3(light.colors[0]), glm::dvec3(light.colors[1]), u.x);
-    const glm::dvec3 far = glm::mix(glm::dvec3(light.colors[2]), glm::dvec3(light.colors[3]), u.x);
-    return {position, glm::mix(near, far, u.y)};
-}
-
 /// Samples along an edge: the value of the setting, or that many per unit of length, from 1 to `most`.
 int alongLength(int setting, double length, LightSampleCount rule, int most) {
     if (rule == LightSampleCount::Fixed) return setting;
@@ -33,15 +16,6 @@ int alongLength(int setting, double length, LightSampleCount rule, int most) {
 }
 
 }  // namespace
-
-LightSample sampleLight(const Light& light, const glm::vec2& u) {
-    return std::visit([&](const auto& shape) { return sampleShape(shape, glm::dvec2(u)); }, light.shape);
-}
-
-int dimensionsOf(const Light& light) {
-    if (std::holds_alternative<PointLight>(light.shape)) return 0;
-    return std::holds_alternative<SegmentLight>(light.shape) ? 1 : 2;
-}
 
 LightSampleGrid sampleGrid(const Light& light, const Settings& settings) {
     const LightSampleCount rule = settings.lightSampleCount;

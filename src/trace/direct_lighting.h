@@ -1,5 +1,7 @@
 #pragma once
 // Direct lighting: members of Tracer that sample lights and trace shadow rays.
+#include <variant>
+
 #include "shading/light_sample.h"
 #include "shading/phong.h"
 #include "trace/shadow_ray.h"
@@ -27,20 +29,22 @@ template <PathObserver O, TermsFor<O> Terms>
 void Tracer<O, Terms>::addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                                       const glm::dvec3& throughput) {
     const int n = branch.split ? 1 : world_.lights[light].grid.count();
-    if constexpr (Terms::kDefersRays)
-        if (world_.canDeferShadowRays()) return addDirectLight<1, true>(light, n, at, branch, throughput);
-    if (n == 1 || world_.hasSlowRays)
-        addDirectLight<1, false>(light, n, at, branch, throughput);
-    else
-        addDirectLight<kRayGroup, false>(light, n, at, branch, throughput);
+    const auto add = [&](const auto& shape) {
+        if constexpr (Terms::kDefersRays)
+            if (world_.canDeferShadowRays()) return deferDirectLight(shape, light, n, at, branch, throughput);
+        if (n == 1 || world_.hasSlowRays)
+            addDirectLight<1>(shape, light, n, at, branch, throughput);
+        else
+            addDirectLight<kRayGroup>(shape, light, n, at, branch, throughput);
+    };
+    std::visit(add, world_.lights[light].light.shape);
 }
 
-/// Traces the shadow rays of kGroup samples as a batch or, with kDefers, leaves them to the TermQueue,
-/// which makes batches of its own. Terms are added in the order of the samples.
+/// Traces the shadow rays of kGroup samples as a batch. Terms are added in the order of the samples.
 template <PathObserver O, TermsFor<O> Terms>
-template <int kGroup, bool kDefers>
-void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
-                                      const glm::dvec3& throughput) {
+template <int kGroup, class Shape>
+void Tracer<O, Terms>::addDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
+                                      const Branch& branch, const glm::dvec3& throughput) {
     const sampling::SamplePoints points = lightSamplePoints(light, branch, n);
     const glm::dvec3 weight = throughput / static_cast<double>(n);
     const glm::vec3 from = at.originOutside();
@@ -53,17 +57,30 @@ void Tracer<O, Terms>::addDirectLight(std::size_t light, int n, const Interactio
         const auto count = static_cast<std::size_t>(std::min(kGroup, n - first));
         std::size_t shadowCount = 0;
         for (std::size_t k = 0; k < count; ++k) {
-            connect(light, first + static_cast<int>(k), at, from, points, terms[k]);
-            if constexpr (kDefers)
-                deferLightTerm(terms[k], weight);
-            else if (terms[k].needsShadow)
-                shadows[shadowCount++] = shadowRay(terms[k]);
+            connect(shape, light, first + static_cast<int>(k), at, from, points, terms[k]);
+            if (terms[k].needsShadow) shadows[shadowCount++] = shadowRay(terms[k]);
         }
-        if constexpr (kDefers) continue;
         transmittances({shadows.data(), shadowCount}, {visible.data(), shadowCount});
         std::size_t nextShadow = 0;
         for (std::size_t k = 0; k < count; ++k)
             addLightTerm(terms[k], weight, terms[k].needsShadow ? visible[nextShadow++] : 1.0);
+    }
+}
+
+/// Leaves the shadow rays to the TermQueue, which makes batches of its own.
+template <PathObserver O, TermsFor<O> Terms>
+template <class Shape>
+void Tracer<O, Terms>::deferDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
+                                        const Branch& branch, const glm::dvec3& throughput) {
+    const sampling::SamplePoints points = lightSamplePoints(light, branch, n);
+    const glm::dvec3 weight = throughput / static_cast<double>(n);
+    const glm::vec3 from = at.originOutside();
+    const int perCheck = raysPerCheck();
+    for (int k = 0; k < n; ++k) {
+        if ((k & (perCheck - 1)) == 0 && stop_.stop_requested()) return;
+        LightTerm term;
+        connect(shape, light, k, at, from, points, term);
+        deferLightTerm(term, weight);
     }
 }
 
@@ -100,16 +117,21 @@ sampling::SamplePoints Tracer<O, Terms>::lightSamplePoints(std::size_t light, co
 }
 
 /// Connects `from`, the spawned origin of the surface, with sample k of a light. Sets every member of `term`.
+/// Inlined, so that members which the caller does not read are not computed.
 template <PathObserver O, TermsFor<O> Terms>
-void Tracer<O, Terms>::connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
-                               const sampling::SamplePoints& points, LightTerm& term) const {
+template <class Shape>
+[[gnu::always_inline]] inline void Tracer<O, Terms>::connect(const Shape& shape, std::size_t light, int k,
+                                                             const Interaction& at, const glm::vec3& from,
+                                                             const sampling::SamplePoints& points,
+                                                             LightTerm& term) const {
     const CompiledLight& compiled = world_.lights[light];
+    constexpr int kDimensions = shading::dimensionsOf(Shape{});
     glm::vec2 u(0.0f);
-    if (compiled.dimensions == 1) u.x = points.get1D(k);
-    if (compiled.dimensions == 2) u = points.get2D(k);
+    if constexpr (kDimensions == 1) u.x = points.get1D(k);
+    if constexpr (kDimensions == 2) u = points.get2D(k);
     // Locals, because values that are stored to `term` and loaded again in wider registers stall the
     // processor.
-    const shading::LightSample sample = shading::sampleLight(compiled.light, u);
+    const shading::LightSample sample = shading::sampleLight(shape, glm::dvec2(u));
     const glm::dvec3 toLight = sample.position - glm::dvec3(from);
     const double distance = glm::length(toLight);
     glm::dvec3 reflected(0.0);

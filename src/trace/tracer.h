@@ -74,11 +74,15 @@ class Tracer {
 
     void addDirectLight(std::size_t light, const Interaction& at, const Branch& branch,
                         const glm::dvec3& throughput);
-    template <int kGroup, bool kDefers>
-    void addDirectLight(std::size_t light, int n, const Interaction& at, const Branch& branch,
-                        const glm::dvec3& throughput);
+    template <int kGroup, class Shape>
+    void addDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
+                        const Branch& branch, const glm::dvec3& throughput);
+    template <class Shape>
+    void deferDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
+                          const Branch& branch, const glm::dvec3& throughput);
     sampling::SamplePoints lightSamplePoints(std::size_t light, const Branch& branch, int n) const;
-    void connect(std::size_t light, int k, const Interaction& at, const glm::vec3& from,
+    template <class Shape>
+    void connect(const Shape& shape, std::size_t light, int k, const Interaction& at, const glm::vec3& from,
                  const sampling::SamplePoints& points, LightTerm& term) const;
     void addLightTerm(LightTerm& term, const glm::dvec3& weight, double visible);
     void deferLightTerm(const LightTerm& term, const glm::dvec3& weight);
