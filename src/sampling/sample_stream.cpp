@@ -74,7 +74,8 @@ SobolBlock blockOf(Dim dim, PathKey vertex, std::uint32_t which, int n) {
 }
 
 /// A coordinate of a point of the Sobol sequence, scrambled.
-float coordinate(std::uint32_t reversedNumber, int dimension, std::uint32_t seed) {
+[[gnu::always_inline]] inline float coordinate(std::uint32_t reversedNumber, int dimension,
+                                               std::uint32_t seed) {
     return toUnitFloat(reverseBits(owenScrambleReversed(sobolReversed(reversedNumber, dimension), seed)));
 }
 
@@ -121,7 +122,7 @@ glm::vec2 SamplePoints::jittered(int k) const {
 
 /// Index of the point in its sequence, shuffled, with its bits reversed. Points of one sample are
 /// consecutive.
-std::uint32_t SamplePoints::shuffled(int k) const {
+[[gnu::always_inline]] inline std::uint32_t SamplePoints::shuffled(int k) const {
     const auto number =
         static_cast<std::uint32_t>(index_) * static_cast<std::uint32_t>(n_) + static_cast<std::uint32_t>(k);
     return owenScrambleReversed(reverseBits(number), shuffle_);

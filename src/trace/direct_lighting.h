@@ -67,10 +67,11 @@ void Tracer<O, Terms>::addDirectLight(const Shape& shape, std::size_t light, int
     }
 }
 
-/// Leaves the shadow rays to the TermQueue, which makes batches of its own.
+/// Leaves the shadow rays to the TermQueue, which makes batches of its own. The shape is a copy, because what
+/// the queue stores might overwrite what a reference refers to, for all that the compiler knows.
 template <PathObserver O, TermsFor<O> Terms>
 template <class Shape>
-void Tracer<O, Terms>::deferDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
+void Tracer<O, Terms>::deferDirectLight(const Shape shape, std::size_t light, int n, const Interaction& at,
                                         const Branch& branch, const glm::dvec3& throughput) {
     const sampling::SamplePoints points = lightSamplePoints(light, branch, n);
     const glm::dvec3 weight = throughput / static_cast<double>(n);
@@ -98,7 +99,8 @@ void Tracer<O, Terms>::addLightTerm(LightTerm& term, const glm::dvec3& weight, d
 /// Queues the term with its shadow ray, which counts as traced. The observer is the NullObserver (see
 /// TermsFor).
 template <PathObserver O, TermsFor<O> Terms>
-void Tracer<O, Terms>::deferLightTerm(const LightTerm& term, const glm::dvec3& weight) {
+[[gnu::always_inline]] inline void Tracer<O, Terms>::deferLightTerm(const LightTerm& term,
+                                                                    const glm::dvec3& weight) {
     const glm::dvec3 value = weight * term.reflected;
     rays_ += term.needsShadow ? 1 : 0;
     if (value == glm::dvec3(0.0)) return;

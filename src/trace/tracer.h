@@ -78,8 +78,8 @@ class Tracer {
     void addDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
                         const Branch& branch, const glm::dvec3& throughput);
     template <class Shape>
-    void deferDirectLight(const Shape& shape, std::size_t light, int n, const Interaction& at,
-                          const Branch& branch, const glm::dvec3& throughput);
+    void deferDirectLight(Shape shape, std::size_t light, int n, const Interaction& at, const Branch& branch,
+                          const glm::dvec3& throughput);
     sampling::SamplePoints lightSamplePoints(std::size_t light, const Branch& branch, int n) const;
     template <class Shape>
     void connect(const Shape& shape, std::size_t light, int k, const Interaction& at, const glm::vec3& from,
