@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """bench_page.py FROM DOCS SIZE: writes the page DOCS/bench.md, its charts DOCS/images/bench-*.svg and the ratios in
-DOCS/performance.md from the output of `rayscope bench --json` in the folder FROM: race-*.json, builder-*.json and growth-*.json
-(see scripts/make_bench.sh)."""
+DOCS/performance.md from the output of `rayscope bench --json` in the folder FROM: race-*.json, builder-*.json, growth-*.json and picture-*.json, and of
+tests/bench/frame: frame-*.json (see scripts/make_bench.sh)."""
 import json
 import math
 import pathlib
@@ -71,11 +71,23 @@ def all_ratios(race):
         for mesh, by_threads in meshes.items()]) for kind, label in KINDS.items())
 
 
-def replace_section(page, text):
-    """Replaces the part of a page between the two comments that name this script."""
-    begin, end = "<!-- written by scripts/bench_page.py -->\n", "<!-- up to here -->\n"
+def replace_section(page, text, what=""):
+    """Replaces the part of a page between the two comments that name this script and `what`."""
+    begin, end = f"<!-- {what}written by scripts/bench_page.py -->\n", f"<!-- {what}up to here -->\n"
     before, rest = page.read_text().split(begin)
     page.write_text(before + begin + "\n" + text + "\n" + end + rest.split(end)[1])
+
+
+def pictures(rows):
+    return table(["scene", "threads", "rays", "picture, Mray/s", "its rays alone, Mray/s", "share of search"],
+                 [[name(r), str(r["threads"]), f"{r['picture']['rays']:,}", f"{r['picture']['picture_mrays_per_s']:.2f}",
+                   f"{r['picture']['queries_mrays_per_s']:.2f}", ratio(r["picture"]["share_interval"])] for r in rows])
+
+
+def frames(rows):
+    return table(["scene", "threads", "rays", "Rayscope, ms", "Embree program, ms", "times as fast", "mean difference"],
+                 [[name(r), str(r["threads"]), f"{r['rays']:,}", f"{1e3 * r['seconds']:.1f}", f"{1e3 * r['embree_seconds']:.1f}",
+                   ratio(r["ratio"]), f"{r['mean_difference']:.0e}"] for r in rows])
 
 
 def counters(rows):
@@ -227,6 +239,8 @@ may differ by rounding at its boundary; *hills* is terrain.
              builders(sorted(read("builder-*.json"), key=lambda row: name(row))), growth(grown)]
     (docs / "bench.md").write_text("\n".join(pages))
     replace_section(docs / "performance.md", all_ratios(race))
+    replace_section(docs / "performance.md", pictures(read("picture-*.json")), "pictures ")
+    replace_section(docs / "performance.md", frames(read("frame-*.json")), "frames ")
     ray_chart(one, docs / "images" / "bench-rays.svg")
     build_chart(grown, docs / "images" / "bench-builds.svg")
 

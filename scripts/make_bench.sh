@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # scripts/make_bench.sh [SIZE]: compares build times and ray throughput with Embree, with one thread and with all, the builders
-# with one another, and build times from a thousand to ten million triangles; writes docs/bench.md, its charts, and the ratios
-# in docs/performance.md. SIZE is the width and height of the image of primary rays (512). Takes about fifteen minutes on an
-# otherwise idle machine.
+# with one another, build times from a thousand to ten million triangles, and whole pictures; writes docs/bench.md, its charts,
+# and the tables of ratios and pictures in docs/performance.md. SIZE is the width and height of the image of primary rays (512).
+# Takes about twenty minutes on an otherwise idle machine.
 set -euo pipefail
 # shellcheck source=scripts/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -48,5 +48,12 @@ for builder in median sah sah_binned high; do
 done
 for triangles in 1000 10000 100000 1000000 10000000; do
     bench "$(hills $triangles)" --size 8 --rounds 5 --json "$folder/growth-$triangles.json"
+done
+pictures=(cornell cornell-area cornell-glossy cornell-transparent monkey teapot spheres spheres-dof cubes-transparent environment)
+bench "${pictures[@]/#/builtin:}" --threads 1 --size 400 --rounds 7 --json "$folder/picture-1.json"
+build release frame_bench -DRAYSCOPE_BENCHMARKS=ON
+for threads in 1 "$(nproc)"; do
+    "$root/build/release/tests/bench/frame_bench" "$threads" 800 builtin:cornell builtin:teapot "$folder/dragon.toml" \
+        >"$folder/frame-$threads.json"
 done
 "$root/scripts/bench_page.py" "$folder" "$root/docs" "$size"

@@ -1,5 +1,5 @@
-// Traces the same samples one by one and in batches, in two functions whose instructions callgrind counts.
-// Prints the number of samples for each scene.
+// Traces the same samples one by one, in batches and as a frame, in three functions whose instructions
+// callgrind counts. Prints the number of samples for each scene.
 //
 // usage: count_samples SCENE…
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 
 #include <rayscope/diagnostics.h>
 #include <rayscope/scene.h>
+#include "render/render_tile.h"
 #include "trace/compile.h"
 #include "trace/radiance.h"
 #include "trace/radiance_batch.h"
@@ -53,6 +54,12 @@ extern "C" {
         for (const trace::SampleResult& result : batch.finish()) radiance.push_back(result.radiance);
     }
 }
+
+[[gnu::noipa]] void countedFrame(const trace::World& world, render::Film& film) {
+    render::RenderCounters counters;
+    for (int tile = 0; tile < film.tileCount(); ++tile)
+        render::renderTile(world, 1, film, tile, 1, {}, counters);
+}
 }
 
 int main(int count, char** arguments) try {
@@ -68,6 +75,8 @@ int main(int count, char** arguments) try {
             batched.reserve(samples.size());
             countedSingle(*world, samples, single);
             countedBatched(*world, samples, batched);
+            render::Film film(kSize, kSize, {0, kSize, 0, kSize});
+            countedFrame(*world, film);
             if (single != batched)
                 throw std::runtime_error(
                     fmt::format("{}: radiance() and RadianceBatch differ", arguments[i]));

@@ -80,7 +80,7 @@ def check_record(name, program, values, record):
         skip(f"nothing is recorded for {compiler()}")
     failed = 0
     for key, value in values.items():
-        before = recorded[compiler()][key]
+        before = recorded[compiler()].get(key, 0)
         if abs(value - before) > TOLERANCE * before:
             print(f"{key}: {value} instructions, {before} are recorded; if the change is intended, run "
                   f"tests/cost/instructions.py {name} {program} --record")
@@ -99,14 +99,14 @@ def check_rays(program, record):
 
 
 def check_samples(program, record):
-    found = counted_calls([program, *SAMPLED_SCENES], "countedSingle", "countedBatched")
+    found = counted_calls([program, *SAMPLED_SCENES], "countedSingle", "countedBatched", "countedFrame")
     if not found:
         sys.exit(f"{program} failed")
     lines, totals = [line.split() for line in found[0]], found[1]
     values = {}
     for i, (scene, samples) in enumerate(lines):
-        # The first two of four calls per scene warm up.
-        for query, total in zip(("single", "batched"), totals[4 * i + 2:4 * i + 4], strict=True):
+        # The first three of six calls per scene warm up.
+        for query, total in zip(("single", "batched", "frame"), totals[6 * i + 3:6 * i + 6], strict=True):
             values[f"{scene} {query}"] = round(total / int(samples))
     return check_record("samples", program, values, record)
 
