@@ -13,6 +13,8 @@ RadianceBatch::RadianceBatch(const World& world, std::uint64_t seed, const std::
     streams_.reserve(kSize);
     cameraSamples_.reserve(kSize);
     rays_.reserve(kSize);
+    paths_.reserve(size());
+    queue_.reservePaths(size());
 }
 
 void RadianceBatch::start(std::span<const SampleId> samples) {

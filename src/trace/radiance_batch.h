@@ -49,7 +49,7 @@ class RadianceBatch {
     std::vector<sampling::SampleStream> streams_;
     std::vector<glm::vec2> inPixel_;
     std::vector<CameraSample> cameraSamples_;
-    std::vector<PendingPath> paths_;  ///< of the current wave, if it is not the first
+    std::vector<PendingPath> paths_;  ///< of the current wave, if it is not the first; used up by trace()
     std::vector<Ray> rays_;           ///< of the current wave
     std::vector<Hit> hits_;           ///< of rays_
     std::vector<SampleResult> results_;

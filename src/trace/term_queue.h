@@ -33,6 +33,8 @@ class TermQueue {
         shadows_.push_back(shadow);
         push(term, static_cast<std::uint32_t>(shadows_.size() - 1));
     }
+    /// Makes room for so many paths.
+    void reservePaths(std::size_t count) { paths_.reserve(count); }
     /// A path of the next wave; all further terms of its sample come from it.
     void addPath(const Segment& segment, const PathBranch& branch, std::uint32_t layer) {
         paths_.push_back({segment, branch, layer, sample_});

@@ -46,9 +46,9 @@ class Tracer {
     std::uint64_t traceSample();
     /// The same for the sample's only camera ray and its closest hit, where hasSingleCameraRays().
     std::uint64_t traceSample(const Ray& camera, const Hit& hit);
-    /// Continues a path that was left to a later wave, with the closest hit of its ray. Returns the number of
-    /// further rays, that one included.
-    std::uint64_t tracePath(const PendingPath& path, const Hit& hit);
+    /// Continues a path that was left to a later wave, with the closest hit of its ray; advances its segment.
+    /// Returns the number of further rays, that one included.
+    std::uint64_t tracePath(PendingPath& path, const Hit& hit);
 
   private:
     using Branch = PathBranch;
@@ -126,10 +126,9 @@ std::uint64_t Tracer<O, Terms>::traceSample(const Ray& camera, const Hit& hit) {
 }
 
 template <PathObserver O, TermsFor<O> Terms>
-std::uint64_t Tracer<O, Terms>::tracePath(const PendingPath& path, const Hit& hit) {
+std::uint64_t Tracer<O, Terms>::tracePath(PendingPath& path, const Hit& hit) {
     ++rays_;
-    Segment segment = path.segment;
-    trace(segment, path.branch, &hit, path.layer);
+    trace(path.segment, path.branch, &hit, path.layer);
     return rays_;
 }
 
