@@ -409,12 +409,19 @@ def rays_files():
 
 
 def films_files():
-    tile = little("i", 2) + little("36d", *range(36))
-    body = b"rayscope films 1 hash 4 3\n" + tile * 2
-    yield "body", body + bytes(8)
-    yield "header", body[:26]
-    yield "other", body.replace(b"hash", b"hasj") + bytes(8)
-    yield "short", body[:100]
+    def tile(samples, *pixel):  # the sums of red, green, blue and of squared luminance
+        return little("i", samples) + little("4d", *pixel) * 12
+
+    rendered, unrendered = tile(2, 1, 2, 3, 9), tile(0, 0, 0, 0, 0)
+    yield "tiles", rendered * 2
+    yield "empty_tiles", unrendered * 2
+    yield "one_film", rendered + unrendered
+    yield "no_samples", tile(0, 1, 2, 3, 9) * 2
+    yield "impossible", tile(2, 1, 2, 3, 1) * 2
+    yield "negative", tile(-1, 1, 2, 3, 9) + unrendered
+    yield "not_finite", rendered + tile(2, float("inf"), 2, 3, float("nan"))
+    yield "file", b"rayscope films 2 hash 4 3 Rayscope\n" + rendered * 2 + bytes(8)
+    yield "short", rendered + unrendered[:100]
     yield "empty", b""
 
 
