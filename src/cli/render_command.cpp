@@ -3,7 +3,6 @@
 #include <rayscope/aov.h>
 #include <rayscope/compare.h>
 #include <rayscope/diagnostics.h>
-#include <rayscope/display.h>
 #include <rayscope/render_image.h>
 #include <unistd.h>
 
@@ -24,7 +23,10 @@
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
 #include "cli/target_options.h"
+#include "image/encode_image.h"
+#include "post/rendered_outputs.h"
 #include "render/thread_arena.h"
+#include "render/tile_stop.h"
 #include "trace/world.h"
 
 namespace rayscope::cli {
@@ -127,7 +129,8 @@ void checkOptions(const RenderCommandOptions& options) {
 
 /// Throws Stopped.
 void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
-               const ImageMetadata& metadata, const std::stop_token& stop) {
+               const ImageMetadata& metadata, const std::stop_token& stop,
+               const std::stop_token& compressing) {
     if (options.aovs.empty() || !image.world) return;
     std::vector<RgbImage> images;
     files.write(aovPath(options.outputs.front(), options.aovs.front()), [&] {
@@ -136,19 +139,18 @@ void writeAovs(OutputFiles& files, const RenderCommandOptions& options, const Re
     if (images.empty()) return;
     for (std::size_t i = 0; i < images.size(); ++i) {
         const std::string path = aovPath(options.outputs.front(), options.aovs[i]);
-        files.write(path, [&] { writeImage(path, images[i], metadata); });
+        files.write(path, [&] { image::writeImage(path, images[i], metadata, Encoding::Srgb, compressing); });
     }
 }
 
-void writeImages(OutputFiles& files, const RenderCommandOptions& options, const RenderedImage& image,
+void writeImages(OutputFiles& files, const RenderCommandOptions& options, const post::RenderedOutputs& images,
                  const ImageMetadata& metadata) {
-    const Settings& settings = image.request.settings;
     for (const std::string& output : options.outputs)
         files.write(output, [&] {
             if (output == kStandardOutput)
-                base::writeOutput(encodeRenderedImage("." + options.format, image.mean, settings, metadata));
+                base::writeOutput(images.encode("." + options.format, metadata));
             else
-                writeRenderedImage(output, image.mean, settings, metadata);
+                images.write(output, metadata);
         });
 }
 
@@ -217,11 +219,20 @@ int runRender(const RenderCommandOptions& options) {
     Rendered rendered = options.target.wanted() ? renderUntilAccurate(request, options, interrupt)
                                                 : renderSamples(request, options, interrupt);
     const RenderedImage& image = rendered.image;
-    const ImageMetadata metadata = metadataOf(request, image.status.samples);
+    const render::TileStop hurry({}, interrupt.token(), std::chrono::milliseconds(250));
     OutputFiles files;
-    writeImages(files, options, image, metadata);
+    std::optional<post::RenderedOutputs> images;
+    files.write(options.outputs.front(),
+                [&] { images.emplace(image.mean, request.settings, hurry.token()); });
+    if (images && images->lacksBloom()) {
+        base::printMessage("interrupted: the image is written without bloom\n");
+        rendered.exitCode = kInterrupted;
+        request.settings = images->settings();
+    }
+    const ImageMetadata metadata = metadataOf(request, image.status.samples);
+    if (images) writeImages(files, options, *images, metadata);
     try {
-        writeAovs(files, options, image, metadata, interrupt.token());
+        writeAovs(files, options, image, metadata, interrupt.token(), hurry.token());
     } catch (const Stopped&) {
         rendered.exitCode = kInterrupted;
     }

@@ -1,10 +1,12 @@
 #include "post/bloom.h"
 
-#include "math/vectors.h"
+#include <rayscope/diagnostics.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "math/vectors.h"
 
 namespace rayscope::post {
 
@@ -17,11 +19,14 @@ double gaussianOverPixel(int i, double sigma) {
 }
 
 /// Convolves along x and transposes, so that calling it twice convolves along both axes.
-RgbImage convolveRowsAndTranspose(const RgbImage& image, const std::vector<double>& kernel) {
+RgbImage convolveRowsAndTranspose(const RgbImage& image, const std::vector<double>& kernel,
+                                  const std::stop_token& stop) {
+    constexpr int kPixelsPerCheck = 1024;
     const int radius = static_cast<int>(kernel.size() / 2);
     RgbImage result(image.height, image.width);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
+            if (x % kPixelsPerCheck == 0 && stop.stop_requested()) throw Stopped();
             RgbSum sum(0.0);
             const int from = std::max(-radius, -x), to = std::min(radius, image.width - 1 - x);
             for (int i = from; i <= to; ++i)
@@ -55,16 +60,18 @@ RgbImage bloomThresholded(const RgbImage& image, float threshold) {
     return bright;
 }
 
-RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel) {
-    return convolveRowsAndTranspose(convolveRowsAndTranspose(image, kernel), kernel);
+RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel,
+                       const std::stop_token& stop) {
+    return convolveRowsAndTranspose(convolveRowsAndTranspose(image, kernel, stop), kernel, stop);
 }
 
-RgbImage applyBloom(const RgbImage& image, const Settings& settings) {
+RgbImage applyBloom(const RgbImage& image, const Settings& settings, const std::stop_token& stop) {
     if (!settings.bloom) return image;
     RgbImage glow = bloomThresholded(image, settings.bloomThreshold);
     if (settings.bloomDebug && settings.bloomStage == BloomStage::Thresholded) return glow;
-    glow = bloomFiltered(glow, bloomKernel(settings.bloomFilter, settings.bloomSize,
-                                           static_cast<double>(settings.bloomSigma)));
+    glow = bloomFiltered(
+        glow, bloomKernel(settings.bloomFilter, settings.bloomSize, static_cast<double>(settings.bloomSigma)),
+        stop);
     for (Rgb& pixel : glow.pixels) pixel *= settings.bloomScale;
     if (settings.bloomDebug && settings.bloomStage == BloomStage::Filtered) return glow;
     for (std::size_t i = 0; i < glow.pixels.size(); ++i) glow.pixels[i] += image.pixels[i];

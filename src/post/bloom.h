@@ -1,6 +1,7 @@
 #pragma once
 #include <rayscope/image.h>
 #include <rayscope/settings.h>
+#include <stop_token>
 #include <vector>
 
 namespace rayscope::post {
@@ -15,11 +16,13 @@ std::vector<double> bloomKernel(BloomFilter filter, int radius, double sigma);
 /// so that they do not spread.
 RgbImage bloomThresholded(const RgbImage& image, float threshold);
 
-/// Convolution with the outer product of the kernel; the image is black beyond its border.
-RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel);
+/// Convolution with the outer product of the kernel; the image is black beyond its border. Throws Stopped
+/// within some milliseconds of a stop.
+RgbImage bloomFiltered(const RgbImage& image, const std::vector<double>& kernel,
+                       const std::stop_token& stop = {});
 
 /// The image with bloom as in the settings, or one stage of it if bloomDebug is on. Without bloom the image
-/// itself.
-RgbImage applyBloom(const RgbImage& image, const Settings& settings);
+/// itself. Throws Stopped like bloomFiltered().
+RgbImage applyBloom(const RgbImage& image, const Settings& settings, const std::stop_token& stop = {});
 
 }  // namespace rayscope::post

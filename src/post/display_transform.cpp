@@ -1,16 +1,22 @@
 #include "post/display_transform.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/file_suffix.h"
 #include "post/bloom.h"
 
 namespace rayscope::post {
 
-RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings, bool forDisplay) {
-    RgbImage image = applyBloom(mean, settings);
+RgbImage applyDisplayTransform(const RgbImage& mean, const Settings& settings, bool forDisplay,
+                               const std::stop_token& stop) {
+    RgbImage image = applyBloom(mean, settings, stop);
     if (!forDisplay || settings.exposure == 0.0f) return image;
-    const float factor = std::exp2(settings.exposure);
+    return exposed(std::move(image), settings.exposure);
+}
+
+RgbImage exposed(RgbImage image, float exposure) {
+    const float factor = std::exp2(exposure);
     for (Rgb& pixel : image.pixels) pixel *= factor;
     return image;
 }

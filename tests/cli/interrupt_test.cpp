@@ -79,16 +79,45 @@ TEST(Interrupt, EndsALoadThatCannotBeStopped) {
     }
 }
 
-TEST(Interrupt, SaysSoIfTheImageStillTakesLong) {
+bool hasSetting(const std::string& png, const std::string& name, const std::string& value) {
+    return test::readText(png).find("setting." + name + '\0' + value) != std::string::npos;
+}
+
+TEST(Interrupt, LeavesOutBloomThatTakesLong) {
     const TemporaryFolder folder;
     const ProgramResult result =
         interruptAfter(folder,
                        "render builtin:triangle --size 2000x2000 --spp 1000000 --set bloom=true --set "
-                       "bloom_size=60 --progress json -o a.ppm",
+                       "bloom_size=500 --progress json -o a.ppm -o a.png",
                        "\"samples\"");
     EXPECT_EQ(result.exitCode, 130) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("interrupted: the image so far is processed and written"));
+    EXPECT_THAT(result.err, HasSubstr("interrupted: the image is written without bloom"));
     EXPECT_EQ(readImage(folder / "a.ppm").width, 2000);
+    EXPECT_EQ(readImage(folder / "a.ppm").pixels, readImage(folder / "a.png").pixels);
+    // The metadata describes the image that is written.
+    EXPECT_TRUE(hasSetting(folder / "a.png", "bloom", "false"));
+}
+
+TEST(Interrupt, AppliesBloomThatTakesNoTime) {
+    const TemporaryFolder folder;
+    const ProgramResult result = interruptAfter(
+        folder,
+        "render builtin:triangle --size 64x64 --spp 1000000 --set bloom=true --progress json -o a.png",
+        "\"samples\":[1-9]");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(result.err, testing::Not(HasSubstr("without bloom")));
+    EXPECT_TRUE(hasSetting(folder / "a.png", "bloom", "true"));
+}
+
+TEST(Interrupt, SaysSoIfTheImageStillTakesLong) {
+    const TemporaryFolder folder;
+    run(folder, "mkfifo a.ppm; { sleep 6; cat a.ppm >copy.ppm; } & true");
+    const ProgramResult result = interruptAfter(
+        folder, "render builtin:triangle --size 200x200 --spp 1000000 --progress json -o a.ppm",
+        "\"samples\"");
+    EXPECT_EQ(result.exitCode, 130) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("interrupted: the image so far is processed and written"));
+    EXPECT_EQ(readImage(folder / "copy.ppm").width, 200);
 }
 
 }  // namespace

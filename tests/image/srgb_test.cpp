@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -42,6 +43,26 @@ TEST(Srgb, CodesAreNearest) {
                            255.0 * exactEncoded(static_cast<double>(linear))),
                   slack)
             << i;
+    }
+}
+
+TEST(Srgb, CodesAreThoseOfTheCurveAroundEveryStep) {
+    const auto exact = [](float linear) {
+        return static_cast<int>(255.0f * image::linearToSrgb(linear) + 0.5f);
+    };
+    for (int code = 1; code < 256; ++code) {
+        // The largest value with a lower code, by bisection.
+        float below = 0.0f, above = 1.0f;
+        while (std::nextafter(below, 1.0f) < above) {
+            const float middle = 0.5f * (below + above);
+            (exact(middle) < code ? below : above) = middle;
+        }
+        EXPECT_EQ(image::encodeByte(below, Encoding::Srgb), code - 1);
+        EXPECT_EQ(image::encodeByte(above, Encoding::Srgb), code);
+    }
+    for (std::uint32_t bits = 1; bits < std::bit_cast<std::uint32_t>(1.0f); bits += 4099) {
+        const float linear = std::bit_cast<float>(bits);
+        ASSERT_EQ(image::encodeByte(linear, Encoding::Srgb), exact(linear)) << linear;
     }
 }
 

@@ -1,10 +1,12 @@
 #include "post/bloom.h"
 
 #include <gtest/gtest.h>
+#include <rayscope/diagnostics.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stop_token>
 
 #include "post/display_transform.h"
 
@@ -119,6 +121,17 @@ TEST(DisplayTransform, AppliesExposureForDisplayOnly) {
     EXPECT_EQ(post::applyDisplayTransform(image, settings, false).pixels, image.pixels);
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
         EXPECT_EQ(post::applyDisplayTransform(image, settings, true).pixels[i], 2.0f * image.pixels[i]);
+}
+
+TEST(Bloom, EndsAtAStop) {
+    std::stop_source stop;
+    stop.request_stop();
+    const RgbImage image = noise(9, 7);
+    Settings settings;
+    EXPECT_EQ(post::applyBloom(image, settings, stop.get_token()).pixels, image.pixels);
+    settings.bloom = true;
+    EXPECT_THROW(post::applyBloom(image, settings, stop.get_token()), Stopped);
+    EXPECT_THROW(post::applyDisplayTransform(image, settings, true, stop.get_token()), Stopped);
 }
 
 }  // namespace

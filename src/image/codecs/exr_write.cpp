@@ -6,9 +6,11 @@
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <stop_token>
 
 #include "base/memory_budget.h"
 #include "image/codecs/codecs.h"
@@ -47,21 +49,35 @@ Imf::FrameBuffer describeMemory(const RgbImage& image) {
     return buffer;
 }
 
-}  // namespace
-
-std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata) try {
+/// Empty if a stop is requested before the last rows.
+std::string encode(const RgbImage& image, const ImageMetadata& metadata, Imf::Compression compression,
+                   const std::stop_token& stop) {
     Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    header.compression() = compression;
     for (const char* channel : kColour) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     for (const auto& [key, value] : metadata) header.insert(metadataName(key), Imf::StringAttribute(value));
 
     MemoryOutput stream;
+    const std::size_t pixelBytes = image.pixels.size() * sizeof(Rgb);
+    if (compression == Imf::NO_COMPRESSION) stream.bytes.reserve(pixelBytes + pixelBytes / 64);
     {
         Imf::OutputFile output(stream, header);
         output.setFrameBuffer(describeMemory(image));
-        output.writePixels(image.height);
+        constexpr int kRows = 16;  // which ZIP compresses together
+        for (int y = 0; y < image.height; y += kRows) {
+            if (stop.stop_requested()) return {};
+            output.writePixels(std::min(kRows, image.height - y));
+        }
     }  // the destructor of `output` writes the table of line offsets
     return std::move(stream.bytes);
+}
+
+}  // namespace
+
+std::string encodeExr(const RgbImage& image, const ImageMetadata& metadata,
+                      const std::stop_token& compressing) try {
+    std::string file = encode(image, metadata, Imf::ZIP_COMPRESSION, compressing);
+    return file.empty() ? encode(image, metadata, Imf::NO_COMPRESSION, {}) : file;
 } catch (const std::exception& error) {
     if (base::reportsLackOfMemory(error)) throw std::bad_alloc();
     throw;

@@ -65,6 +65,7 @@ std::string encodeHdr(const RgbImage& image) {
     std::string file =
         fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", image.height, image.width);
     constexpr int kMinRunLength = 8, kMaxRunLength = 0x7fff;
+    file.reserve(file.size() + image.pixels.size() * sizeof(Rgbe));
     std::vector<Rgbe> line(static_cast<std::size_t>(image.width));
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) line[static_cast<std::size_t>(x)] = encode(image.at(x, y));

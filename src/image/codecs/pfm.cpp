@@ -65,6 +65,7 @@ RgbImage decodePfm(const ImageFile& file) {
 std::string encodePfm(const RgbImage& image) {
     std::string file =
         fmt::format("PF\n{} {}\n{}\n", image.width, image.height, kIsLittleEndian ? "-1.0" : "1.0");
+    file.reserve(file.size() + image.pixels.size() * sizeof(Rgb));
     for (int y = image.height - 1; y >= 0; --y) {
         const Rgb* row = &image.at(0, y);
         file.append(reinterpret_cast<const char*>(row), static_cast<std::size_t>(image.width) * sizeof(Rgb));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <new>
+#include <stop_token>
 #include <vector>
 
 #include "image/codecs/codecs.h"
@@ -51,9 +52,19 @@ class PngWriter {
     PngWriter& operator=(const PngWriter&) = delete;
     ~PngWriter() { png_destroy_write_struct(&png_, &info_); }
 
-    std::string write(const RgbImage& image, const std::vector<png_text>& texts, Encoding encoding) {
+    /// Empty if a stop is requested before the last row.
+    std::string write(const RgbImage& image, const std::vector<png_text>& texts, Encoding encoding,
+                      bool isCompressed, const std::stop_token& stop) {
         std::vector<png_byte> row(3 * static_cast<std::size_t>(image.width));
+        bool isStopped = false;
+        const std::size_t pixelBytes = row.size() * static_cast<std::size_t>(image.height);
+        if (!isCompressed) bytes_.reserve(pixelBytes + pixelBytes / 64);
         auto calls = [&, this] {
+            if (!isCompressed) {
+                png_set_compression_level(png_, 0);
+                png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+                png_set_compression_buffer_size(png_, std::size_t{1} << 20);  // of an IDAT chunk
+            }
             png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
             png_set_IHDR(png_, info_, static_cast<png_uint_32>(image.width),
                          static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
@@ -62,6 +73,8 @@ class PngWriter {
             if (!texts.empty()) png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
             png_write_info(png_, info_);
             for (int y = 0; y < image.height; ++y) {
+                isStopped = stop.stop_requested();
+                if (isStopped) return;
                 png_byte* next = row.data();
                 for (int x = 0; x < image.width; ++x)
                     for (int c = 0; c < 3; ++c) *next++ = encodeByte(image.at(x, y)[c], encoding);
@@ -69,7 +82,7 @@ class PngWriter {
             }
             png_write_end(png_, info_);
         };
-        if (runPngCalls(png_, calls)) return std::move(bytes_);
+        if (runPngCalls(png_, calls)) return isStopped ? std::string() : std::move(bytes_);
         if (messages_.outOfMemory) throw std::bad_alloc();
         throw InputError(messages_.error);
     }
@@ -83,14 +96,16 @@ class PngWriter {
 
 }  // namespace
 
-std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding encoding) {
+std::string encodePng(const RgbImage& image, const ImageMetadata& metadata, Encoding encoding,
+                      const std::stop_token& compressing) {
     constexpr std::size_t kMaxKeywordLength = 79;
     std::vector<std::string> keywords;
     for (const auto& [key, value] : metadata)
         keywords.push_back(metadataName(key).substr(0, kMaxKeywordLength));
     std::vector<png_text> texts;
     for (const auto& [key, value] : metadata) texts.push_back(textChunk(keywords[texts.size()], value));
-    return PngWriter().write(image, texts, encoding);
+    std::string file = PngWriter().write(image, texts, encoding, true, compressing);
+    return file.empty() ? PngWriter().write(image, texts, encoding, false, {}) : file;
 }
 
 }  // namespace rayscope::image

@@ -142,13 +142,16 @@ RgbImage decodePnm(const ImageFile& file) {
 
 std::string encodePpm(const RgbImage& image, Encoding encoding) {
     std::string file = fmt::format("P6\n{} {}\n255\n", image.width, image.height);
+    std::size_t at = file.size();
+    file.resize(at + 3 * image.pixels.size());
     for (const Rgb& pixel : image.pixels)
-        for (int c = 0; c < 3; ++c) file += static_cast<char>(encodeByte(pixel[c], encoding));
+        for (int c = 0; c < 3; ++c) file[at++] = static_cast<char>(encodeByte(pixel[c], encoding));
     return file;
 }
 
 std::string encodePgm(const RgbImage& image, Encoding encoding) {
     std::string file = fmt::format("P5\n{} {}\n255\n", image.width, image.height);
+    file.reserve(file.size() + image.pixels.size());
     for (const Rgb& pixel : image.pixels)
         file += static_cast<char>(encodeByte(math::luminance(pixel), encoding));
     return file;

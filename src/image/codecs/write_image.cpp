@@ -12,6 +12,7 @@
 #include "base/memory_budget.h"
 #include "base/nearest_name.h"
 #include "image/codecs/codecs.h"
+#include "image/encode_image.h"
 
 namespace rayscope {
 
@@ -30,13 +31,13 @@ std::string checkedSuffix(const std::string& path) {
 }
 
 std::string encode(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
-                   Encoding encoding) {
+                   Encoding encoding, const std::stop_token& compressing) {
     // Without compression; while it grows, twice.
     const bool isLinear = suffix == ".exr" || suffix == ".pfm";
     base::requireMemory(image.pixels.size() * (isLinear ? sizeof(Rgb) : 4), "a smaller image (--size)",
                         "the {} file of {} x {} pixels", suffix, image.width, image.height);
-    if (suffix == ".png") return image::encodePng(image, metadata, encoding);
-    if (suffix == ".exr") return image::encodeExr(image, metadata);
+    if (suffix == ".png") return image::encodePng(image, metadata, encoding, compressing);
+    if (suffix == ".exr") return image::encodeExr(image, metadata, compressing);
     if (suffix == ".pfm") return image::encodePfm(image);
     if (suffix == ".ppm") return image::encodePpm(image, encoding);
     if (suffix == ".pgm") return image::encodePgm(image, encoding);
@@ -45,21 +46,32 @@ std::string encode(const std::string& suffix, const RgbImage& image, const Image
 
 }  // namespace
 
-void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
-                Encoding encoding) {
+void image::writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
+                       Encoding encoding, const std::stop_token& compressing) {
     base::checkArgument(hasAllPixels(image), "image: {} x {} pixels with {} stored pixels", image.width,
                         image.height, image.pixels.size());
     checkImageDestination(path);
     if (image.empty()) throw InputError("the image has no pixels", {path});
-    base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, encoding));
+    base::writeFileAtomically(path, encode(checkedSuffix(path), image, metadata, encoding, compressing));
+}
+
+std::string image::encodeImage(const std::string& suffix, const RgbImage& image,
+                               const ImageMetadata& metadata, Encoding encoding,
+                               const std::stop_token& compressing) {
+    base::checkArgument(hasAllPixels(image), "image: {} x {} pixels with {} stored pixels", image.width,
+                        image.height, image.pixels.size());
+    if (image.empty()) throw InputError("the image has no pixels");
+    return encode(checkedSuffix("image" + suffix), image, metadata, encoding, compressing);
+}
+
+void writeImage(const std::string& path, const RgbImage& image, const ImageMetadata& metadata,
+                Encoding encoding) {
+    image::writeImage(path, image, metadata, encoding, {});
 }
 
 std::string encodeImage(const std::string& suffix, const RgbImage& image, const ImageMetadata& metadata,
                         Encoding encoding) {
-    base::checkArgument(hasAllPixels(image), "image: {} x {} pixels with {} stored pixels", image.width,
-                        image.height, image.pixels.size());
-    if (image.empty()) throw InputError("the image has no pixels");
-    return encode(checkedSuffix("image" + suffix), image, metadata, encoding);
+    return image::encodeImage(suffix, image, metadata, encoding, {});
 }
 
 void checkImageDestination(const std::string& path) {

@@ -36,7 +36,11 @@ std::optional<TimedRender> renderTimed(render::ThreadArena& workers, const trace
             if (!render::renderPass(*world, seed, film, render::nextPassTarget(done, wanted, false),
                                     {deadline.token(), {}}, counters))
                 return std::nullopt;
-        timed.image = post::applyDisplayTransform(film.mean(), request.settings, false);
+        try {
+            timed.image = post::applyDisplayTransform(film.mean(), request.settings, false, deadline.token());
+        } catch (const Stopped&) {
+            return std::nullopt;
+        }
         timed.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         timed.rays = counters.rays;
         timed.world = std::move(world);

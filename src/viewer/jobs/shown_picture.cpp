@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <rayscope/display.h>
 #include <algorithm>
 #include <span>
 #include <utility>
 
+#include "post/bloom.h"
 #include "render/film.h"
 
 namespace rayscope::viewer {
@@ -29,9 +29,8 @@ bool refines(const TracedPicture& next, const TracedPicture& shown) {
 
 }  // namespace
 
-RgbImage withBloom(const RgbImage& mean, Settings settings) {
-    settings.exposure = 0.0f;
-    return applyDisplayTransform(mean, settings);
+RgbImage withBloom(const RgbImage& mean, const Settings& settings, const std::stop_token& stop) {
+    return post::applyBloom(mean, settings, stop);
 }
 
 void ShownPicture::update(RenderControl& render, const Settings& display, double budgetSeconds) {
@@ -121,8 +120,8 @@ void ShownPicture::updateBloom(const Settings& display) {
     bloomOutdated_ = false;
     RenderRequest request = source_->request();
     request.settings = withDisplayOf(request.settings, display);
-    bloom_.start([image = image_, request = std::move(request)](const std::stop_token&, JobProgress&) {
-        return Bloomed{withBloom(image, request.settings), request};
+    bloom_.start([image = image_, request = std::move(request)](const std::stop_token& stop, JobProgress&) {
+        return Bloomed{withBloom(image, request.settings, stop), request};
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "viewer/jobs/background_job.h"
@@ -8,8 +9,9 @@
 
 namespace rayscope::viewer {
 
-/// The image with the bloom of the settings, if it is on; the exposure is applied when it is drawn.
-RgbImage withBloom(const RgbImage& mean, Settings settings);
+/// The image with the bloom of the settings, if it is on; the exposure is applied when it is drawn. Throws
+/// Stopped.
+RgbImage withBloom(const RgbImage& mean, const Settings& settings, const std::stop_token& stop = {});
 
 /// The traced picture in the view, with what made it. It never has pixels of two views: a picture of another
 /// view, or with fewer samples, replaces it only when it is whole, and only a preview is replaced tile by
