@@ -7,6 +7,7 @@
 #include "cli/failure.h"
 #include "cli/interrupt.h"
 #include "render/crash_report.h"
+#include "render/prepare_threads.h"
 
 int main(int argc, char** argv) {
     using namespace rayscope;
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     render::installCrashReport();
     cli::installTerminateHandler();
+    render::prepareThreads();
     cli::installInterruptHandlers();
     int code = cli::kInputError;
     try {

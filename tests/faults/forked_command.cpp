@@ -11,6 +11,7 @@
 #include "cli/command_line.h"
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "render/prepare_threads.h"
 
 namespace rayscope::test {
 
@@ -63,6 +64,7 @@ CommandOutcome runForked(const TemporaryFolder& folder, const std::vector<std::s
         ::dup2(err.descriptor(), STDERR_FILENO);
         if (::chdir(folder.path().c_str()) != 0) ::_exit(99);
         cli::installTerminateHandler();
+        render::prepareThreads();
         FaultPoints::arm(fault.kind, fault.point, fault.andAllAfter);
         const int code = runCommand(arguments);
         FaultPoints::disarm();
