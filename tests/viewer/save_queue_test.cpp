@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rayscope/image.h>
+#include <rayscope/save_scene.h>
 
 #include <filesystem>
 #include <thread>
 
 #include "support/run_program.h"
+#include "support/temporary_folder.h"
+#include "viewer/model/edit_state.h"
 
 namespace rayscope::viewer {
 namespace {
@@ -76,6 +79,23 @@ TEST(SaveQueue, EverythingIsWrittenBeforeItEnds) {
             });
     }
     EXPECT_EQ(written, 4);
+}
+
+TEST(SavedScene, OpensInTheEditedState) {
+    const test::TemporaryFolder folder;
+    Diagnostics notes;
+    EditState state = initialState(loadScene("builtin:cornell", notes));
+    std::vector<Light> lights = state.scene->lights;
+    std::get<PointLight>(lights.at(0).shape).position.y = 0.1f + 0.2f;
+    state.scene = withLights(*state.scene, lights);
+    state.settings.maxDepth += 1;
+    state.camera.fov = 41.3f;
+    state.camera.lens = Lens{};
+    saveScene(sceneOf(state), folder.file("saved.toml"));
+    const EditState opened = initialState(loadScene(folder.file("saved.toml"), notes));
+    EXPECT_EQ(opened.scene->lights, state.scene->lights);
+    EXPECT_EQ(opened.settings, state.settings);
+    EXPECT_EQ(opened.camera, state.camera);
 }
 
 }  // namespace

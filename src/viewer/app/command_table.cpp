@@ -35,6 +35,10 @@ struct CommandTable {
          .execute = [](Application& app) {
              app.workspace_.loader.start(app.workspace_.edit.scene->path, true); },
          .enabled = [](const Workspace& w) { return !w.edit.scene->path.empty(); }},
+        {.command = Command::SaveScene, .menu = "File", .label = "Save scene",
+         .help = "Write the scene with its edited lights, camera and settings to the current folder.",
+         .shortcut = {GLFW_KEY_E, kCtrl}, .execute = [](Application& app) { app.workspace_.saveEditedScene(); },
+         .enabled = [](const Workspace& w) { return !w.edit.scene->path.empty(); }},
         {.command = Command::SaveImage, .menu = "File", .label = "Save image",
          .help = "Write the picture to the current folder.",
          .shortcut = {GLFW_KEY_S, kCtrl}, .separatorBefore = true, .execute = perform<&Application::saveImage>},

@@ -53,6 +53,23 @@ std::optional<int> previewDivisor(const RenderRequest& preview, const RenderRequ
     return std::nullopt;
 }
 
+SceneDescription sceneOf(const EditState& state) {
+    SceneDescription scene = *state.scene;
+    const auto named = std::ranges::find(scene.cameras, state.camera.name, &CameraDescription::name);
+    if (named != scene.cameras.end())
+        *named = state.camera;
+    else
+        scene.cameras.insert(scene.cameras.begin(), state.camera);
+    const Settings opened = requestFor(state.scene).settings;
+    for (const std::string_view key : settingKeys()) {
+        const std::string value = textOf(state.settings, key);
+        if (value == textOf(opened, key)) continue;
+        std::erase_if(scene.settings, [&](const SettingAssignment& s) { return s.key == key; });
+        scene.settings.push_back({std::string(key), value, {}});
+    }
+    return scene;
+}
+
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights) {
     SceneDescription edited = scene;
     edited.lights = std::move(lights);

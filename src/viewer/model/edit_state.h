@@ -39,6 +39,10 @@ inline constexpr int kCoarsestDivisor = 64;
 /// another view.
 std::optional<int> previewDivisor(const RenderRequest& preview, const RenderRequest& full);
 
+/// The scene with the camera and the settings of the state. It opens in this state if the camera is its
+/// first.
+SceneDescription sceneOf(const EditState& state);
+
 /// The same scene with other lights, marked as edited.
 std::shared_ptr<const SceneDescription> withLights(const SceneDescription& scene, std::vector<Light> lights);
 

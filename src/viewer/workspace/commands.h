@@ -17,6 +17,7 @@ struct Workspace;
 enum class Command {
     OpenScene,
     ReloadScene,
+    SaveScene,
     SaveImage,
     SaveScreenshot,
     RenderToFile,

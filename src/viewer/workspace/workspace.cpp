@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <rayscope/save_scene.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -176,6 +178,11 @@ void Workspace::keepPicture() {
 void Workspace::saveTracedPicture(const std::string& path) {
     std::optional<StillPicture> picture = fullPicture();
     if (picture) saves.add({path}, [path, picture = std::move(*picture)] { writePicture(path, picture); });
+}
+
+void Workspace::saveEditedScene() {
+    const std::string path = saves.nextFreeName(".toml");
+    saves.add({path}, [path, state = edit] { saveScene(sceneOf(state), path); });
 }
 
 std::string tracedNotice(const Workspace& workspace) {

@@ -127,6 +127,8 @@ struct Workspace {
     void keepPicture();
     /// Writes the traced picture to a file, in the background; not a preview, as above.
     void saveTracedPicture(const std::string& path);
+    /// Writes the current state as a scene file with a new name in the current folder, in the background.
+    void saveEditedScene();
 
   private:
     /// A change of the recorded rays, after the step of the history with this number.
