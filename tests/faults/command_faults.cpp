@@ -155,7 +155,18 @@ class Trial {
     }
     void checkSuccess(const CommandOutcome& outcome) {
         EXPECT_TRUE(!command_.sameText || outcome.out == out_) << outcome.out;
-        for (const auto& [name, content] : contents_) EXPECT_EQ(readText(folder_ / name), content) << name;
+        for (const auto& [name, content] : contents_) checkContent(name, content);
+    }
+
+    /// A library that lacks memory to compress a block writes it as it is; the pixels are the same.
+    void checkContent(const std::string& name, const std::string& content) {
+        if (readText(folder_ / name) == content) return;
+        EXPECT_TRUE(name.ends_with(".exr") || name.ends_with(".png")) << name;
+        folder_.write("expected." + name, content);
+        EXPECT_EQ(readImage((folder_ / name).string()).pixels,
+                  readImage((folder_ / ("expected." + name)).string()).pixels)
+            << name;
+        std::filesystem::remove(folder_ / ("expected." + name));
     }
 
     /// What exists is complete.
@@ -166,7 +177,7 @@ class Trial {
                 ADD_FAILURE() << "left: " << name;
                 continue;
             }
-            EXPECT_EQ(readText(folder_ / name), contents_[name]) << name;
+            checkContent(name, contents_[name]);
         }
     }
 

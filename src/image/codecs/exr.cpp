@@ -151,15 +151,19 @@ class Reader {
 
 }  // namespace
 
-RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes) try {
-    return Reader(file, name, notes).read();
-} catch (const InputError&) {
-    throw;
-} catch (const std::bad_alloc&) {
-    throw;
-} catch (const std::exception& error) {
-    if (base::reportsLackOfMemory(error)) throw std::bad_alloc();
-    throwDamaged(name, error.what());
+RgbImage decodeExr(FileBytes file, const std::string& name, Diagnostics* notes) {
+    constexpr int kAttempts = 2;
+    for (int attempt = 1;; ++attempt) {
+        try {
+            return Reader(file, name, notes).read();
+        } catch (const InputError&) {
+            throw;
+        } catch (const std::exception& error) {
+            if (base::reportsLackOfMemory(error)) throw std::bad_alloc();
+            // Some errors of the library are the same for damage and for a lack of memory, such as zlib's.
+            if (attempt == kAttempts) throwDamaged(name, error.what());
+        }
+    }
 }
 
 }  // namespace rayscope::image
