@@ -61,7 +61,7 @@ void Tracer<O, Terms>::reflectGlossy(int n, const Segment& mirrored, const Inter
     part.throughput /= static_cast<double>(n);
     std::array<Ray, kGroup> rays, above;
     std::array<Hit, kGroup> hits;
-    std::array<bool, kGroup> isAbove;
+    std::array<bool, kGroup> isAbove{};
     // A single ray may wait for the next wave; several are followed one after the other.
     const bool isLast = branch.isLast && n == 1;
     for (int first = 0; first < n && !stop_.stop_requested(); first += kGroup) {

@@ -87,7 +87,7 @@ BinaryTree buildBinaryTree(const AccelInput& input, const BuildSettings& setting
     }
     collected.refs = base::BigVector<PrimitiveRef>();
     BinaryTree tree = skeleton.compact();
-    if (reinserts && !tree.nodes.empty()) tree = improveByReinsertion(std::move(tree), settings, scale);
+    if (reinserts && !tree.nodes.empty()) tree = improveByReinsertion(tree, settings, scale);
     tree.droppedPrimitives = collected.dropped;
     return tree;
 }

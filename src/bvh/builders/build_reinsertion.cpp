@@ -52,7 +52,7 @@ double reinsert(LinkedTree& tree, const Reinsertions& moves, const BuildSettings
 
 }  // namespace
 
-BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale) {
+BinaryTree improveByReinsertion(const BinaryTree& source, const BuildSettings& settings, float scale) {
     LinkedTree tree(source, scale, settings.stop);
     const float costBefore = LeafPlan(tree, source, settings).cost();
     for (int round = 0; round < kMaxRounds; ++round) {

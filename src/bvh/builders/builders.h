@@ -48,6 +48,6 @@ void buildBinned(TreeSkeleton& skeleton, std::span<PrimitiveRef> refs, float sca
 /// computed in parallel, then they are applied in order of gain (Meister, Bittner 2018). The result has
 /// leaves of up to settings.leafSize primitives and costs no more than `source` with such leaves; `source`
 /// should have leaves of one primitive and must not be empty.
-BinaryTree improveByReinsertion(BinaryTree source, const BuildSettings& settings, float scale);
+BinaryTree improveByReinsertion(const BinaryTree& source, const BuildSettings& settings, float scale);
 
 }  // namespace rayscope::bvh

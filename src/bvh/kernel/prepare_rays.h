@@ -13,19 +13,19 @@ using Int8 = int32_t __attribute__((vector_size(32)));
 RAYSCOPE_INLINE void transpose(Float8 (&v)[8]) {
     Float8 pairs[8], fours[8];
     for (int i = 0; i < 8; i += 2) {
-        pairs[i] = __builtin_shuffle(v[i], v[i + 1], Int8{0, 8, 1, 9, 4, 12, 5, 13});
-        pairs[i + 1] = __builtin_shuffle(v[i], v[i + 1], Int8{2, 10, 3, 11, 6, 14, 7, 15});
+        pairs[i] = __builtin_shufflevector(v[i], v[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+        pairs[i + 1] = __builtin_shufflevector(v[i], v[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
     }
     for (int i = 0; i < 8; i += 4)
         for (int k = 0; k < 2; ++k) {
             fours[i + 2 * k] =
-                __builtin_shuffle(pairs[i + k], pairs[i + 2 + k], Int8{0, 1, 8, 9, 4, 5, 12, 13});
+                __builtin_shufflevector(pairs[i + k], pairs[i + 2 + k], 0, 1, 8, 9, 4, 5, 12, 13);
             fours[i + 2 * k + 1] =
-                __builtin_shuffle(pairs[i + k], pairs[i + 2 + k], Int8{2, 3, 10, 11, 6, 7, 14, 15});
+                __builtin_shufflevector(pairs[i + k], pairs[i + 2 + k], 2, 3, 10, 11, 6, 7, 14, 15);
         }
     for (int i = 0; i < 4; ++i) {
-        v[i] = __builtin_shuffle(fours[i], fours[i + 4], Int8{0, 1, 2, 3, 8, 9, 10, 11});
-        v[i + 4] = __builtin_shuffle(fours[i], fours[i + 4], Int8{4, 5, 6, 7, 12, 13, 14, 15});
+        v[i] = __builtin_shufflevector(fours[i], fours[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        v[i + 4] = __builtin_shufflevector(fours[i], fours[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
     }
 }
 
@@ -88,7 +88,7 @@ RAYSCOPE_INLINE unsigned prepareEight(const float* rays, float maxCoordinate, Pa
     for (int i = 0; i < 8; ++i) {
         store8(prepared[i].inverse, row[i]);
         prepared[i].scale = scale[i];
-        mask |= (usable[i] & 1u) << i;
+        mask |= (static_cast<unsigned>(usable[i]) & 1u) << i;
     }
     return mask;
 }

@@ -36,9 +36,9 @@ RAYSCOPE_INLINE float maxComponent(Float4 x) {
 
 /// The same in all elements.
 RAYSCOPE_INLINE Float4 maxComponentBroadcast(Float4 x) {
-    const Float4 second = __builtin_shuffle(x, Int4{1, 2, 0, 1}),
-                 third = __builtin_shuffle(x, Int4{2, 0, 1, 2});
-    const Float4 larger = second > third ? second : third, first = __builtin_shuffle(x, Int4{0, 1, 2, 0});
+    const Float4 second = __builtin_shufflevector(x, x, 1, 2, 0, 1),
+                 third = __builtin_shufflevector(x, x, 2, 0, 1, 2);
+    const Float4 larger = second > third ? second : third, first = __builtin_shufflevector(x, x, 0, 1, 2, 0);
     return first > larger ? first : larger;
 }
 
