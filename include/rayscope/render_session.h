@@ -88,7 +88,8 @@ class TracedPicture {
     const RenderRequest& request() const { return request_; }
     const std::shared_ptr<const trace::World>& world() const { return world_; }
     const std::shared_ptr<const render::Film>& film() const { return film_; }
-    /// A copy of the film as it is now.
+    /// A copy of the film as it is now. Its request asks for at least the samples that the film has, which
+    /// are more than those of request() after a later request continued the film.
     StillPicture still() const;
 
   private:

@@ -150,6 +150,8 @@ StillPicture TracedPicture::still() const {
     StillPicture still;
     still.request_ = request_;
     still.mean_ = film_->mean(still.leastSamples_, still.mostSamples_);
+    // A later request for more samples may have continued the film.
+    still.request_.settings.spp = std::max(still.request_.settings.spp, still.mostSamples_);
     return still;
 }
 

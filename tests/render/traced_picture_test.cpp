@@ -36,6 +36,22 @@ TEST(TracedPicture, FewerSamplesStartAnotherFilm) {
     EXPECT_EQ(before.request().settings.spp, 8);
 }
 
+TEST(TracedPicture, MoreSamplesContinueTheFilmOfEarlierPictures) {
+    RenderRequest request = litSquare(50, 1);
+    RenderSession session(2);
+    session.submit(request);
+    session.wait();
+    const TracedPicture before = *session.picture();
+    request.settings.spp = 2;
+    session.submit(request);
+    EXPECT_EQ(session.wait(), RenderState::Done);
+    const StillPicture still = before.still();
+    EXPECT_EQ(still.mostSamples(), 2);
+    EXPECT_EQ(still.request().settings.spp, 2)
+        << "a picture is never labelled with fewer samples than it has";
+    EXPECT_EQ(still.mean().pixels, renderImage(request).mean.pixels);
+}
+
 /// While requests follow one another, each tile belongs to the request that it names.
 TEST(TracedPicture, IsThatOfItsRequestWhileRequestsReplaceOneAnother) {
     std::vector<RenderRequest> requests;
