@@ -256,9 +256,10 @@ void expectClearEnds(const FaultyCommand& command, FaultKind kind, std::uint64_t
     Trial trial(command);
     const std::uint64_t points = trial.runWithout(kind);
     ASSERT_GT(points, kind == FaultKind::Allocation ? 100u : 0u);
-    const std::uint64_t tried = std::min(points, most);
-    for (std::uint64_t i = 0; i < tried && !testing::Test::HasFailure(); ++i) {
-        const std::uint64_t point = 1 + i * points / tried;
+    const std::uint64_t chosen = std::min(points, most);
+    std::uint64_t tried = 0;
+    for (; tried < chosen && !testing::Test::HasFailure(); ++tried) {
+        const std::uint64_t point = 1 + tried * points / chosen;
         trial.runWith({kind, point, false});
         trial.runWith({kind, point, true});
     }
