@@ -28,5 +28,8 @@ optional_packages=(
 # What scripts/fuzz.sh needs besides build_packages.
 fuzz_packages=(clang imagemagick libopenexr-dev python3)
 
+# What scripts/tidy.sh needs besides build_packages.
+tidy_packages=(clang clang-tidy)
+
 # What scripts/package.sh needs besides build_packages; lintian and debootstrap check the packages in the tests.
 package_packages=(dpkg-dev patchelf)

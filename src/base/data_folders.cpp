@@ -44,7 +44,7 @@ std::vector<fs::path> dataFolders() {
 fs::path findDataFile(const fs::path& name) {
     std::error_code ignored;
     for (const fs::path& folder : dataFolders())
-        if (const fs::path path = folder / name; fs::is_regular_file(path, ignored)) return path;
+        if (fs::path path = folder / name; fs::is_regular_file(path, ignored)) return path;
     return {};
 }
 

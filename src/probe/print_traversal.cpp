@@ -37,9 +37,9 @@ std::string describe(const TraversalLog& log, const TraversalStep& step) {
 }
 
 std::string summary(const TraversalLog& log) {
-    const std::string text = fmt::format(
-        "{} nodes visited, {} culled, {} missed, {} primitives tested", log.count(TraversalEvent::Visited),
-        log.count(TraversalEvent::Culled), log.count(TraversalEvent::Missed), log.tests());
+    std::string text = fmt::format("{} nodes visited, {} culled, {} missed, {} primitives tested",
+                                   log.count(TraversalEvent::Visited), log.count(TraversalEvent::Culled),
+                                   log.count(TraversalEvent::Missed), log.tests());
     if (log.layout == BvhLayout::Binary) return text;
     return text + fmt::format(", {} filtered", log.count(TraversalEvent::Filtered));
 }

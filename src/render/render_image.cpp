@@ -19,7 +19,7 @@ RenderStatus waitFor(RenderSession& session, const RenderOptions& options) {
     const Clock::time_point start = Clock::now();
     for (;;) {
         const RenderState state = session.wait(kProgressInterval);
-        const RenderStatus status = session.status();
+        RenderStatus status = session.status();
         if (state == RenderState::Failed && status.outOfMemory) throw OutOfMemory(status.message);
         if (state == RenderState::Failed) throw InputError(status.message);
         if (state == RenderState::Done) return status;

@@ -89,7 +89,7 @@ class Collector {
     }
 
     template <class Shape>
-    bool lightsOf(std::string name) {
+    bool lightsOf(const std::string& name) {
         const auto count = static_cast<std::size_t>(
             std::count_if(scene_.lights.begin(), scene_.lights.end(),
                           [](const Light& light) { return std::holds_alternative<Shape>(light.shape); }));

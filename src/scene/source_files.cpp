@@ -55,7 +55,7 @@ std::string resolvePath(const std::string& base, std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     if (name.starts_with(kBuiltin) || fs::path(name).is_absolute()) return name;
     if (!base.starts_with(kBuiltin)) return (fs::path(base).parent_path() / name).lexically_normal().string();
-    if (const std::string embedded = std::string(kBuiltin) + name; findEmbedded(embedded)) return embedded;
+    if (std::string embedded = std::string(kBuiltin) + name; findEmbedded(embedded)) return embedded;
     // Too large to be embedded.
     const fs::path inData = fs::path("scenes") / name;
     const fs::path found = base::findDataFile(inData);

@@ -13,7 +13,7 @@ std::shared_ptr<const Texture> TextureCache::open(const std::string& path, Textu
     refuseSpecialFile(path);
     if (!texture) {
         const std::string file = readSource(path, control_);
-        LoadStep(control_, "decoding " + std::filesystem::path(path).filename().string(), 0);
+        const LoadStep step(control_, "decoding " + std::filesystem::path(path).filename().string(), 0);
         texture = std::make_shared<Texture>(
             Texture{path, decodeImage(std::as_bytes(std::span(file)), path, &notes_), wrap});
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "image/codecs/exr_file.h"
 
@@ -64,7 +65,7 @@ long long blockCount(const ExrPart& part) {
 bool fillsWithRuns(FileBytes packed, long long size) {
     std::size_t at = 0;
     while (at < packed.size()) {
-        const int code = static_cast<signed char>(packed[at]);
+        const int byte = std::to_integer<int>(packed[at]), code = byte < 128 ? byte : byte - 256;
         const int count = code < 0 ? -code : code + 1;
         at += code < 0 ? static_cast<std::size_t>(count) + 1 : 2;
         size -= count;
@@ -182,9 +183,11 @@ class BlockChecker {
         if (part_.compression != kZip && part_.compression != kZips) return true;
         unpacked_.resize(static_cast<std::size_t>(size));
         auto length = static_cast<uLongf>(size);
-        return ::uncompress(unpacked_.data(), &length, reinterpret_cast<const Bytef*>(packed.data()),
-                            static_cast<uLong>(packed.size())) == Z_OK &&
-               length == static_cast<uLongf>(size);
+        const int code =
+            ::uncompress(unpacked_.data(), &length, reinterpret_cast<const Bytef*>(packed.data()),
+                         static_cast<uLong>(packed.size()));
+        if (code == Z_MEM_ERROR) throw std::bad_alloc();
+        return code == Z_OK && length == static_cast<uLongf>(size);
     }
 
     template <class T>

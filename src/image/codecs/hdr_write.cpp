@@ -27,7 +27,7 @@ Rgbe encode(const Rgb& color) {
     int exponent;
     std::frexp(largest, &exponent);
     const auto mantissa = [&](float value) {
-        return static_cast<int>(std::ldexp(value, 8 - exponent) + 0.5f);
+        return static_cast<int>(std::lround(std::ldexp(value, 8 - exponent)));
     };
     if (mantissa(largest) > 255) ++exponent;
     if (largest == 0.0f || exponent < kMinExponent) return {};

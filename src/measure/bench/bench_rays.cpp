@@ -76,7 +76,7 @@ bool isAnyHitKind(BenchRayKind kind) {
 
 std::vector<Ray> makeBenchRays(const Accel& accel, const CameraDescription& description,
                                const glm::vec3& light, BenchRayKind kind, int size) {
-    const std::vector<Ray> primary = primaryRays(trace::Camera(description, size, size), size);
+    std::vector<Ray> primary = primaryRays(trace::Camera(description, size, size), size);
     if (kind == BenchRayKind::Primary) return primary;
     const double sceneSize = sizeOf(accel.input());
     std::vector<Ray> rays;

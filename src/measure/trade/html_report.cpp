@@ -155,6 +155,7 @@ std::string parameterChart(const TradeResult& r, const std::string& key,
                             rangeOfPoints(r, &TradePoint::error), "seconds", "RMSE");
     chart.line(frontLine(r), "background");
     std::vector<std::pair<double, double>> line;
+    line.reserve(points.size());
     for (const TradePoint* p : points) line.emplace_back(p->seconds.value, p->error.value);
     std::sort(line.begin(), line.end());
     chart.line(line, "parameter");
@@ -174,8 +175,8 @@ std::string parameterRows(const std::vector<const TradePoint*>& points) {
         std::string result = !p->dominatedBy.empty() ? "dominated by " + p->dominatedBy
                              : p->onParetoFront      ? "on the Pareto front"
                                                      : "";
-        if (p->samePicture) result = "identical picture" + (result.empty() ? "" : "; " + result);
-        if (p->biased) result = "biased" + (result.empty() ? "" : "; " + result);
+        if (p->samePicture) result.insert(0, result.empty() ? "identical picture" : "identical picture; ");
+        if (p->biased) result.insert(0, result.empty() ? "biased" : "biased; ");
         rows += tradeParts().fill("parameter row", {{"parameter", escaped(p->parameter)},
                                                     {"level", escaped(p->level)},
                                                     {"result", escaped(result)},

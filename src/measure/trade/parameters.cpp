@@ -39,6 +39,7 @@ std::vector<std::string> levelsOf(const settings::Range<T>& row, const Settings&
     for (T number = 1; number <= highest; number = static_cast<T>(number * 2))
         if (number >= row.lowest) numbers.insert(number);
     std::vector<std::string> levels;
+    levels.reserve(numbers.size());
     for (const T number : numbers) levels.push_back(fmt::format("{}", number));
     return levels;
 }

@@ -16,6 +16,7 @@ namespace {
 /// The prediction interval of the next value, for positive values with a roughly log-normal distribution.
 Interval positivePredictionInterval(const std::vector<double>& values) {
     std::vector<double> logarithms;
+    logarithms.reserve(values.size());
     for (const double value : values) logarithms.push_back(std::log(std::max(value, 1e-300)));
     const Interval next = predictionInterval(logarithms);
     return {std::exp(next.value), std::exp(next.lower), std::exp(next.upper)};

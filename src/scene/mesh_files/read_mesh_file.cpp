@@ -39,6 +39,7 @@ bool isMeshFileName(std::string_view path) { return formatOf(path) != nullptr; }
 
 std::vector<std::string_view> meshFileSuffixes() {
     std::vector<std::string_view> suffixes;
+    suffixes.reserve(std::size(kFormats));
     for (const MeshFormat& format : kFormats) suffixes.push_back(format.suffix);
     return suffixes;
 }

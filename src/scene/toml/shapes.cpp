@@ -67,6 +67,7 @@ constexpr std::array<ShapeReader, 8> kShapes{{
 
 MeshGenerator readShape(const TomlValue& value) {
     std::vector<std::string_view> names;
+    names.reserve(kShapes.size());
     for (const ShapeReader& shape : kShapes) names.push_back(shape.name);
     const toml::node* name = readTable(value).get("shape");
     if (!name) value.fail(fmt::format("needs the key 'shape': {}", base::joinChoices(names)));

@@ -22,6 +22,7 @@ class MtlReader {
         const std::string text = readTextFile(path_, "MTL", oddities_, context_.control);
         const std::vector<ParsedMaterial> parsed = parseMtl(path_, text, oddities_);
         std::vector<MtlStatements> statements;
+        statements.reserve(parsed.size());
         for (const ParsedMaterial& material : parsed) statements.push_back(material.statements);
         const std::vector<MtlValues> values = interpretMtl(statements);
         std::vector<Material> materials;

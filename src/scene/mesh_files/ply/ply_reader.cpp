@@ -58,9 +58,9 @@ class Textures {
   private:
     /// Names with folders of another machine are searched beside the file.
     std::string findFile(const std::string& name) const {
-        const std::string resolved = resolvePath(path_, name);
+        std::string resolved = resolvePath(path_, name);
         if (fileExists(resolved)) return resolved;
-        const std::string beside = resolvePath(path_, std::filesystem::path(resolved).filename().string());
+        std::string beside = resolvePath(path_, std::filesystem::path(resolved).filename().string());
         return fileExists(beside) ? beside : resolved;
     }
     void warn(std::string message) {
