@@ -26,6 +26,7 @@ constexpr Command kCommands[] = {
     {"view", "Open the window (the default command)", limited<setUpView, true>},
 #endif
     {"render", "Render a scene to an image file", limited<setUpRender>},
+    {"merge", "Join the parts of an image that were rendered separately", limited<setUpMerge>},
     {"probe", "Print the ray tree of a pixel, its BVH traversals and a diagnosis", limited<setUpProbe>},
     {"info", "Print the contents, the requirements and the lint findings of a scene", limited<setUpInfo>},
     {"bench", "Measure build time, rays per second and memory, compared with Embree where it is installed",

@@ -23,7 +23,7 @@ std::span<const Command> commandTable();
 
 /// Command::setUp of each command.
 using CommandSetUp = std::function<int()>(OptionList& options);
-CommandSetUp setUpView, setUpRender, setUpProbe, setUpInfo, setUpBench, setUpCast, setUpTrade, setUpLab,
-    setUpCompare, setUpSettings, setUpFetch, setUpManual, setUpCompletions;
+CommandSetUp setUpView, setUpRender, setUpMerge, setUpProbe, setUpInfo, setUpBench, setUpCast, setUpTrade,
+    setUpLab, setUpCompare, setUpSettings, setUpFetch, setUpManual, setUpCompletions;
 
 }  // namespace rayscope::cli

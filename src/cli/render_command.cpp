@@ -19,6 +19,7 @@
 #include "cli/interrupt_stop_source.h"
 #include "cli/non_finite_report.h"
 #include "cli/output_files.h"
+#include "cli/part_options.h"
 #include "cli/progress.h"
 #include "cli/render_stats.h"
 #include "cli/scene_options.h"
@@ -36,6 +37,7 @@ namespace {
 struct RenderCommandOptions {
     SceneOptions scene;
     TargetOptions target;
+    PartOptions part;
     std::vector<std::string> outputs;
     std::optional<glm::ivec4> pixelBounds;  ///< x0, x1, y0, y1
     std::string statsFile, progress;
@@ -107,7 +109,16 @@ void checkAovDestination(const RenderCommandOptions& options, const std::string&
 /// What can be checked without the scene, so that a mistake costs no time.
 void checkOptions(const RenderCommandOptions& options) {
     errorMetricNamed(options.target.metric);
+    options.part.check();
     if (options.dumpSettings) return;
+    if (options.part.wanted()) {
+        const bool hasOthers = !options.outputs.empty() || !options.aovs.empty() || options.timeLimit > 0.0 ||
+                               !options.statsFile.empty() || options.target.wanted();
+        if (hasOthers)
+            throw UsageError("--part",
+                             "cannot be combined with -o, --aov, --stats, --time-limit and --target-error");
+        return;
+    }
     if (options.outputs.empty()) throw UsageError("-o/--output is required");
     const bool usesStandardOutput = std::ranges::count(options.outputs, kStandardOutput) > 0;
     if (usesStandardOutput && options.format.empty())
@@ -212,6 +223,11 @@ int runRender(const RenderCommandOptions& options) {
     }
     request.region = regionFor(options, request);
     request.keepBinaryTrees = false;
+    if (options.part.wanted()) {
+        renderPart(request, options.part, options.scene.threads,
+                   progressStyle(options.progress, options.quiet), interrupt.token());
+        return kSuccess;
+    }
     interrupt.keepResult(
         "interrupted: the image so far is processed and written; a second interrupt ends the program without "
         "it");
@@ -260,6 +276,7 @@ std::function<int()> setUpRender(OptionList& list) {
         .above(0.0)
         .atMost(1e9);
     options->target.addTo(list);
+    options->part.addTo(list);
     list.add("--pixelbounds", &options->pixelBounds,
              "Render only this half-open rectangle of pixels, from the top left")
         .form("X0,X1,Y0,Y1", ',')
