@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/non_finite_report.h"
 #include "cli/output_files.h"
 #include "cli/scene_options.h"
 #include "measure/parts/film_part.h"
@@ -37,9 +38,9 @@ int runMerge(const MergeCommandOptions& options) {
     if (!isWhole) request.region = first.region;
     request.keepBinaryTrees = false;
     measure::FilmPartHeader expected = first;
+    const auto world = compileScene(request);
     expected.contentHash = measure::filmContentHash(
-        {request.scene, request.settings, request.camera, request.width, request.height},
-        *compileScene(request));
+        {request.scene, request.settings, request.camera, request.width, request.height}, *world);
     expected.seed = request.seed;
     expected.samples = request.settings.spp;
     expected.width = request.width;
@@ -48,17 +49,22 @@ int runMerge(const MergeCommandOptions& options) {
     const bool isSameSize = first.width == request.width && first.height == request.height;
     const PixelBounds region = isSameSize ? expected.region : whole;
     render::Film::requireMemory(region, 1, request.settings.bloom ? 5 : 3);
-    render::Film film(request.width, request.height, region);
-    measure::FilmPartMerger merger(expected, film);
+    const auto film = std::make_shared<render::Film>(request.width, request.height, region);
+    measure::FilmPartMerger merger(expected, *film);
     for (const std::string& part : options.parts) merger.add(part);
     if (const std::vector<int> missing = merger.missing(); !missing.empty())
         throw InputError(missingText(missing, first.parts));
-    const RgbImage mean = film.mean();
+    RenderedImage image;
+    image.request = request;
+    image.status.samples = request.settings.spp;
+    image.world = world;
+    image.film = film;
+    image.mean = film->mean();
     const ImageMetadata metadata = metadataOf(request, request.settings.spp);
     OutputFiles files;
     for (const std::string& output : options.outputs)
-        files.write(output, [&] { writeRenderedImage(output, mean, request.settings, metadata); });
-    return files.exitCode(kSuccess);
+        files.write(output, [&] { writeRenderedImage(output, image.mean, request.settings, metadata); });
+    return files.exitCode(reportNonFinite(image) ? kNonFiniteImage : kSuccess);
 }
 
 }  // namespace
